@@ -33,7 +33,7 @@ from rotordyn.scene.stage import Memo
 from rotordyn.study.interval import sampled
 
 MACHINES = {"mfw2310": "Oc2", "grinding_spindle_fits": "nose", "grinding_spindle_catalogue": "nose"}
-COUNT, PARTS = 10_000, 8
+COUNT, PARTS = 10_000, 40
 FOLDER = ROOT / "out" / "intervals"
 Array = NDArray[np.float64]
 

@@ -154,9 +154,7 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence
     )
     for ends, words, shade, alpha in bands:
         if len(x) > 1:
-            axes.fill_between(
-                x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha
-            )
+            axes.fill_between(x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha)
         else:
             axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
     dashes = DASHES[series.index(curve.series) % len(DASHES)]

@@ -295,7 +295,10 @@ class SolvedResults(Results):
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        return self.solution.sentences(lambda answers: answers.notes)
+        found = self.solution.sentences(lambda answers: answers.notes)
+        if self.case.uncertain is None or self._intervals:
+            return found
+        return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
 
     @cached_property
     def unsolved(self) -> tuple[str, ...]:

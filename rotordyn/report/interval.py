@@ -16,7 +16,7 @@ from rotordyn.results.interval import NARROW, Interval
 from rotordyn.results.text import wrapped
 
 FILE, NAME = "interval.nc", "interval"
-MOST = 14  # numbers in the summary
+MOST = 12  # numbers in the summary
 LONGEST = 44  # of their names
 FAR = 0.1  # of the range: tolerances act on one another
 HEAD = ("", "nominal", "hypotheses", "tolerances", "ruled by")

@@ -44,6 +44,18 @@ class Nominal(NamedTuple):
     values: Values
     base: Values
 
+    @property
+    def numbers(self) -> Array:
+        """Headline numbers in printed units."""
+        return np.array([each.value for each in self.values.numbers.values()], dtype=float)
+
+    @property
+    def points(self) -> Array:
+        """Points of all curves; NaN of logarithmic ones, whose differences are logarithms."""
+        curves = self.values.curves.values()
+        parts = [np.full(len(c.x), np.nan) if c.log else np.asarray(c.y, float) for c in curves]
+        return np.concatenate(parts) if parts else np.empty(0)
+
     def of(self, machines: Sequence[Values]) -> Differences:
         """Differences of machines from it; NaN where they have no such number."""
         points = sum(len(curve.x) for curve in self.values.curves.values())
@@ -117,17 +129,34 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
     solved = _refined(given, solved, machines, nominal)
     numbers, points = ([each.of_what(k) for each in solved] for k in range(2))
     effect = np.stack([each.change[[0, -1]].T for each in numbers], axis=1)
-    interaction = np.full(count, np.nan)
-    if len(given) > 1:
-        interaction = _interaction(given, machines, nominal, effect)
-    worst = quantiles.worst(numbers)
-    of_numbers, of_points = (quantiles.spread(each) for each in (numbers, points))
+    corners = _corners(given, effect, machines, nominal) if len(given) > 1 else (None, None)
+    found = quantiles.ranges(nominal.numbers, numbers, corners[0])
+    curves = quantiles.ranges(nominal.points, points, corners[1])
+    usual, worst, of_curves = found.usual, found.worst, curves.usual
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
-        of_numbers, of_points = (_tails(each) for each in drawn)
+        usual, of_curves = (_tails(each) for each in drawn)
         worst = _ends(drawn.numbers)
-    return Toleranced(of_numbers, of_points, worst, effect, interaction)
+    return Toleranced(usual, of_curves, worst, effect, found.interaction)
+
+
+def _corners(
+    given: Sequence[Tolerance], effect: Array, machines: Machines, nominal: Nominal
+) -> tuple[quantiles.Corners, quantiles.Corners]:
+    """Two machines of which all tolerances are off at once: their numbers, points of curves."""
+    scale = np.nanmax(np.abs(effect), axis=(1, 2), initial=0.0)
+    scaled = np.nan_to_num(effect / np.where(scale > 0.0, scale, 1.0)[:, None, None])
+    middle = np.array([each.nominal for each in given])
+    share = quantiles.corner_shares(scaled[..., 1] - scaled[..., 0], middle)
+    found = nominal.of(machines.all([_together(given, row.tolist()) for row in share]))
+    return quantiles.Corners(share, found.numbers), quantiles.Corners(share, found.points)
+
+
+def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, Any]:
+    """Values by path of a machine that is off by shares of all tolerances."""
+    pairs = zip(given, shares, strict=True)
+    return {path: value for each, share in pairs for path, value in each.at(share).items()}
 
 
 class Along(NamedTuple):
@@ -177,14 +206,7 @@ def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str,
     from scipy.stats import qmc
 
     shares = qmc.LatinHypercube(len(given), rng=seed).random(count)
-    return [
-        {
-            path: value
-            for t, s in zip(given, row, strict=True)
-            for path, value in t.at(float(s)).items()
-        }
-        for row in shares
-    ]
+    return [_together(given, row.tolist()) for row in shares]
 
 
 def _tails(drawn: Array) -> Array:
@@ -200,30 +222,6 @@ def _least(values: Array) -> Array:
     return np.nanmin(np.vstack([values, np.zeros(values.shape[1])]), axis=0)
 
 
-def _interaction(
-    given: Sequence[Tolerance], machines: Machines, nominal: Nominal, effect: Array
-) -> Array:
-    """What two corners differ from the sum of effects, over the range (numbers,).
-
-    The corners are those towards which most numbers change together.
-    """
-    scale = np.nanmax(np.abs(effect), axis=(1, 2), initial=0.0)
-    scaled = np.nan_to_num(effect / np.where(scale > 0.0, scale, 1.0)[:, None, None])
-    slope = scaled[..., 1] - scaled[..., 0]
-    towards = np.linalg.svd(slope, full_matrices=False)[2][0] if len(slope) else np.ones(len(given))
-    up = (towards >= 0.0).astype(int)
-    found = []
-    for ends in (up, 1 - up):
-        changes = {
-            p: v for t, end in zip(given, ends, strict=True) for p, v in t.at(float(end)).items()
-        }
-        corner = nominal.of([machines.values(changes)]).numbers[0]
-        total = np.nan_to_num(effect[:, np.arange(len(given)), ends]).sum(axis=1)
-        found.append(np.abs(corner - total))
-    width = np.abs(effect).max(axis=2).sum(axis=1)
-    return np.max(found, axis=0) / np.where(width > 0.0, width, np.inf)
-
-
 def _joined(
     asked: Asked,
     nominal: Nominal,
@@ -234,7 +232,7 @@ def _joined(
     results: Mapping[str, Any],
 ) -> Interval:
     numbers, curves = nominal.values.numbers, nominal.values.curves
-    value = np.array([each.value for each in numbers.values()], dtype=float)
+    value = nominal.numbers
     length = [len(curve.x) for curve in curves.values()]
     y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
     log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)

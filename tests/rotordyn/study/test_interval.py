@@ -99,6 +99,10 @@ def _effect(low: float, high: float, nominal: float = 0.5, levels: int = 0) -> q
     return quantiles.Effect(share, change, nominal, levels)
 
 
+def _range(*effects: quantiles.Effect) -> Any:
+    return quantiles.ranges(np.zeros(1), effects)
+
+
 def test_words_have_three_values_each_as_often() -> None:
     drawn = _effect(-1.0, 2.0, levels=3).at((np.arange(300) + 0.5) / 300.0)[:, 0]
     assert {*drawn.round(12)} == {-1.0, 0.0, 2.0}
@@ -109,29 +113,51 @@ def test_a_kink_is_met_with_values_in_between() -> None:
     """|x| over [−1, 1] through five points: evenly in [0, 1]."""
     share = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
     effect = quantiles.Effect(share, np.abs(2.0 * share - 1.0)[:, None], 0.5)
-    np.testing.assert_allclose(quantiles.spread([effect]), [[0.025, 0.975]], atol=0.03)
+    np.testing.assert_allclose(_range(effect).usual, [[0.025, 0.975]], atol=0.03)
 
 
 def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
-    """Uniform within ± a: one source covers ± 0.95 a; two equal ones ± (2 − √0.2) a … of a
-    triangle, whose tails beyond x hold (2 − x)²/4."""
-    one = quantiles.spread([_effect(-1.0, 1.0)])
-    np.testing.assert_allclose(one, [[-0.95, 0.95]], atol=2e-3)
-    two = quantiles.spread([_effect(-1.0, 1.0)] * 2)
+    """Uniform within ± 1: one source covers ± 0.95; two equal ones ± (2 − √0.2), of a triangle
+    whose tail beyond x holds (2 − x)²/8; many a normal distribution."""
+    one = _range(_effect(-1.0, 1.0))
+    np.testing.assert_allclose(one.usual, [[-0.95, 0.95]], atol=2e-3)
+    two = _range(*[_effect(-1.0, 1.0)] * 2)
     edge = 2.0 - math.sqrt(0.2)
-    np.testing.assert_allclose(two, [[-edge, edge]], atol=0.01)
-    many = [_effect(-1.0, 1.0)] * 12
-    found = quantiles.spread(many)
-    np.testing.assert_allclose(found[0, 1], 1.96 * math.sqrt(12.0 / 3.0), rtol=0.02)
-    np.testing.assert_allclose(quantiles.worst(many), [[-12.0, 12.0]])
+    np.testing.assert_allclose(two.usual, [[-edge, edge]], atol=0.01)
+    many = _range(*[_effect(-1.0, 1.0)] * 12)
+    np.testing.assert_allclose(many.usual[0, 1], 1.96 * math.sqrt(12.0 / 3.0), rtol=0.02)
+    np.testing.assert_allclose(many.worst, [[-12.0, 12.0]])
 
 
 def test_a_parabola_is_met_and_one_end_may_be_nominal() -> None:
     """y = x² over x in [−1, 1], nominal 0: y lies evenly in √y, between 0.025² and 0.975²."""
-    square = quantiles.spread([_effect(1.0, 1.0)])
-    np.testing.assert_allclose(square, [[0.025**2, 0.975**2]], atol=2e-3)
-    sided = quantiles.spread([_effect(0.0, 2.0, nominal=0.0)])
-    np.testing.assert_allclose(sided, [[0.05, 1.95]], atol=4e-3)
+    square = _range(_effect(1.0, 1.0))
+    np.testing.assert_allclose(square.usual, [[0.025**2, 0.975**2]], atol=2e-3)
+    sided = _range(_effect(0.0, 2.0, nominal=0.0))
+    np.testing.assert_allclose(sided.usual, [[0.05, 1.95]], atol=4e-3)
+
+
+@pytest.mark.parametrize("power", [1.0, 1.5, 3.0, math.inf])
+def test_the_power_that_adds_up_is_found(power: float) -> None:
+    """Numbers (Σ x)^p, or e^(Σ x), of six sources: no interaction, and the quantiles are those of
+    the sum, which the power keeps in order."""
+
+    def of(total: Any) -> Any:
+        return np.exp(total) if math.isinf(power) else (2.0 + total) ** power
+
+    size, count = 0.3, 6
+    effects = [_effect(float(of(-size) - of(0.0)), float(of(size) - of(0.0)))] * count
+    share = quantiles.corner_shares(np.ones((1, count)), np.full(count, 0.5))
+    change = of(size * (2.0 * share - 1.0).sum(axis=1)) - of(0.0)
+    corners = quantiles.Corners(share, change[:, None])
+    found = quantiles.ranges(np.array([of(0.0)]), effects, corners)
+    drawn = np.random.default_rng(0).uniform(-size, size, (200_000, count)).sum(axis=1)
+    exact = np.percentile(of(drawn) - of(0.0), (2.5, 97.5))
+    np.testing.assert_allclose(found.usual[0], exact, atol=0.02 * np.ptp(exact))
+    assert found.interaction[0] < 0.02
+    if power != 1.0:
+        plain = quantiles.ranges(np.array([of(0.0)]), effects)  # which just adds changes up
+        assert np.abs(plain.usual[0] - exact).max() > np.abs(found.usual[0] - exact).max()
 
 
 def test_few_runs_cover_95_of_100_machines() -> None:
