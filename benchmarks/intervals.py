@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import sys
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -124,7 +125,7 @@ def main() -> None:
         if asked.last is None:
             parts = [np.load(_part(name, number)) for number in range(asked.parts)]
             found[name] = measure(name, np.concatenate(parts))
-            print(name, *found[name]["lines"], sep="\n  ")
+            sys.stdout.write(f"{name}: {found[name]}\n")
     if found:
         keep("intervals", **found)
 

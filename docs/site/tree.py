@@ -24,7 +24,7 @@ GROUPS = {
     "How to": _in(
         "howto",
         "bearing_data preload compare studies optimum measured_frf life stability_lobes hypotheses "
-        "editor",
+        "intervals editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),

@@ -114,7 +114,9 @@ def slopes_figure(held: Interval) -> Figure:
     axes.tick_params(labelsize=FONT_SIZE - 1.5)
     axes.grid(visible=False)
     for (i, j), value in np.ndenumerate(values[rows]):
-        axes.text(j, i, f"{value:+.2f}", ha="center", va="center", fontsize=FONT_SIZE - 1.5)
+        light = "white" if abs(value) > 0.6 * top else "black"
+        words = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
+        axes.text(j, i, words, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=light)
     axes.set_title("relative change of a result over that of a number", fontsize=FONT_SIZE)
     return figure
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -17,9 +18,11 @@ from rotordyn.results.text import wrapped
 
 FILE, NAME = "interval.nc", "interval"
 MOST = 12  # numbers in the summary
-LONGEST = 44  # of their names
+LONGEST, LONGEST_SOURCE = 44, 17  # of their names, and of those of sources
 FAR = 0.1  # of the range: tolerances act on one another
-HEAD = ("", "nominal", "hypotheses", "tolerances", "ruled by")
+NONE = "*"
+AT = re.compile(r"( at \d+) rpm$")
+HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
 
 
 def interval_lines(held: Interval, part: str = "") -> list[str]:
@@ -51,26 +54,30 @@ def _row(held: Interval, k: int) -> tuple[str, ...]:
     size = float(np.nanmax(np.abs([held.nominal[k], *held.tolerances[k], *held.hypotheses[k]])))
     digits = 0 if size >= 1000.0 else 1 if size >= 10.0 else 3
     ranges = [
-        " to ".join(number(float(end), digits) for end in each[k])
+        "..".join(number(float(end), digits) for end in each[k])
         if np.ptp(each[k]) > NARROW * size
         else "–"
         for each in (held.hypotheses, held.tolerances)
     ]
-    if held.without[k]:
-        ranges[0] += " or none"
+    for place, without in enumerate((held.without[k], held.without_within[k])):
+        ranges[place] += NONE if without else ""
     rule = held.ruling(k)
     ruled = f"{_source(rule[0][0])} {rule[0][1]:.0%}" if rule else ""
     nominal = f"{number(float(held.nominal[k]), digits)} {held.unit[k]}".rstrip()
-    return shortened(held.number[k], LONGEST), nominal, *ranges, ruled
+    return shortened(AT.sub(r"\1", held.number[k]), LONGEST), nominal, *ranges, ruled
 
 
 def _source(path: str) -> str:
     """The end of a path, by which it is known."""
     plain = ("*", "model", "spindle", "conditions", "bearings", "sleeves", "spring")
-    return ".".join([step for step in path.split(".") if step not in plain][-2:])
+    last = ".".join([step for step in path.split(".") if step not in plain][-2:])
+    return last if len(last) <= LONGEST_SOURCE else last.rpartition(".")[2]
 
 
 def _doubts(held: Interval) -> Iterator[str]:
+    if np.any(held.without) or np.any(held.without_within):
+        unmet = "a stop that is not met, a bearing that is unloaded"
+        yield f"{NONE}          some of these machines have no such number: {unmet}"
     errors = held.numerical_error[np.isfinite(held.numerical_error)]
     if errors.size:
         most = rounded_up(float(errors.max()))

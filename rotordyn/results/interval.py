@@ -20,7 +20,8 @@ ALIKE = 0.05  # of the largest change of two numbers
 class Interval:
     """Ranges over hypotheses and over tolerances, and what rules them.
 
-    ``without``: of how many combinations there is no such number, a stop that is not met.
+    ``without``: how many combinations have no such number, a stop that is not met, a bearing that
+    is unloaded; ``without_within``: how many of the machines solved within tolerances.
 
     Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
     over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
@@ -44,6 +45,9 @@ class Interval:
     effect: Array = quantity("number", "source", "end", unit="", label="effect")
     interaction: Array = quantity("number", unit="1", label="not the sum of effects, over range")
     without: Whole = quantity("number", unit="", label="combinations without it")
+    without_within: Whole = quantity(
+        "number", unit="", label="machines within tolerances without it"
+    )
     numerical_error: Array = quantity("number", unit="1", label="numerical error")
     tolerance: tuple[str, ...] = quantity("source", unit="", label="tolerance")
     derivative: Array = quantity("number", "path", unit="", label="derivative, by SI unit")
@@ -59,7 +63,8 @@ class Interval:
 
     def spread(self) -> Array:
         """Largest relative width of either range of every number (numbers,)."""
-        size = np.where(self.nominal == 0.0, 1.0, np.abs(self.nominal))
+        size = np.abs(np.where(np.isnan(self.nominal), self.hypotheses[:, 1], self.nominal))
+        size = np.where(size == 0.0, 1.0, size)
         widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
         return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
 

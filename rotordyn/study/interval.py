@@ -110,35 +110,43 @@ def _count(asked: Asked, given: Uncertain | None) -> int:
 
 class Toleranced(NamedTuple):
     """Changes over tolerances: ``numbers`` and ``points`` (…, 2) of 95 %, ``worst`` of all;
-    ``effect`` (numbers, sources, 2); ``interaction`` (numbers,)."""
+    ``effect`` (numbers, sources, 2); ``interaction`` (numbers,); ``without``: how many machines
+    have no such number, which that of the case has."""
 
     numbers: Array
     points: Array
     worst: Array
     effect: Array
     interaction: Array
+    without: NDArray[np.int64]
 
 
 def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
     given = asked.tolerances
     count = len(nominal.values.numbers)
     if not given:
-        none, flat = np.zeros((count, 2)), np.zeros((len(nominal.of([]).points.T), 2))
-        return Toleranced(none, flat, none, np.zeros((count, 0, 2)), np.full(count, np.nan))
+        none, curves = np.zeros((count, 2)), np.zeros((len(nominal.points), 2))
+        nowhere = np.full(count, np.nan), np.zeros(count, dtype=int)
+        return Toleranced(none, curves, none, np.zeros((count, 0, 2)), *nowhere)
     solved = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
     solved = _refined(given, solved, machines, nominal)
     numbers, points = ([each.of_what(k) for each in solved] for k in range(2))
     effect = np.stack([each.change[[0, -1]].T for each in numbers], axis=1)
     corners = _corners(given, effect, machines, nominal) if len(given) > 1 else (None, None)
+    every = [each.found.numbers for each in solved]
+    every += [] if corners[0] is None else [corners[0].change]
     found = quantiles.ranges(nominal.numbers, numbers, corners[0])
-    curves = quantiles.ranges(nominal.points, points, corners[1])
-    usual, worst, of_curves = found.usual, found.worst, curves.usual
+    of_curves = quantiles.ranges(nominal.points, points, corners[1]).usual
+    usual, worst = found.usual, found.worst
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
         usual, of_curves = (_tails(each) for each in drawn)
         worst = _ends(drawn.numbers)
-    return Toleranced(usual, of_curves, worst, effect, found.interaction)
+        every.append(drawn.numbers)
+    without = np.isnan(nominal.numbers + np.concatenate(every)).sum(axis=0)
+    without[np.isnan(nominal.numbers)] = 0
+    return Toleranced(usual, of_curves, worst, effect, found.interaction, without)
 
 
 def _corners(
@@ -237,6 +245,7 @@ def _joined(
     y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
     log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)
     over = _ends(combined.points)
+    by_combination = _each(nominal, combined, machines.all(list(asked.combinations)))
     return Interval(
         number=tuple(numbers),
         source=tuple(each.path for each in asked.tolerances),
@@ -246,13 +255,14 @@ def _joined(
         curve=tuple(curves),
         unit=tuple(each.unit for each in numbers.values()),
         nominal=value,
-        by_combination=value[:, None] + combined.numbers.T,
-        hypotheses=value[:, None] + _ends(combined.numbers),
+        by_combination=by_combination,
+        hypotheses=_limits(np.column_stack([value, by_combination])),
         tolerances=value[:, None] + toleranced.numbers,
         worst=value[:, None] + toleranced.worst,
         effect=toleranced.effect,
         interaction=toleranced.interaction,
-        without=np.isnan(value + combined.numbers).sum(axis=0),
+        without=_missing(by_combination),
+        without_within=toleranced.without,
         numerical_error=np.array([_numerical(key, results) for key in numbers]),
         tolerance=tuple(each.text for each in asked.tolerances),
         derivative=found.derivative,
@@ -266,6 +276,26 @@ def _joined(
         runs=machines.solved,
         lost="; ".join(dict.fromkeys(machines.lost)),
     )
+
+
+def _each(nominal: Nominal, combined: Differences, machines: Sequence[Values]) -> Array:
+    """Numbers by combination; as they are where the machine of the case has none."""
+    value = nominal.numbers[:, None]
+    keys, none = [*nominal.values.numbers], np.nan
+    own = [[m.numbers[k].value if k in m.numbers else none for m in machines] for k in keys]
+    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), value + combined.numbers.T)
+
+
+def _limits(values: Array) -> Array:
+    """Lowest and highest of those that are numbers (n, 2)."""
+    low, high = np.fmin.reduce(values, axis=1), np.fmax.reduce(values, axis=1)
+    return np.stack([low, high], axis=1)
+
+
+def _missing(values: Array) -> NDArray[np.int64]:
+    """How many are no numbers, where some are (n,)."""
+    none = np.isnan(values)
+    return np.where(none.all(axis=1), 0, none.sum(axis=1))
 
 
 def _ends(changes: Array) -> Array:

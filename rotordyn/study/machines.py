@@ -16,6 +16,7 @@ from bearings.errors import BearingError
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.asked import certain
 from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import solve
@@ -50,10 +51,16 @@ class Machines:
     def values(self, changes: Mapping[str, Any]) -> Values:
         """What the machine with other values at dotted paths comes to; one without a solution has
         no numbers."""
+        changes = {path: value for path, value in changes.items() if self._other(path, value)}
         key = repr(sorted(changes.items()))
         if key not in self._known:
             self._known[key] = self._solved(changes)
         return self._known[key]
+
+    def _other(self, path: str, value: Any) -> bool:
+        """Whether a value at a path is not that of the case already."""
+        found = [held for held, _ in found_at(self.case, path)]
+        return any(type(held) is not type(value) or held != value for held in found)
 
     def _solved(self, changes: Mapping[str, Any]) -> Values:
         self.solved += 1

@@ -151,7 +151,8 @@ def _error(
     scaled = [_scaled(power, value, each, rows) for each in effects]
     none = [np.isnan(s.change) & ~np.isnan(e.change) for s, e in zip(scaled, effects, strict=True)]
     sums = sum(e.at(s) for e, s in zip(scaled, corners.share.T, strict=True))
-    error = np.abs(power.back(power.of(value) + sums) - value - corners.change).max(axis=0)
+    error = np.abs(power.back(power.of(value) + sums) - value - corners.change)
+    error = np.where(np.isnan(corners.change).all(axis=0), 0.0, np.fmax.reduce(error, axis=0))
     usable = ~np.any([each.any(axis=0) for each in none], axis=0) & np.isfinite(error)
     return np.where(usable, error, np.inf)
 

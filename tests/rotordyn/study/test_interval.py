@@ -52,14 +52,14 @@ def test_combinations_are_what_single_runs_give() -> None:
         column = found.by_combination.sel(combination=f"kinematics {law}, moment_sharing {sharing}")
         np.testing.assert_allclose(column, singles[-1], rtol=1e-6)
     assert len(singles) == found.sizes["combination"] == 16
-    known = np.isfinite(found.nominal.values)
+    known = np.isfinite(singles).any(axis=0)
     for end, limit in (("lowest", np.nanmin), ("highest", np.nanmax)):
         np.testing.assert_allclose(
             found.hypotheses.sel(end=end)[known],
             limit(np.array(singles)[:, known], axis=0),
             rtol=1e-6,
         )
-    assert found.without.values.tolist() == np.isnan(singles).sum(axis=0).tolist()
+    assert found.without.values.tolist() == (np.isnan(singles).sum(axis=0) * known).tolist()
     moved = np.ptp(found.hypotheses.values[known], axis=1) / found.nominal.values[known]
     assert moved.max() > 0.2  # the choice matters
 
