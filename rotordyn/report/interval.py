@@ -86,9 +86,9 @@ def _doubts(held: Interval) -> Iterator[str]:
     if far.size:
         worst = max(far, key=lambda k: held.interaction[k])
         yield (
-            f"note       tolerances act on one another: where all go to their ends together, "
+            "note       tolerances act on one another: where all are off at once, "
             f"{held.number[worst]} differs from the sum of their effects by "
-            f"{held.interaction[worst]:.0%} of its worst case; give samples to be sure"
+            f"{held.interaction[worst]:.0%} of its range; give samples to be sure"
         )
     if held.lost:
         yield f"note       left out, without a solution: {shortened(held.lost, 300)}"
@@ -137,7 +137,7 @@ def _numbers(held: Interval) -> list[Column]:
     rules = [held.ruling(k)[:1] for k in range(len(held.number))]
     columns.append(("ruled by", [rule[0][0] if rule else "" for rule in rules]))
     columns.append(("its share", [f"{rule[0][1]:.3g}" if rule else "" for rule in rules]))
-    columns.append(("not the sum of effects, over worst case", _printed(held.interaction)))
+    columns.append(("not the sum of effects, over the range", _printed(held.interaction)))
     columns.append(("numerical error", _printed(held.numerical_error)))
     return columns
 
