@@ -20,7 +20,8 @@ def _ranges(found: dict[str, Any]) -> str:
     for name, each in found.items():
         if name == "costs":
             continue
-        runs = f"`{name}`, {each['runs']} runs, {each['count']:,} machines".replace(",", " ", 3)
+        count = f"{each['count']:,}".replace(",", " ")
+        runs = f"`{name}`, {each['runs']} runs, {count} machines"
         for place, line in enumerate(each["lines"]):
             few, drawn = (f"{a:.4g} to {b:.4g}" for a, b in (line["few"], line["random"]))
             apart, far = f"{100.0 * line['error']:.1f} %", line["error"] > LIMIT

@@ -21,13 +21,8 @@ class Interval:
     """Ranges over hypotheses and over tolerances, and what rules them.
 
     ``without``: how many combinations have no such number, a stop that is not met, a bearing that
-    is unloaded; ``without_within``: how many of the machines solved within tolerances.
-
-    Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
-    over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
-    lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number when
-    one source goes to its end. ``interaction``: what two corners of all tolerances differ from the
-    sum of their effects, over the range. Curves stand one after the other along ``point``.
+    is unloaded; ``without_within``: how many of the machines solved within tolerances, one more
+    where a load would vanish within the range.
     """
 
     number: tuple[str, ...] = coordinate("number", unit="", label="number")

@@ -146,6 +146,7 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         every.append(drawn.numbers)
     without = np.isnan(nominal.numbers + np.concatenate(every)).sum(axis=0)
     without[np.isnan(nominal.numbers)] = 0
+    without[(nominal.numbers > 0.0) & (nominal.numbers + usual[:, 0] <= 0.0)] += 1  # a load lost
     return Toleranced(usual, of_curves, worst, effect, found.interaction, without)
 
 
