@@ -31,7 +31,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import KW_ONLY, MISSING, dataclass, field, fields
 from itertools import chain
 from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeGuard
 
 from bearings.errors import InvalidBearing
 from bearings.grooves import Grooves
@@ -65,7 +65,7 @@ class Measure:
             return "" if taken else f"{name} must be a bearings.Material, got {value!r}"
         if not _number(value):
             return f"{name} must be a finite number, got {value!r:.60}"
-        number = float(value)  # type: ignore[arg-type]
+        number = float(value)
         if self.quantity == "count" and number != int(number):
             return f"{name} must be a whole number from {self.low:g} up, got {value!r:.60}"
         above = number > self.low if self.open_low else number >= self.low
@@ -335,7 +335,7 @@ class BallBearing:
         return state
 
 
-def _number(value: object) -> bool:
+def _number(value: object) -> TypeGuard[float]:
     """A finite real number."""
     if isinstance(value, bool) or not isinstance(value, Real | Integral):
         return False

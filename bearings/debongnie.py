@@ -348,7 +348,7 @@ def _number(value: object) -> bool:
     """A finite real number."""
     if isinstance(value, bool) or not isinstance(value, Real):
         return False
-    return bool(abs(value) < FAR)  # type: ignore[operator]
+    return bool(value < FAR) and not value <= -FAR
 
 
 def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:

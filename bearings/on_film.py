@@ -159,6 +159,6 @@ def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
     loaded = load > 0.0
     contact = np.where(loaded, 1.5 * load / np.where(loaded, approach, 1.0), 1.0)
     deeper = np.where(loaded, approach * (1.0 + contact / spring), 0.0)
-    stiffness = np.where(loaded, load / np.where(loaded, deeper, 1.0) ** 1.5, groove.stiffness)
+    stiffness: Any = np.where(loaded, load / np.where(loaded, deeper, 1.0) ** 1.5, groove.stiffness)
     reach: Any = np.where(loaded, length - deeper, groove.centre_distance)
-    return groove._replace(stiffness=stiffness, centre_distance=reach)  # type: ignore[arg-type]
+    return groove._replace(stiffness=stiffness, centre_distance=reach)

@@ -170,8 +170,7 @@ def _astray(one: dict[str, Any]) -> bool:
 
 
 def _of_sort(rng: Rng, sort: str) -> Spindle:
-    few = {"isotropic": False, "damped": True, "sections": SECTIONS[sort]}
-    spindle = stepped_rotor(rng, **few)  # type: ignore[arg-type]
+    spindle = stepped_rotor(rng, isotropic=False, damped=True, sections=SECTIONS[sort])
     more: dict[str, Callable[[Rng, Spindle], Spindle]] = {
         "tapered": conical,
         "jointed": jointed,

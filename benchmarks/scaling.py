@@ -31,9 +31,11 @@ from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.solving import answer_spindle
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
 
 RPM = math.pi / 30.0

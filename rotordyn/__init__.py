@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open
-    from rotordyn.study import Goal, Limit, Span, optimise, sweep
+    from rotordyn.study import Goal, Limit, Span, optimise, sweep, write_report
     from rotordyn.study.run import run
     from rotordyn.study.sensitivity import sensitivities
 
@@ -39,6 +39,7 @@ _MODULE_OF = {
     "sensitivities": "rotordyn.study.sensitivity",
     "sweep": "rotordyn.study",
     "vary": "rotordyn.case.vary",
+    "write_report": "rotordyn.study",
 }
 __all__ = [
     "Case",
@@ -64,6 +65,7 @@ __all__ = [
     "state",
     "sweep",
     "vary",
+    "write_report",
 ]
 
 

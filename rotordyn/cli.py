@@ -10,6 +10,7 @@ import sys
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,6 @@ from rotordyn.plain import HANDLER, register
 
 if TYPE_CHECKING:
     from rotordyn.case.shipped import Shipped
-    from rotordyn.job import Progress
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing, material, study or optimum"
@@ -125,6 +125,9 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help="also the range of every result over what is uncertain of the case",
     )
+    run.add_argument(
+        "--report", action="store_true", help="also write report.html, a page to hand on"
+    )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -152,6 +155,12 @@ def _parser() -> argparse.ArgumentParser:
     best.add_argument("--no-figures", action="store_true", help="write numbers alone")
     best.add_argument("--quiet", action="store_true", help="print nothing but errors")
     best.set_defaults(command=_optimise)
+    report = commands.add_parser(
+        "report", help="write the results of a run or a study as one HTML page"
+    )
+    report.add_argument("folder", metavar="DIR", help="results folder of run or sweep")
+    report.add_argument("-o", "--output", metavar="FILE", help="the page (DIR/report.html)")
+    report.set_defaults(command=_report)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
@@ -237,9 +246,7 @@ def _heed_signals() -> None:
 
 
 def _run(arguments: argparse.Namespace) -> int:
-    from rotordyn.job import one_variant, restricted
-    from rotordyn.job.delivery import write
-    from rotordyn.report.folder import check_target
+    from rotordyn.job import deliver, one_variant, restricted
     from rotordyn.study.run import run
 
     _heed_signals()
@@ -251,11 +258,19 @@ def _run(arguments: argparse.Namespace) -> int:
     formats = _formats(arguments.format)
     target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
     steps = max(len(case.variants), 1) * len(case.analyses) + 1
-    with _progress(steps, quiet=arguments.quiet) as progress:
-        check_target(target)
-        results = run(case, progress, interval=arguments.interval)
-        delivery = write(
-            results, target, progress, figures=not arguments.no_figures, formats=formats
+    with _bar("reading", steps, quiet=arguments.quiet) as update:
+
+        def progress(name: str) -> None:  # speeds: how far the analysis before them is
+            update(description=name, advance=0 if name.endswith(" speeds") else 1)
+
+        delivery = deliver(
+            case,
+            target,
+            progress,
+            figures=not arguments.no_figures,
+            formats=formats,
+            report=arguments.report,
+            solve=partial(run, interval=arguments.interval),
         )
     if not arguments.quiet:
         _say(delivery.summary)
@@ -281,13 +296,13 @@ def _sweep(arguments: argparse.Namespace) -> int:
     study = read_study(arguments.study)
     folder = Path("out") / study.case.name if arguments.output is None else Path(arguments.output)
     try:
-        with _time_left(quiet=arguments.quiet) as progress:
+        with _bar("points", None, quiet=arguments.quiet, timed=True) as update:
             left = deliver(
                 study,
                 folder,
                 workers=arguments.workers,
                 cluster=arguments.cluster,
-                progress=progress,
+                progress=lambda done, of: update(completed=done, total=of),
                 yes=arguments.yes,
                 draw=not arguments.no_figures,
             )
@@ -309,13 +324,13 @@ def _optimise(arguments: argparse.Namespace) -> int:
     name = problem.case.name
     folder = Path("out") / name if arguments.output is None else Path(arguments.output)
     try:
-        with _time_left(quiet=arguments.quiet) as progress:
+        with _bar("trials", None, quiet=arguments.quiet, timed=True) as update:
             found, text = deliver(
                 problem,
                 folder,
                 **how,
                 workers=arguments.workers,
-                progress=progress,
+                progress=lambda done, of: update(completed=done, total=of),
                 draw=not arguments.no_figures,
             )
     except KeyboardInterrupt:
@@ -327,23 +342,37 @@ def _optimise(arguments: argparse.Namespace) -> int:
     return 0 if found.best is not None else 3
 
 
+def _report(arguments: argparse.Namespace) -> int:
+    from rotordyn.job.pages import REPORT
+
+    folder = Path(arguments.folder)
+    path = folder / REPORT if arguments.output is None else Path(arguments.output)
+    _say(rotordyn.write_report(folder, path))
+    return 0
+
+
 @contextmanager
-def _time_left(*, quiet: bool) -> Iterator[Callable[[int, int], None]]:
-    """A bar on the terminal with the time left; silent where nobody watches."""
+def _bar(
+    task: str, total: int | None, *, quiet: bool, timed: bool = False
+) -> Iterator[Callable[..., None]]:
+    """A bar on the terminal, ``timed`` with the time left, moved by keywords of rich's ``update``;
+    silent where nobody watches, and without rich: work goes on without its bar."""
     if quiet or sys.stderr is None or not sys.stderr.isatty():
-        yield lambda done, of: None
+        yield lambda **_: None
         return
     try:
+        from rich import progress
         from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
-        from rich.progress import Progress as Bar
-    except ModuleNotFoundError:  # a study goes on without its bar
-        yield lambda done, of: None
+    except ModuleNotFoundError:
+        yield lambda **_: None
         return
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("points", total=None)
-        yield lambda done, of: bar.update(task, completed=done, total=of)
+    columns = progress.Progress.get_default_columns()
+    if timed:
+        columns = (
+            progress.BarColumn(), progress.MofNCompleteColumn(), progress.TimeRemainingColumn()
+        )  # fmt: skip
+    with progress.Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        yield partial(bar.update, bar.add_task(task, total=total))
 
 
 def _formats(words: str | None) -> tuple[str, ...]:
@@ -362,26 +391,3 @@ def _formats(words: str | None) -> tuple[str, ...]:
         if word not in FORMATS:
             raise InvalidInput(f"--format {word}: figures are written as {', '.join(FORMATS)}")
     return names
-
-
-@contextmanager
-def _progress(steps: int, *, quiet: bool) -> Iterator[Progress]:
-    """A bar on the terminal that names what is being done; silent where nobody watches."""
-    if quiet or sys.stderr is None or not sys.stderr.isatty():
-        yield lambda name: None
-        return
-    try:
-        from rich.console import Console
-        from rich.progress import Progress as Bar
-    except ModuleNotFoundError:  # a run goes on without its bar
-        yield lambda name: None
-        return
-    with Bar(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("reading", total=steps)
-
-        def progress(name: str) -> None:
-            bar.update(task, description=name)
-            if not name.endswith(" speeds"):  # how far the analysis before it is
-                bar.advance(task)
-
-        yield progress

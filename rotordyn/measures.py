@@ -12,7 +12,7 @@ from rotordyn.units import parse_unit
 
 
 def limits(measure: Measure) -> Quantity | Whole:
-    """The range of a measure that is a number, its bounds written in the unit of drawings."""
+    """Range of a numeric measure, its bounds in the units of drawings."""
     if measure.quantity == "count":
         return Whole(int(measure.low), int(measure.high))
     low, high = (_written(bound, measure.unit) for bound in (measure.low, measure.high))

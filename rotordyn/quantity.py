@@ -276,65 +276,47 @@ def suggestion(given: object, allowed: Iterable[str]) -> str:
 
 
 LENGTH = Quantity("length", above="0 m", at_most="100 m")
-DIAMETER = Quantity("length", above="0.1 mm", at_most="10 m")
-GROWTH = Quantity("length", at_least="-1 mm", at_most="1 mm")
-SPEED = Quantity("speed", at_least="0 rpm", at_most="1000000 rpm")
 FREQUENCY = Quantity("frequency", above="0 Hz", at_most="1000 kHz")
 MASS = Quantity("mass", at_least="0 kg", at_most="100000 kg")
-INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
-FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
-MOMENT = Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")
-OIL_VISCOSITY = Quantity("kinematic viscosity", above="0.5 mm^2/s", at_most="100000 mm^2/s")
-TEMPERATURE = Quantity("temperature", at_least="-60 degC", at_most="300 degC")
-DURATION = Quantity("duration", above="0 h", at_most="1e9 h")
-VISCOSITY = Quantity("viscosity", above="0 Pa s", at_most="1000 Pa s")
-ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
-LOAD = Quantity("force", above="0 N", at_most="10000 kN")
-PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
-PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
-TILT_DAMPING = Quantity("tilt damping", at_least="0 N m s/rad", at_most="1e6 kN m s/rad")
-DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
-SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
-FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
-AMPLITUDE = Quantity("ratio", above="0 %", at_most="20 %")
-ACCURACY = Quantity("number", at_least="1e-8", at_most="0.01")
 
 Station = Annotated[float, Quantity("length", at_least="-100 m", at_most="100 m")]
 Length = Annotated[float, LENGTH]
-Amplitude = Annotated[float, AMPLITUDE]
-Accuracy = Annotated[float, ACCURACY]
-Friction = Annotated[float, FRICTION]
+Amplitude = Annotated[float, Quantity("ratio", above="0 %", at_most="20 %")]
+Accuracy = Annotated[float, Quantity("number", at_least="1e-8", at_most="0.01")]
+Friction = Annotated[float, Quantity("number", at_least="0.001", at_most="10", infinite="none")]
 MassDamping = Annotated[float, Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")]
 StiffnessDamping = Annotated[float, Quantity("time", at_least="0 s", at_most="1 s")]
 RadialShare = Annotated[float, Quantity("number", at_least="0", at_most="10")]
 SpeedRatio = Annotated[float, Quantity("number", at_least="-100", at_most="100")]
 EngineOrder = Annotated[float, Quantity("number", at_least="0.001", at_most="1000")]
-Diameter = Annotated[float, DIAMETER]
+Diameter = Annotated[float, Quantity("length", above="0.1 mm", at_most="10 m")]
 Bore = Annotated[float, Quantity("length", at_least="0 m", at_most="10 m")]
-Growth = Annotated[float, GROWTH]
+Growth = Annotated[float, Quantity("length", at_least="-1 mm", at_most="1 mm")]
 RingOffset = Annotated[float, Quantity("length", above="0 um", at_most="1 mm")]
 Interference = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm")]
 Travel = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
 StopTravel = Annotated[
     float, Quantity("length", at_least="0 um", at_most="100 mm", infinite="none")
 ]
-Speed = Annotated[float, SPEED]
+Speed = Annotated[float, Quantity("speed", at_least="0 rpm", at_most="1000000 rpm")]
 TopSpeed = Annotated[float, Quantity("speed", above="0 rpm", at_most="1000000 rpm")]
 Frequency = Annotated[float, FREQUENCY]
 Mass = Annotated[float, MASS]
-Inertia = Annotated[float, INERTIA]
-Force = Annotated[float, FORCE]
-Moment = Annotated[float, MOMENT]
+Inertia = Annotated[float, Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")]
+Force = Annotated[float, Quantity("force", at_least="-10000 kN", at_most="10000 kN")]
+Moment = Annotated[float, Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")]
 LineForce = Annotated[float, Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m")]
 UnbalanceSize = Annotated[float, Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")]
 BalanceQuality = Annotated[float, Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")]
 Eccentricity = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
-Viscosity = Annotated[float, VISCOSITY]
-OilViscosity = Annotated[float, OIL_VISCOSITY]
-Temperature = Annotated[float, TEMPERATURE]
+Viscosity = Annotated[float, Quantity("viscosity", above="0 Pa s", at_most="1000 Pa s")]
+OilViscosity = Annotated[
+    float, Quantity("kinematic viscosity", above="0.5 mm^2/s", at_most="100000 mm^2/s")
+]
+Temperature = Annotated[float, Quantity("temperature", at_least="-60 degC", at_most="300 degC")]
 TemperatureDifference = Annotated[
     float, Quantity("temperature difference", at_least="-200 K", at_most="200 K")
 ]
@@ -344,27 +326,29 @@ ThermalExpansion = Annotated[
 ThermalConductance = Annotated[
     float, Quantity("thermal conductance", at_least="0 W/K", at_most="100000 W/K")
 ]
-Duration = Annotated[float, DURATION]
+Duration = Annotated[float, Quantity("duration", above="0 h", at_most="1e9 h")]
 SlidingFriction = Annotated[float, Quantity("number", at_least="0.001", at_most="1")]
 Cleanness = Annotated[float, Quantity("number", at_least="0", at_most="1")]
 Roughness = Annotated[float, Quantity("length", above="0 um", at_most="10 um")]
 EccentricityRatio = Annotated[float, Quantity("ratio", at_least="0 %", below="100 %")]
-Angle = Annotated[float, ANGLE]
+Angle = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")]
 SmallAngle = Annotated[float, Quantity("angle", at_least="-1 deg", at_most="1 deg")]
 TwistAngle = Annotated[float, Quantity("angle", above="0 deg", at_most="360 deg")]
-Load = Annotated[float, LOAD]
+Load = Annotated[float, Quantity("force", above="0 N", at_most="10000 kN")]
 LightLoad = Annotated[float, Quantity("force", at_least="0.001 N", at_most="10000 kN")]
-Preload = Annotated[float, PRELOAD]
-Pull = Annotated[float, PULL]
+Preload = Annotated[float, Quantity("force", at_least="0 N", at_most="10000 kN")]
+Pull = Annotated[float, Quantity("force", at_least="0 N", at_most="100000 kN")]
 Rigidity = Annotated[float, RIGIDITY]
 TiltRigidity = Annotated[
     float, Quantity("tilt stiffness", above="0 N m/rad", at_most="1e6 MN m/rad", infinite="rigid")
 ]
-TiltDamping = Annotated[float, TILT_DAMPING]
-Damping = Annotated[float, DAMPING]
+TiltDamping = Annotated[
+    float, Quantity("tilt damping", at_least="0 N m s/rad", at_most="1e6 kN m s/rad")
+]
+Damping = Annotated[float, Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")]
 DampingRatio = Annotated[float, DAMPING_RATIO]
 LossFactor = Annotated[float, Quantity("ratio", at_least="0 %", at_most="100 %")]
-Share = Annotated[float, SHARE]
+Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="100 %")]
 Name = Annotated[str, Named()]
 PointName = Annotated[str, Named(dotted=True)]
 OptionalName = Annotated[str, Named(optional=True)]

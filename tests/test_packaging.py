@@ -85,6 +85,7 @@ def test_wheel_holds_every_source_file_and_both_type_markers(wheel: dict[str, by
     assert {"rotordyn/__init__.py", "bearings/__init__.py"} <= sources.keys()
     assert sources.items() <= wheel.items()
     assert {"rotordyn/py.typed", "bearings/py.typed"} <= wheel.keys()
+    assert {"rotordyn/page/page.css", "rotordyn/page/page.js"} <= wheel.keys()
 
 
 def test_wheel_holds_every_model_and_case_as_data(wheel: dict[str, bytes]) -> None:

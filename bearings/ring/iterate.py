@@ -16,6 +16,7 @@ from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring.assembly import Assembly
 from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
+from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 from bearings.ring.state import BearingState
 from bearings.ring.tolerances import LONGEST_TURN
@@ -83,13 +84,17 @@ def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> It
 
     The first balls of the state are taken for those of the assembly.
     """
-    operation = state.operation
+    parts = parts_of(state.operation, assembly)
+    ball = state.ball_centre[..., : parts[0][1].assembly.balls]
+    return _linearised(parts, state.operation.shape, state.displacement, ball)
+
+
+def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Parts:
+    """States at given displacements that turn, and those at rest."""
     whole = replace(Problem.of(operation, assembly), free=np.zeros(5, dtype=bool))
     turn = turns(whole.geometry, operation.speed)
     groups = ((np.flatnonzero(turn == turning), turning) for turning in (True, False))
-    parts = tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
-    ball = state.ball_centre[..., : whole.assembly.balls]
-    return _linearised(parts, operation.shape, state.displacement, ball)
+    return tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
 
 
 def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array) -> Iterate:

@@ -12,7 +12,7 @@ from rotordyn.case.case import ByName
 from rotordyn.case.keys import Range
 from rotordyn.case.schema import default_of, title
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
-from rotordyn.machine.support import Matrix
+from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import Choice, Named, Quantity, Sweep, Whole, Words
 
 

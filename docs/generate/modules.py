@@ -14,7 +14,7 @@ ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equati
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
 # Array types, what a case specifies and how a result is reported need no theory.
-PLAIN = {"arrays", "spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff"}
+PLAIN = {"arrays", "spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff", "page"}
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 

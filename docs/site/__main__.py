@@ -9,6 +9,7 @@ import tempfile
 from pathlib import Path
 
 from docs.generate.places import ROOT
+from docs.site.reports import EXTRA
 from docs.site.tree import lay_out
 
 OURS = ".buildinfo"  # Sphinx leaves it in what it has built
@@ -34,6 +35,7 @@ def _build(tree: Path, built: Path, output: Path) -> int:
     from sphinx.cmd.build import build_main
 
     options = ["-q", "-W", "--keep-going", "-n", "-b", "html", "-c", str(Path(__file__).parent)]
+    options += ["-D", f"html_extra_path={tree / EXTRA}"]
     code = build_main([*options, "-d", str(built.parent / "doctrees"), str(tree), str(built)])
     if code == 0:
         shutil.rmtree(output, ignore_errors=True)

@@ -13,6 +13,7 @@ import yaml
 
 import rotordyn
 from docs.generate.places import DOCS, ROOT
+from docs.site.reports import EXTRA, REPORTS, write_case_report
 from docs.site.runs import case_run, example_run
 from rotordyn.case.library import models_root
 
@@ -80,8 +81,10 @@ def _case(path: Path, tree: Path, runs: Path) -> Exhibit:
     page = f"cases/{path.stem}"
     pictures = _copied(folder, tree / page)
     shutil.copy(path, tree / page)
+    write_case_report(folder, tree / EXTRA / REPORTS, path.stem)
     text = (
         f"# {case.title}\n\n{note}\n\n"
+        f'<p><a href="../{REPORTS}/{path.stem}.html">All results on one page</a></p>\n\n'
         f"`scripts/run cases/{path.name}`, which reads {_models(case.files, path)}:\n\n"
         f"{_included(path, 'yaml')}\n\n"
         f"## Summary\n\n{_quoted((folder / 'summary.txt').read_text(encoding='utf-8'))}\n\n"

@@ -1,4 +1,4 @@
-"""What an analysis declares, once, in the ``__init__`` of its folder: ``ANALYSIS = Analysis(…)``.
+"""What an analysis declares, once, in the ``__init__`` of its folder: ``ANALYSIS = in_folder(…)``.
 
 To add an analysis:
 
@@ -15,9 +15,10 @@ To add an analysis:
 6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
    these import matplotlib. What draws the main figure does so onto axes that it is given.
 7. ``known.py``: what may be compared with published and measured values.
-8. The record in ``__init__.py``. It names code by text, ``code("solve:answer")``, which is imported
-   when it is first called: reading a case imports specs alone. Everything but the name, the
-   machine, the spec and ``solve`` may be left out.
+8. ``page.py``: what an HTML page shows beyond curves and headline numbers.
+9. The record in ``__init__.py``: ``in_folder(__name__, …)`` for code in the files above, under the
+   names of ``PLACES``. Code is named by text, ``Code(__name__, "uff:files")``, and imported when it
+   is first called: reading a case imports specs alone.
 
 An analysis of another package is found by its entry point in the group ``rotordyn.analyses``: its
 name, and ``package.module:ANALYSIS``. An analysis never imports another one.
@@ -36,6 +37,7 @@ from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.figures.draw import Pictures
+    from rotordyn.page.blocks import Block
     from rotordyn.results.headline import Curve, Number
 
 File = tuple[str, Callable[[], object]]
@@ -110,6 +112,12 @@ class Analysis:
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
       under ``heading``.
 
+    An HTML page shows of it, in a section named ``title`` (by default its name):
+
+    - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants of a case, or of its
+      only machine (``page.blocks.Shown``). Where it is left out: its ``curves``, or, without any,
+      its declared quantities over speed.
+
     Many machines are solved for these numbers and curves alone (intervals):
 
     - ``lean(spec)``: a spec that costs less and gives the same numbers and curves;
@@ -147,3 +155,35 @@ class Analysis:
     lean: Callable[[Any], Any] = _same
     speeds: Callable[[Any], Iterable[float]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None
+    title: str = ""
+    page: Callable[[Any, Any], Iterable[Block]] | None = None
+
+
+PLACES = {
+    "solve": "solve:answer",
+    "figures": "figures:figures",
+    "panels": "figures:panels",
+    "curves": "figures:headline_curves",
+    "summary": "summary:summary",
+    "accuracy": "summary:accuracy",
+    "warnings": "summary:warnings",
+    "numbers": "summary:numbers",
+    "known": "known:known",
+    "page": "page:page",
+}
+
+
+def in_folder(package: str, *also: str, **declared: Any) -> Analysis:
+    """The analysis whose folder is ``package``, which gives its name, with code in ``PLACES``:
+    what solves, draws, lays curves over others and sums up, numbers where it has a ``heading``,
+    and ``also`` the parts named. ``declared``: further fields of ``Analysis``."""
+    parts = (
+        "solve",
+        "figures",
+        "curves",
+        "summary",
+        *("numbers",) * ("heading" in declared),
+        *also,
+    )
+    code = {part: Code(package, PLACES[part]) for part in parts}
+    return Analysis(name=package.rpartition(".")[2], **{**code, **declared})

@@ -51,21 +51,21 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
 def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None) -> Complex:
     """Receptance of the base at the joint (f, n, n), from that at the tip of a known blank on it.
 
-    It is ill-conditioned where the tip does not feel the base: near the poles of the blank held at
-    its joint, and with a blank as soft as the whole. A short and stiff blank is best, and a modal
-    fit of what was measured comes first.
+    It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
+    held at its joint, and with a blank as soft as the whole. A short and stiff blank is best, and a
+    modal fit of what was measured comes first.
 
     Raises
     ------
-    InvalidInput : matrices of unlike size; a blank whose tip does not feel the base
+    InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base
     """
     _alike(tool, tip)
     change = tool.r11 - tip
     size = np.abs(tool.r11).max(axis=(1, 2)) + np.abs(tip).max(axis=(1, 2))
     if (np.abs(change).max(axis=(1, 2)) <= LOST * size).any():
         raise InvalidInput(
-            "the tip of the blank does not feel the base, so that nothing of it can be found: take "
-            "a shorter or stiffer blank"
+            "the tip of the blank does not respond to the base, whose receptance then stays "
+            "unknown: take a shorter or stiffer blank"
         )
     return np.asarray(tool.r21 @ np.linalg.solve(change, tool.r12) - tool.r22 - _joint(joint, tip))
 

@@ -34,7 +34,8 @@ class Case(Description):
 
     Exactly one of ``spindle`` and ``bearing`` is given. Nothing that ``analyses`` does not name is
     computed. ``files``: every file read; ``digest``: their hash, with the changes that ``vary``
-    made to them. ``variants``: other cases with the same speeds and analyses, by name; where there
+    made to them; ``sources``: of each that says so, its title and where its values come from.
+    ``variants``: other cases with the same speeds and analyses, by name; where there
     are any, they are answered side by side, and the case itself is not.
     """
 
@@ -66,6 +67,9 @@ class Case(Description):
     ] = None
     files: Annotated[tuple[Path, ...], HIDDEN] = ()
     digest: Annotated[str, HIDDEN] = ""
+    sources: Annotated[Mapping[str, tuple[str, ...]], HIDDEN] = field(
+        default_factory=dict, repr=False, compare=False
+    )
     variants: Annotated[Mapping[Name, Case], HIDDEN] = field(default_factory=dict)
 
     @property

@@ -28,9 +28,10 @@ from rotordyn.machine.growth import (
 )
 from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.reference import Reference
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, LinearSupport
+from rotordyn.machine.support import LinearSupport
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import (
     Choice,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -58,7 +58,11 @@ def load(path: str | Path) -> Case:
             _uncertain_alike(root, whole, made, reader)
     if whole is None or reader.faults:
         raise InvalidInput(in_order(reader.faults.reported, "" if root is None else root.file))
-    read = {"files": tuple(reader.contents), "digest": _digest(reader.contents)}
+    read = {
+        "files": tuple(reader.contents),
+        "digest": _digest(reader.contents),
+        "sources": dict(_sources(reader.trees)),
+    }
     return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
 
 
@@ -69,6 +73,17 @@ def _uncertain_alike(root: Any, case: Case, variants: Mapping[str, Case], reader
 
     for path, sentence in conflicts(case, variants):
         reading_of(reader).at(root, path, sentence)
+
+
+def _sources(trees: Mapping[Path, Any]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Of every file that names a source: its title, and its sources in a line each."""
+    from rotordyn.case.shipped import sources_in
+
+    for path, root in trees.items():
+        held = {} if root is None else root.plain()
+        if found := sources_in(held):
+            title = str(held.get("title") or held.get("name") or path.stem)
+            yield f"{path.parent.name}/{path.name}", (title, *found)
 
 
 def _require_few(root: Any, reader: Any) -> None:

@@ -8,28 +8,21 @@ read from a file with faults is good for that and for nothing else.
 
 from __future__ import annotations
 
-import math
-import types
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, is_dataclass, replace
-from functools import cache
-from itertools import product
+from dataclasses import dataclass, replace
 from typing import Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
-from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, keys_of, kinds_with
+from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
-from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
-from rotordyn.machine.support import DOFS, Matrix
-from rotordyn.quantity import Choice, Items, Named, Quantity, Whole, Words, suggestion
+from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
 
-LIMITS = (Quantity, Choice, Whole, Named, Words)
 _LISTED = 24
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
@@ -60,7 +53,7 @@ class Reading:
     def _one(self, annotation: Any, node: Node) -> Any:
         """What is of one form only."""
         inner = bare(annotation)
-        if isinstance(inner, type) and is_dataclass(inner):
+        if is_kind(inner):
             return self.description(inner, node)
         if get_origin(inner) is tuple:
             return self.items(annotation, node)
@@ -87,14 +80,14 @@ class Reading:
     def _one_of(self, annotation: Any, forms: tuple[Any, ...], node: Node) -> Any:
         """One of several forms, told apart by what is written."""
         if isinstance(node.value, dict):
-            kinds = [bare(form) for form in forms if _is_kind(bare(form))]
+            kinds = [bare(form) for form in forms if is_kind(bare(form))]
             if len(kinds) > 1:
                 chosen = max(kinds, key=lambda kind: _likeness(kind, node))
                 others = tuple(kind for kind in kinds if kind is not chosen)
                 if form := self._form(chosen):
                     return form(self, chosen, node, others)
                 return self.description(chosen, node, others)
-            fitting = [f for f in forms if _is_kind(bare(f)) or get_origin(bare(f)) is Mapping]
+            fitting = [f for f in forms if is_kind(bare(f)) or get_origin(bare(f)) is Mapping]
         elif isinstance(node.value, list):
             fitting = [form for form in forms if get_origin(bare(form)) is tuple]
         else:
@@ -104,7 +97,7 @@ class Reading:
             fitting = []
         if fitting:
             return self.value(fitting[0], node)
-        return self.wrong_shape(annotation, node, ", or ".join(map(_wanted, forms)))
+        return self.wrong_shape(annotation, node, ", or ".join(map(wanted, forms)))
 
     def _one_leaf(self, annotation: Any, forms: list[Any], node: Node) -> Any:
         refusals = {}
@@ -112,14 +105,14 @@ class Reading:
             try:
                 return leaf(form, node.value)
             except Refused as refusal:
-                refusals[_limit(form)] = refusal.why
+                refusals[limit_of(form)] = refusal.why
         number = isinstance(node.value, str) and node.value[:1] in "+-.0123456789" and node.value
-        for wanted in (Quantity,) if number else (Choice, Words):
+        for kind in (Quantity,) if number else (Choice, Words):
             for limit, why in refusals.items():
-                if isinstance(limit, wanted):
+                if isinstance(limit, kind):
                     self.faults.at(node, (), why)
                     return unknown(annotation)
-        wanted_words = ", or ".join(map(_wanted, forms))
+        wanted_words = ", or ".join(map(wanted, forms))
         given = units.shown(node.value)
         self.faults.at(node, (), f"wrong kind of value: given {given}; allowed: {wanted_words}")
         return unknown(annotation)
@@ -360,10 +353,6 @@ def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
     return field.keys not in held and (bool(others) == (exact(node, field.keys) is not None))
 
 
-def _is_kind(inner: Any) -> bool:
-    return isinstance(inner, type) and is_dataclass(inner)
-
-
 def _is_leaf(inner: Any) -> bool:
     return inner in (float, int, str, bool)
 
@@ -383,77 +372,3 @@ def _fits(annotation: Any, node: Node) -> bool:
 
 def _count(items: tuple[Any, ...]) -> str:
     return str(len(items)) if items else "an empty list"
-
-
-def _limit(annotation: Any) -> Any:
-    return next((m for m in metadata(annotation) if isinstance(m, LIMITS)), bare(annotation))
-
-
-def _wanted(annotation: Any) -> str:
-    """What a form takes, in a few words."""
-    limit, inner = _limit(annotation), bare(annotation)
-    if isinstance(limit, Quantity):
-        return f"a {limit.kind} such as 1 {units.KINDS[limit.kind][0]}".rstrip()
-    if isinstance(limit, Choice):
-        return ", ".join(map(str, limit.allowed))
-    if isinstance(limit, Named):
-        return "a name"
-    if get_origin(inner) is tuple:
-        return "a list"
-    return "text" if inner is str else "a mapping (key: value)"
-
-
-def leaf(annotation: Any, value: object) -> Any:
-    """A single value as written in a file; raises Refused."""
-    limit = _limit(annotation)
-    if not isinstance(limit, LIMITS):
-        return _plain(bare(annotation), value, units.shown(value))
-    try:
-        return limit.read(value)
-    except InvalidInput as refusal:
-        raise Refused(str(refusal)) from None
-
-
-def _plain(inner: Any, value: object, given: str) -> Any:
-    if inner is str and not isinstance(value, str):
-        raise Refused(f"not text: given {given}; allowed: text, in quotes where it is a number")
-    if inner is bool and not isinstance(value, bool):
-        raise Refused(f"not a yes or no: given {given}; allowed: true, false")
-    if inner is float:
-        if isinstance(value, bool) or not isinstance(value, int | float) or value != value:
-            raise Refused(f"not a number: given {given}; allowed: a plain number")
-        return float(value)
-    return value
-
-
-_UNKNOWN = {float: math.nan, str: "", int: 0, bool: False, Mapping: types.MappingProxyType({})}
-
-
-def unknown(annotation: Any) -> Any:
-    """What stands for a value whose fault is reported already."""
-    if optional(annotation):
-        return None
-    inner = bare(members(annotation)[0])
-    if any(isinstance(beside, Matrix) for beside in metadata(annotation)):
-        return dict.fromkeys(product(DOFS, DOFS), math.nan)
-    if isinstance(inner, type) and is_dataclass(inner):
-        return _nothing_known(inner)
-    if get_origin(inner) is tuple:
-        item = get_args(inner)[0]
-        return (unknown(item),) if _is_kind(bare(item)) or bare(item) is float else ()
-    return _UNKNOWN.get(get_origin(inner) or inner)
-
-
-@cache
-def _nothing_known(kind: Any) -> Any:
-    if issubclass(kind, BallBearing):
-        return None
-    with unchecked():
-        if issubclass(kind, Material):
-            made = object.__new__(kind)
-            for name in ("young_modulus", "poisson_ratio", "density", "thermal_expansion"):
-                object.__setattr__(made, name, math.nan)
-            object.__setattr__(made, "name", "")
-            return made
-        fields = keys_of(kind)
-        return kind(**{field.name: unknown(field.annotation) for field in fields if field.name})

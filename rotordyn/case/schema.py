@@ -20,16 +20,16 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
-from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
+from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
+from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import DOFS, Matrix
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, Items, Named, Quantity, Sweep, Whole, Words, suggestion
 from rotordyn.scene.spec import Spec

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
@@ -63,7 +65,13 @@ def _shipped(kind: str, path: Path) -> Shipped:
     title = str(held.get("title") or held.get("name") or "")
     if "estimate" in held:
         title += " (estimate)"
-    sources = held.get("sources") or [
-        own["source"] for own in (held, *held.get("coefficients", ())) if "source" in own
-    ]
-    return Shipped(kind, path.stem, title, tuple(" ".join(str(s).split()) for s in sources))
+    return Shipped(kind, path.stem, title, sources_in(held))
+
+
+def sources_in(held: Mapping[str, Any]) -> tuple[str, ...]:
+    """Where the values of a file come from, as it says, a line each."""
+    coefficients = held.get("coefficients", ())
+    parts = (held, *(coefficients if isinstance(coefficients, list) else ()))
+    sources = held.get("sources") or [own["source"] for own in parts if "source" in own]
+    listed = sources if isinstance(sources, list) else [sources]
+    return tuple(" ".join(str(s).split()) for s in listed)

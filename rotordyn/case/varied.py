@@ -10,13 +10,13 @@ from typing import Annotated, Any
 
 from rotordyn.case.case import Case
 from rotordyn.description import quantity_of
-from rotordyn.field import declared, found_in
-from rotordyn.machine.support import Matrix
-from rotordyn.quantity import Quantity
+from rotordyn.field import declared, found_in, metadata
+from rotordyn.machine.matrix import Matrix
+from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
-APART = ((), ("name",), ("title",), ("references",))  # which no result depends on
+APART = (("name",), ("title",), ("references",))  # which no result depends on
 Leaf = tuple[Any, Quantity | None]
 
 
@@ -72,13 +72,13 @@ def _at(
         yield gone, value, annotation
         return
     for way, inner, inside in _below(value, annotation):
-        fits = all(step in ("*", key) or key == "*" for step, key in zip(steps, way, strict=False))
+        fits = all(step in ("*", key) for step, key in zip(steps, way, strict=False))
         if fits and len(steps) >= len(way):
             yield from _at(inner, steps[len(way) :], inside, (*gone, *way))
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
-    """What lies below a value: the way there, what it is, how it is declared."""
+    """What a value holds: the way there, what it is, how it is declared."""
     if is_dataclass(value):
         kind: Any = type(value)
         for field in declared(kind):
@@ -86,21 +86,13 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
                 way = field.keys or (field.name,)
                 yield way, getattr(value, field.name), field.annotation
     elif isinstance(value, Mapping):
+        matrix = found_in(annotation, Matrix)
         for key, entry in value.items():
-            yield (_word(key),), entry, _of_entry(annotation, key)
+            inside = annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
+            yield ("".join(key),), entry, inside
     elif isinstance(value, tuple):
-        for item in value:
-            yield (getattr(item, "name", "*"),), item, annotation
-
-
-def _word(key: Any) -> str:
-    return key if isinstance(key, str) else "".join(map(str, key))
-
-
-def _of_entry(annotation: Any, key: Any) -> Any:
-    """What an entry of a mapping is declared to be."""
-    matrix = found_in(annotation, Matrix)
-    return annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
+        for place, item in enumerate(value, start=1):
+            yield (getattr(item, "name", "") or str(place),), item, annotation
 
 
 def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
@@ -110,24 +102,12 @@ def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
 
 def _within(path: str, value: Any, annotation: Any) -> Iterator[tuple[str, Leaf]]:
     """Every value at the end of a path, with its quantity."""
-    if is_dataclass(value):
-        kind: Any = type(value)
-        for field in declared(kind):
-            if field.name and field.keys not in APART:
-                inner = getattr(value, field.name)
-                yield from _within(".".join((path, *field.keys)), inner, field.annotation)
-    elif isinstance(value, Mapping):
-        matrix = found_in(annotation, Matrix)
-        for key, entry in value.items():
-            word = key if isinstance(key, str) else "".join(map(str, key))
-            of_entry = annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
-            yield from _within(f"{path}.{word}", entry, of_entry)
-    elif isinstance(value, tuple):
-        for place, item in enumerate(value):
-            name = getattr(item, "name", "") or place + 1
-            yield from _within(f"{path}.{name}", item, annotation)
-    else:
+    fields = is_dataclass(value)
+    if not (fields or isinstance(value, Mapping | tuple)):
         yield path, (value, quantity_of(annotation))
+    for way, inner, inside in _below(value, annotation):
+        if not (fields and (way in APART or HIDDEN in metadata(inside))):
+            yield from _within(".".join((path, *way)), inner, inside)
 
 
 def _varied(path: str, row: Sequence[Leaf]) -> Varied:

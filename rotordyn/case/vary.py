@@ -12,7 +12,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Field, Refused, accept, bare, declared, found_in, members, shown
-from rotordyn.machine.support import Matrix
+from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")

@@ -18,12 +18,14 @@ import numpy as np
 from rotordyn.equation.axial_force import geometric_stiffness
 from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
-from rotordyn.equation.constraint import allowed_motions
+from rotordyn.equation.constraint import allowed_motions, strained_motions
 from rotordyn.equation.groups import Groups
 from rotordyn.equation.linear import Linear, Loss, planes_of
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
+
+STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
 
 
 def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
@@ -89,7 +91,7 @@ def assemble(
         stiffness[:, in_z, in_y] -= spin * turning.T
     links = [(link, 1.0) for link in (*structure.connections, *structure.springs)]
     links += [(link, pull) for link in structure.strings] if force is not None else []
-    connections = []
+    connections, bodies = list[Connection](), stiffness.copy()
     for link, share in links:
         motions = _motions(whole, link)
         if motions is not None:
@@ -98,19 +100,26 @@ def assemble(
             stiffness += connections[-1].stiffness
             if damped.any():
                 damping += connections[-1].damping
+    allowed = _allowed(whole, connections)
     return replace(
         whole,
         connections=tuple(connections),
         loss=_loss(whole, connections),
-        allowed=_allowed(whole, connections),
+        allowed=allowed,
+        bodies=None if allowed is None else bodies,
     )
 
 
 def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
-    """Motions that rigid supports allow; coordinates of components that none joins stay apart."""
-    none = np.zeros((0, linear.size))
-    rows = np.concatenate([none, *(each.motions[each.rigid > 0.0] for each in connections)])
-    rows = rows[rows.any(axis=1)]
+    """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
+    coordinates of components that none joins stay apart too."""
+    size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
+    least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
+    held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
+    rigid = np.concatenate([none, *held])
+    rigid = rigid[rigid.any(axis=1)]
+    rows = np.concatenate([rigid, stiff])
     if not len(rows):
         return None
     groups = Groups(len(linear.components))
@@ -122,12 +131,14 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     for root in groups.roots():
         joined = [k for k in range(len(linear.components)) if groups.find(k) == root]
         at = np.concatenate([every[linear.slices[k]] for k in joined])
-        held, block = rows[touched[:, joined].any(axis=1)][:, at], np.zeros((linear.size, len(at)))
+        mine, block = np.any(touched[:, joined], axis=1), np.zeros((linear.size, len(at)))
+        held, strained = rigid[mine[: len(rigid)]][:, at], stiff[mine[len(rigid) :]][:, at]
+        allowed = allowed_motions(held, size[at]) if len(held) else np.eye(len(at))
+        if len(strained):
+            still = allowed_motions(np.concatenate([held, strained]), size[at])
+            allowed = np.hstack([still, strained_motions(still, allowed, strained)])
         block[at, np.arange(len(at))] = 1.0
-        if len(held):
-            stiffness = [linear.components[k].stiffness.diagonal() for k in joined]
-            block = block @ allowed_motions(held, np.concatenate(stiffness))
-        blocks.append(block)
+        blocks.append(block @ allowed)
     return np.hstack(blocks)
 
 

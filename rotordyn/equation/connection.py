@@ -45,6 +45,14 @@ class Connection(NamedTuple):
         """By the coordinates (s or 1, n, n)."""
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
+    def strained(self, least: float) -> Array:
+        """Rows of ``motions`` with a stiffness of ``least`` or more by the coordinates, the largest
+        first (k, n)."""
+        own = np.abs(np.diagonal(self.matrices.stiffness, axis1=1, axis2=2)).max(axis=0)
+        size = own * (self.motions**2).sum(axis=1)
+        chosen = np.flatnonzero(size >= least)
+        return self.motions[chosen[np.argsort(-size[chosen], kind="stable")]]
+
     def force(self, omega: Array, moved: Complex) -> Complex:
         """Of the link's springs and dampers on what it holds (s, k), by coordinates ``moved``
         (s, n) that swing at ``omega`` (s,) [rad/s]."""

@@ -1,4 +1,4 @@
-"""Motions that rigid supports allow: R q = 0 is solved, no spring stands for it.
+"""Motions that rigid supports allow, and that very stiff links do not strain: R q = 0 is solved.
 
 In coordinates of unit mass and stiffness ω², rigid motions of a body (ω = 0) follow its elastic
 ones as far as they can, q_r = −R_r⁺ R_e q_e, which costs no energy; what then is left of R holds
@@ -36,7 +36,18 @@ def allowed_motions(rows: Array, stiffness: Array) -> Array:
     motions[free], motions[~free] = follow @ elastic, elastic
     still = np.zeros((len(stiffness), turn.shape[0] - rank))
     still[free] = turn[rank:].T
-    return np.hstack([still, np.linalg.svd(motions, full_matrices=False)[0]])
+    basis = np.hstack([still, np.linalg.svd(motions, full_matrices=False)[0]])
+    _, size, held = np.linalg.svd(rows, full_matrices=False)
+    held = held[size > DEPENDENT * size.max(initial=0.0)]  # fast motions have lost digits
+    return np.asarray(np.linalg.qr(basis - held.T @ (held @ basis))[0])
+
+
+def strained_motions(still: Array, allowed: Array, rows: Array) -> Array:
+    """What completes ``still`` (n, k), motions that do not strain the links ``rows`` (c, n), to the
+    span of ``allowed`` (n, m): (n, m − k), each strains one more of the links than those before."""
+    ways, size, _ = np.linalg.svd(allowed - still @ (still.T @ allowed), full_matrices=False)
+    others = ways[:, size > 0.5]  # σ is 0 or 1
+    return np.asarray(others @ np.linalg.qr((rows @ others).T, mode="complete")[0])
 
 
 def _null_space(rows: Array) -> Array:

@@ -7,13 +7,14 @@ Theory: docs/theory/axial_force.md#the-drawbar.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 
 from rotordyn.equation.dofs import position
 from rotordyn.equation.shaft import Shaft
-from rotordyn.equation.term import Link, LinkMatrices
+from rotordyn.equation.term import Link, LinkMatrices, State
 
 
 def drawbar_links(shaft: Shaft) -> Iterator[Link]:
@@ -25,4 +26,8 @@ def drawbar_links(shaft: Shaft) -> Iterator[Link]:
         dofs = ends[:, [position("y"), position("z")]].ravel()
         motions = np.array([[-1.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 1.0]])
         held = LinkMatrices(bar.force / (b - a) * np.eye(2)[None], np.zeros((1, 2, 2)))
-        yield Link("drawbar", dofs, motions, lambda _, held=held: held)  # type: ignore[misc]
+        yield Link("drawbar", dofs, motions, partial(_always, held))
+
+
+def _always(held: LinkMatrices, _: State) -> LinkMatrices:
+    return held

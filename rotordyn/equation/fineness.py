@@ -101,11 +101,6 @@ class Fineness:
         return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
-def expected_error(phase: Array, degree: Degrees) -> Array:
-    """Relative error of a frequency by elements crossed with a ``phase`` k h [rad]."""
-    return np.asarray(_FACTOR[degree - 1] * phase ** (2.0 * degree))
-
-
 def least_degree(phase: Array, tolerance: float, ratio: Array | float = 1.0) -> Degrees:
     """The lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0 where none
     up to ``HIGHEST`` is."""

@@ -256,7 +256,7 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     """All free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those of its
     own frequency. What is the same at all speeds is solved once."""
-    stiffness: Matrices = linear.within(linear.stiffness)
+    stiffness: Matrices = linear.allowed_stiffness
     damping: Matrices = linear.within(linear.damping)
     loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]

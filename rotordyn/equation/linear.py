@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,7 @@ from rotordyn.equation.support import answers_alike
 from rotordyn.equation.term import Array, Matrices
 
 Complex = NDArray[np.complex128]
+STRAINED = 1e-13  # of a link's largest motion: less is rounding
 T = TypeVar("T", bound=Matrices)
 
 
@@ -49,8 +50,9 @@ class Linear:
     """One subsystem at ``speed`` (s,): real ``stiffness`` and ``damping`` (s, n, n), mass 1.
 
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
-    ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order;
-    None where there are none.
+    ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
+    which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), beside
+    it: what of ``stiffness`` is not of links.
     """
 
     structure: Structure
@@ -61,6 +63,7 @@ class Linear:
     connections: tuple[Connection, ...]
     loss: Loss | None = None
     allowed: Array | None = None
+    bodies: Array | None = None
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -86,13 +89,28 @@ class Linear:
             damping=self.damping[rows],
             connections=tuple(each.at(rows) for each in self.connections),
             loss=None if self.loss is None else self.loss.at(rows),
+            bodies=None if self.bodies is None else self.bodies[rows],
         )
 
     def within(self, matrix: T) -> T:
         """Of a matrix (…, n, n) what acts in the motions that rigid supports allow (…, m, m)."""
         if self.allowed is None:
             return matrix
-        return np.asarray(self.allowed.T @ (matrix @ self.allowed))  # type: ignore[return-value]
+        held: Any = self.allowed.T @ (matrix @ self.allowed)  # of the type of ``matrix``
+        return held
+
+    @cached_property
+    def allowed_stiffness(self) -> Array:
+        """``stiffness`` within the motions that rigid supports allow (s, m, m), summed link by link
+        there: motions that do not strain a link get none of it, however stiff it is."""
+        if self.allowed is None or self.bodies is None:
+            return self.stiffness
+        whole = self.within(self.bodies)
+        for each in self.connections:
+            motions, size = each.motions @ self.allowed, np.linalg.norm(each.motions, axis=1)
+            motions[np.abs(motions) <= STRAINED * size[:, None]] = 0.0
+            whole = whole + motions.T @ (each.matrices.stiffness @ motions)
+        return whole
 
     @property
     def basis(self) -> Array:

@@ -220,7 +220,7 @@ class _Body:
 
     @cached_property
     def root(self) -> Matrix:
-        """U: Uᵀ U = M."""
+        """Upper triangular root U of the mass matrix, Uᵀ U = M."""
         if isinstance(self.mass, np.ndarray):
             return np.linalg.cholesky(self.mass).T
         from scipy.sparse import diags_array

@@ -5,14 +5,12 @@ Theory: docs/theory/supports.md#bearings-at-their-seats.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Array, LinkMatrices, State
-from rotordyn.machine.support import BearingSeat
+from rotordyn.equation.term import Array, AtState, LinkMatrices, State
+from rotordyn.machine.seat import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
 HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
@@ -20,7 +18,7 @@ _PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
 NOISE = 1e-12  # of what two directions resist by themselves: less coupling is rounding
 
 
-def seat_matrices(seat: BearingSeat, place: int) -> Callable[[State], LinkMatrices]:
+def seat_matrices(seat: BearingSeat, place: int) -> AtState:
     """Of bearing number ``place``: its tangent in the spindle's frame (s, 6, 6), its dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
 

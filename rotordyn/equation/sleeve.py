@@ -16,9 +16,9 @@ import numpy as np
 
 from rotordyn.equation.dofs import Dofs, Indices, Line
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.term import Link, LinkMatrices, Part, State
+from rotordyn.equation.term import AtState, Link, LinkMatrices, Part, State
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve
 
 CLOSED = 1e6  # stiffness of a closed stop over that of the bearings on its sleeve
 SOFT = 1e6  # N/m: a fictitious mass is not taken from less
@@ -73,7 +73,7 @@ def springs(sleeve: Sleeve) -> tuple[tuple[str, float], ...]:
     return ("x", sleeve.spring.stiffness), ("y", radial), ("z", radial)
 
 
-def _spring_and_stop(sleeve: Sleeve, place: int, carried: list[int]):  # type: ignore[no-untyped-def]
+def _spring_and_stop(sleeve: Sleeve, place: int, carried: list[int]) -> AtState:
     def matrices(state: State) -> LinkMatrices:
         bearings = state.tangents[:, carried, 0, 0].sum(axis=1)
         stop = CLOSED * bearings * state.stops[:, place]

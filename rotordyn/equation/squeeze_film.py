@@ -11,12 +11,10 @@ Theory: docs/theory/supports.md#squeeze-film-dampers.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import LinkMatrices, State
+from rotordyn.equation.term import AtState, LinkMatrices, State
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 
 _RADIAL = np.diag(np.isin(np.arange(6), [position("y"), position("z")]).astype(float))
@@ -32,7 +30,7 @@ def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
     return 2.0 * size * eps / (1.0 - eps**2) ** 2, 0.5 * damping
 
 
-def film_matrices(damper: SqueezeFilmDamper) -> Callable[[State], LinkMatrices]:
+def film_matrices(damper: SqueezeFilmDamper) -> AtState:
     """Stiffness (s, 6, 6) and damping (1, 6, 6) of whirl at the speed of the spindle; a load that
     stands still is carried by no film."""
     stiffness, damping = film_coefficients(damper)

@@ -136,7 +136,7 @@ def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Ar
     places = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
     rows = [motions[id(link)][places] for link in structure.seats]
     seated = np.array(rows).reshape(-1, len(places), linear.size)
-    stiffness, acting = linear.within(linear.stiffness), point @ linear.basis
+    stiffness, acting = linear.allowed_stiffness, point @ linear.basis
     return StaticRotor(dof, stiffness, seated @ linear.basis, acting, 0.0 * acting)
 
 
@@ -153,7 +153,7 @@ def withstands(
     every = subsystems(structure, state, strings=True)
     components = next(components_of for components_of in every if bent in components_of)
     both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
-    loaded, free = (components_of.within(components_of.stiffness) for components_of in both)
+    loaded, free = (each.allowed_stiffness for each in both)
     return np.asarray(_negative(loaded) <= _negative(free))
 
 

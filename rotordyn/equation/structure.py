@@ -30,9 +30,10 @@ from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Array, Link, Part
 from rotordyn.machine.rotor import Place
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
-from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport
+from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
 from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes

@@ -5,13 +5,14 @@ Theory: docs/theory/supports.md#linear-supports.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Array, LinkMatrices, State
-from rotordyn.machine.support import LinearSupport, Value
+from rotordyn.equation.term import Array, AtState, LinkMatrices, State
+from rotordyn.machine.matrix import Value
+from rotordyn.machine.support import LinearSupport
 
 ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
 _QUARTER_TURN = np.zeros((6, 6))
@@ -19,7 +20,7 @@ for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5,
     _QUARTER_TURN[_row, _column] = _sign
 
 
-def matrices_of(support: LinearSupport) -> Callable[[State], LinkMatrices]:
+def matrices_of(support: LinearSupport) -> AtState:
     """Stiffness and damping over the six directions (s or 1, 6, 6).
 
     Raises

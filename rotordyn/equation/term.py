@@ -58,6 +58,9 @@ class LinkMatrices(NamedTuple):
     damping: Array
 
 
+AtState = Callable[[State], LinkMatrices]
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Link:
     """Springs and dampers over k relative motions d = ``motions`` (k, DOF) q[``dofs``].
@@ -69,6 +72,6 @@ class Link:
     name: str
     dofs: Indices
     motions: Array
-    matrices: Callable[[State], LinkMatrices]
+    matrices: AtState
     loss_factor: float = 0.0
     rigid: tuple[int, ...] = ()

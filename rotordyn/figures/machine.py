@@ -20,8 +20,9 @@ from rotordyn.figures.symbols import (
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport, Sleeve
+from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
 from rotordyn.surface.rotor import bearing_width
 
 if TYPE_CHECKING:

@@ -57,7 +57,6 @@ _RC: Any = {
     "text.parse_math": False,
 }
 _SAVED: Mapping[str, Any] = {  # without dates: a figure drawn twice is the same file
-    "png": {"pil_kwargs": {"compress_level": 1}, "metadata": {}},
     "pdf": {"metadata": {"CreationDate": None}},
     "svg": {"metadata": {"Date": None}},
 }
@@ -286,10 +285,16 @@ def save(
     """
     from matplotlib import rc_context
 
+    from rotordyn.figures.png import write_png
+
     finish(figure)
     with rc_context(_RC):
         for ending in formats:
-            figure.savefig(folder / f"{name}.{ending}", dpi=DPI, **_SAVED[ending])
+            path = folder / f"{name}.{ending}"
+            if ending == "png":
+                write_png(figure, path, DPI)
+            else:
+                figure.savefig(path, dpi=DPI, **_SAVED[ending])
     return [f"{name}.{ending}" for ending in formats]
 
 

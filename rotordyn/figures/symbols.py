@@ -9,8 +9,8 @@ import numpy as np
 from rotordyn.figures.sketch import Sketch
 from rotordyn.figures.style import BLUE, RED
 from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
-from rotordyn.machine.support import BearingSeat
 
 RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#A8B0B8"
 Line = list[tuple[float, float]]

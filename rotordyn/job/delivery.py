@@ -17,7 +17,8 @@ from rotordyn.case.case import Case
 from rotordyn.errors import not_installed
 from rotordyn.figures.draw import Omitted
 from rotordyn.figures.style import USUAL_FORMATS
-from rotordyn.job.results import Solution, SolvedResults, run
+from rotordyn.job.pages import REPORT
+from rotordyn.job.results import Solution, SolvedResults, inputs_of, run
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,21 +40,29 @@ def deliver(
     *,
     figures: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
+    report: bool = False,
+    solve: Callable[[Case, Progress], SolvedResults] = run,
 ) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
 
     Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
-    figures, among ``figures.style.FORMATS``.
+    figures, among ``figures.style.FORMATS``; ``report``: with the page ``report.html``; ``solve``:
+    what solves it.
 
     Raises
     ------
     OutputRefused : ``target`` holds something that is not ours; nothing is solved
+    ModuleNotFoundError : plotly, which a report takes, is not installed; nothing is solved
     NoSolution : no speed (of any variant) has a solution; nothing is written
     """
+    from rotordyn.page.html import library
     from rotordyn.report.folder import check_target
 
     check_target(target)
-    return write(run(case, progress), target, progress, figures=figures, formats=formats)
+    if report:
+        library()
+    results = solve(case, progress)
+    return write(results, target, progress, figures=figures, formats=formats, report=report)
 
 
 def write(
@@ -63,6 +72,7 @@ def write(
     *,
     figures: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
+    report: bool = False,
 ) -> Delivery:
     """Write ``results`` into ``target``, all or nothing; see ``deliver``."""
     from rotordyn.report.folder import results_folder
@@ -78,6 +88,9 @@ def write(
         text = results.summary_with(notes)
         (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
         _write_case(results.case, place.folder)
+        if report:
+            with _timed(seconds, "report"):
+                results.report(place.folder / REPORT)
         _write_record(results, place.folder, seconds, drawn, omitted)
     plan = _plan(results.solution, seconds, omitted)
     return Delivery(place.target, text, plan, results.unsolved, moved=place.moved)
@@ -128,7 +141,9 @@ def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) ->
     """How every part was solved, and how long what surrounds it took."""
     from rotordyn.report.plan import plan
 
-    around = {name: answers for name, answers in seconds.items() if name in ("write", "draw")}
+    around = {
+        name: answers for name, answers in seconds.items() if name in ("write", "draw", "report")
+    }
     texts = []
     for name, (_, answers) in solution.parts.items():
         last = not solution.case.variants
@@ -200,7 +215,7 @@ def _write_record(
         case=case.name,
         title=case.title,
         digest=case.digest,
-        inputs=tuple(f"{path.parent.name}/{path.name}" for path in case.files),
+        inputs=inputs_of(case),
         settings=_settings(solution),
         outcomes=outcomes(solution.results),
         tolerances=solution.by_part(lambda answers: answers.tolerances),

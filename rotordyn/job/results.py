@@ -7,6 +7,7 @@ from abc import abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -25,12 +26,29 @@ if TYPE_CHECKING:
     from rotordyn.figures.draw import Figure, Pictures
     from rotordyn.results.interval import Interval
 
+DATE = "%Y-%m-%d %H:%M UTC"
+
 
 class Part(NamedTuple):
     """One machine of a case: what was asked of it, and the results by the name of the analysis."""
 
     case: Case
     results: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What a run says of itself: versions of programs, date, digest of what was read."""
+
+    versions: Mapping[str, str] = field(default_factory=dict)
+    date: str = ""
+    digest: str = ""
+    inputs: Sequence[str] = ()
+
+
+def inputs_of(case: Case) -> tuple[str, ...]:
+    """The files read, each by its folder and name."""
+    return tuple(f"{path.parent.name}/{path.name}" for path in case.files)
 
 
 class Results(Mapping[str, "xr.Dataset"]):
@@ -93,6 +111,25 @@ class Results(Mapping[str, "xr.Dataset"]):
     @abstractmethod
     def unsolved(self) -> tuple[str, ...]:
         """Why speeds, or whole variants, have no solution; empty where everything was solved."""
+
+    @property
+    @abstractmethod
+    def origin(self) -> Origin:
+        """Versions, date and digest of the run."""
+
+    def report(self, path: str | Path) -> Path:
+        """Write one self-contained HTML page that opens without network; returns its path.
+
+        Takes the package plotly (extra ``report``).
+
+        Raises
+        ------
+        InvalidInput : it cannot be written; the case of an opened folder cannot be read
+        """
+        from rotordyn.job.pages.whole import write_page
+
+        write_page(Path(path), self)
+        return Path(path)
 
     @abstractmethod
     def save(self, folder: str | Path) -> Path:
@@ -299,6 +336,13 @@ class SolvedResults(Results):
         if self.case.uncertain is None or self._intervals:
             return found
         return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
+
+    @cached_property
+    def origin(self) -> Origin:
+        from rotordyn.report.manifest import versions
+
+        now = datetime.now(UTC).strftime(DATE)
+        return Origin(versions(), now, self.case.digest, inputs_of(self.case))
 
     @cached_property
     def unsolved(self) -> tuple[str, ...]:

@@ -19,7 +19,8 @@ Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
 
 
 def scale_of(cases: Sequence[Case]) -> Scale | None:
-    """The number that was varied, if it is one; of several in step the first."""
+    """Scale of the one number that differs among ``cases``, of several that change in step the
+    first; None where more differs."""
     numeric = [each for each in varied(cases) if each.numeric]
     if not numeric or len(numeric) < len(varied(cases)):
         return None

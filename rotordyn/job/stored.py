@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Iterator, Mapping
+from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
-from rotordyn.job.results import Part, Results, labelled
+from rotordyn.job.results import DATE, Origin, Part, Results, labelled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -84,6 +85,15 @@ class StoredResults(Results):
         from rotordyn.report.interval import kept
 
         return kept(self._folder)
+
+    @property
+    def origin(self) -> Origin:
+        from rotordyn.report.folder import RECORD
+
+        written = datetime.fromtimestamp((self._folder / RECORD).stat().st_mtime, UTC)
+        record = self._record
+        date = written.strftime(DATE)
+        return Origin(record["versions"], date, record["digest"], record["inputs"])
 
     @property
     def unsolved(self) -> tuple[str, ...]:

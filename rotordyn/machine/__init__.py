@@ -24,16 +24,18 @@ if TYPE_CHECKING:
     from rotordyn.machine.misalignment import Misalignment
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.rotor import Rotor
+    from rotordyn.machine.seat import BearingSeat
     from rotordyn.machine.shaft import Section, Shaft
+    from rotordyn.machine.sleeve import Sleeve, Spring
     from rotordyn.machine.spindle import Spindle
     from rotordyn.machine.squeeze_film import SqueezeFilmDamper
-    from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+    from rotordyn.machine.support import LinearSupport
     from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
     from rotordyn.machine.tool import Tool
 
 _MODULE_OF = {
     "BallGuide": "ball_guide",
-    "BearingSeat": "support",
+    "BearingSeat": "seat",
     "BearingSet": "bearing_set",
     "BearingTemperatures": "temperatures",
     "ComputedShortening": "growth",
@@ -56,9 +58,9 @@ _MODULE_OF = {
     "Section": "shaft",
     "SetPreload": "bearing_set",
     "Shaft": "shaft",
-    "Sleeve": "support",
+    "Sleeve": "sleeve",
     "Spindle": "spindle",
-    "Spring": "support",
+    "Spring": "sleeve",
     "SqueezeFilmDamper": "squeeze_film",
     "Temperatures": "temperatures",
     "Tool": "tool",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.growth import ComputedShortening
+from rotordyn.machine.matrix import acts
 from rotordyn.machine.station import SLACK, on_the_shaft, turning_faults
-from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE, LinearSupport, acts
+from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE, LinearSupport
 from rotordyn.quantity import suggestion
 from rotordyn.units import format_quantity
 

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, repeated
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.quantity import Choice, Items, Load, Name, Rigidity, RingOffset
 
 SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well

@@ -7,14 +7,8 @@ from dataclasses import dataclass, field
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, known, repeated
-from rotordyn.machine.support import (
-    DAMPING,
-    DOFS,
-    MOTIONS,
-    STIFFNESS,
-    Dof,
-    entry_name,
-)
+from rotordyn.machine.matrix import DAMPING, DOFS, STIFFNESS, Dof, entry_name
+from rotordyn.machine.support import MOTIONS
 from rotordyn.quantity import HIDDEN, Inertia, Items, Mass, Name, Station, suggestion
 
 Rows = tuple[tuple[float, ...], ...]

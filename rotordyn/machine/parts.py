@@ -7,9 +7,11 @@ from collections.abc import Iterator
 
 from rotordyn.machine.housing import Housing, RigidHousing
 from rotordyn.machine.rotor import Rotor
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import GROUND, BearingSeat, LinearSupport, Sleeve
+from rotordyn.machine.support import GROUND, LinearSupport
 
 HEAD = ("part", "name", "x [mm]", "data")
 Row = tuple[str, str, str, str]

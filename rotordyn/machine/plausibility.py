@@ -11,8 +11,9 @@ from itertools import pairwise
 
 from bearings.bearing import BallBearing
 from rotordyn.machine.joint import WAYS
+from rotordyn.machine.matrix import entry_name
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, entry_name
 
 RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million

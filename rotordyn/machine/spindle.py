@@ -18,9 +18,11 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.rotor import ModalDamping, Place, Rayleigh, Rotor, TurningShare
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
-from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve
+from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import HIDDEN, Key, LossFactor, Name, Station
 

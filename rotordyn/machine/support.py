@@ -1,48 +1,28 @@
-"""What holds the shaft: bearing seats, sliding sleeves, linear supports."""
+"""Linear supports: what holds the shaft by matrices, constant or over speed."""
 
 from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import cache
 from typing import Annotated
 
-from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
-from bearings.bearing import BallBearing
-from bearings.kinds import kind_of
 from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.ball_guide import BallGuide
-from rotordyn.machine.fits import Fits
-from rotordyn.machine.growth import RingGrowth
-from rotordyn.machine.misalignment import Misalignment
-from rotordyn.quantity import (
-    HIDDEN,
-    Choice,
-    Damping,
-    Friction,
-    Items,
-    Key,
-    LossFactor,
-    Mass,
-    Name,
-    Preload,
-    Quantity,
-    Rigidity,
-    RingOffset,
-    Speed,
-    Station,
-    StopTravel,
-    Words,
+from rotordyn.machine.matrix import (
+    DAMPING,
+    STIFFNESS,
+    Dof,
+    Entries,
+    Value,
+    acts,
+    entry_name,
+    no_spring,
 )
-from rotordyn.units import format_quantity
+from rotordyn.quantity import Choice, LossFactor, Name, Speed, Station
 
-DOFS = ("x", "y", "z", "thx", "thy", "thz")
 SPINDLE, GROUND = "spindle", "ground"  # ends of a support that are no further rotor
-Dof = Annotated[str, Choice(DOFS)]
-
 # The motions that a straight rotor keeps apart, by the DOF of its nodes.
 MOTIONS = {
     "x": "axial",
@@ -52,249 +32,10 @@ MOTIONS = {
     "thy": "bending",
     "thz": "bending",
 }
-Value = float | tuple[float, ...]
-Entries = Mapping[tuple[Dof, Dof], Value]
-THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
 BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
 TABLED = ("y", "z", "thy", "thz")  # DOF whose entries may follow the speed
 RPM = math.pi / 30.0
-SYMMETRIC = 1e-9  # of an entry: less than that is rounding
-MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
-LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
 SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
-_UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
-
-
-@dataclass(frozen=True, slots=True)
-class Matrix:
-    """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
-
-    Files write them by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns.
-    """
-
-    kind: str
-
-    def quantity(self, row: str, column: str) -> Quantity:
-        """What an entry takes, by how many of its two DOF are rotations."""
-        return _entry(self.kind, sum(len(dof) > 1 for dof in (row, column)))
-
-    def refusal(self, entries: Entries) -> str:
-        """Why an entry is not taken; empty where all are."""
-        for pair, value in entries.items():
-            quantity = self.quantity(*pair)
-            for each in value if isinstance(value, tuple) else (value,):
-                if why := quantity.refusal(each):
-                    return f"{entry_name(*pair)}: {why}"
-        return ""
-
-
-@cache
-def _entry(kind: str, rotations: int) -> Quantity:
-    names, limit = (kind, f"coupling {kind}", f"tilt {kind}"), f"{MOST[kind]:g}"
-    bound = f"{limit} {_UNITS[kind][rotations]}"
-    instead = ", or rigid: no give at all" if kind == "stiffness" else ""
-    return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound, instead=instead)
-
-
-STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
-
-
-def entry_name(row: str, column: str) -> str:
-    """An entry of a 6×6 matrix as files write it: ``yy``, ``y_thz``."""
-    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
-
-
-@dataclass(frozen=True, slots=True)
-class BearingSeat(Description):
-    """A bearing on the shaft.
-
-    ``thrust``: of a kind that takes thrust both ways it says along which its axial load is
-    positive, and which way a spring of its sleeve loads it; 0 stands for +1 there. What is assumed
-    of its balls is that of the conditions of the case unless given here; friction ``none`` or
-    infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
-    """
-
-    name: Annotated[Name, "of this bearing"]
-    bearing: Annotated[BallBearing, Key("model"), "name or path of a bearing model, or a mapping"]
-    x: Annotated[Station, "station of the circle of inner groove centres"]
-    thrust: Annotated[
-        int,
-        THRUST,
-        "the way the shaft pushes the inner ring to load the balls; of kinds that take thrust both "
-        "ways only needed on a sleeve",
-    ] = 0
-    growth: Annotated[RingGrowth, "instead of that of the spindle"] = field(
-        default_factory=RingGrowth
-    )
-    fits: Annotated[
-        Fits | None,
-        "fits of its rings, from which the growth follows instead ([theory](theory/rings.md))",
-    ] = None
-    radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
-    axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
-    model: Annotated[str, HIDDEN] = ""
-    kinematics: Annotated[
-        Annotated[str, Choice(KINEMATICS)] | None, "instead of that of the conditions"
-    ] = None
-    moment_sharing: Annotated[
-        Annotated[str, Choice(MOMENT_SHARING)] | None, "instead of that of the conditions"
-    ] = None
-    friction: Annotated[Friction | None, "instead of that of the conditions"] = None
-    misalignment: Annotated[
-        Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
-    ] = field(default_factory=Misalignment)
-
-    def __post_init__(self) -> None:
-        given, bearing = self.thrust, self._known_bearing
-        if given == 0 and type(given) is int and bearing is not None:
-            object.__setattr__(self, "thrust", int(bearing.both_ways))
-        Description.__post_init__(self)
-
-    @property
-    def _known_bearing(self) -> BallBearing | None:
-        """The bearing; None where the faults of its file are reported already."""
-        given: object = self.bearing
-        return given if isinstance(given, BallBearing) else None
-
-    def law(self, common: Law) -> Law:
-        """What is assumed of its balls: its own where given, the rest in ``common``."""
-        friction = common.friction
-        if self.friction is not None:
-            friction = None if math.isinf(self.friction) else self.friction
-        return replace(
-            common,
-            kinematics=self.kinematics or common.kinematics,
-            moment_sharing=self.moment_sharing or common.moment_sharing,
-            friction=friction,
-        )
-
-    def _faults(self) -> Faults:
-        bearing = self._known_bearing
-        if bearing is None:
-            return
-        if self.thrust == 0 and not bearing.both_ways:
-            yield (
-                ("thrust",),
-                f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
-                "+x, -x, the way the shaft pushes the inner ring to load the balls",
-            )
-        yield from self._fit_faults(bearing)
-        room = bearing.largest_static_growth
-        if self.growth.static > room:
-            yield (
-                ("growth", "static"),
-                "takes the whole contact angle: given {given}; allowed: up to "
-                f"{format_quantity(room, 'um')}",
-            )
-        race, fit = 2.0 * bearing.inner_raceway_radius, self.growth.fitted
-        if fit is not None and fit.bore_diameter >= race:
-            yield (
-                ("growth", "fit"),
-                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: below "
-                f"{format_quantity(race, 'mm')}",
-            )
-
-    def _fit_faults(self, bearing: BallBearing) -> Faults:
-        if self.fits is None:
-            return
-        if self.growth != RingGrowth():
-            yield (
-                ("fits",),
-                f"bearing {self.name} has fits beside a given growth, which contradict one "
-                "another: growth follows from the fits; leave one of both out",
-            )
-        races = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
-        bore, outside = self.fits.bore_diameter, self.fits.outside_diameter
-        if bore is not None and bore >= races[0]:
-            yield (
-                ("fits",),
-                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(bore, 'mm')}; allowed: below {format_quantity(races[0], 'mm')}",
-            )
-        if outside is not None and outside <= races[1]:
-            yield (
-                ("fits",),
-                f"the outside of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(outside, 'mm')}; allowed: above "
-                f"{format_quantity(races[1], 'mm')}",
-            )
-
-
-@dataclass(frozen=True, slots=True)
-class Spring(Description):
-    """Preload spring [N], [N/m]; ``rigid`` or infinite locks the sleeve in its place at rest."""
-
-    preload: Annotated[Preload, "force at rest"]
-    stiffness: Annotated[
-        Rigidity, Key(required=True), "`rigid` locks the sleeve in its place at rest"
-    ] = math.inf
-    offset: Annotated[
-        RingOffset | None,
-        "of a rigid preload, instead of its force: axial offset of the free rings, or difference "
-        "of spacers",
-    ] = None
-    free: Annotated[
-        bool, "the preload is that of a pair of such bearings before it is mounted, as of a class"
-    ] = False
-
-    @property
-    def words(self) -> str:
-        """What preloads, in a few words."""
-        if self.offset is not None:
-            return f"offset of {self.offset * 1e6:.4g} µm"
-        return f"{self.preload:.6g} N" + " by class" * self.free
-
-    def _faults(self) -> Faults:
-        if (self.free or self.offset is not None) and math.isfinite(self.stiffness):
-            key = "offset" if self.offset is not None else "free"
-            yield (key,), "is of a rigid preload: given beside a stiffness; allowed: with rigid"
-        if self.offset is not None and (self.preload > 0.0 or self.free):
-            yield ("offset",), "given beside a preload: one gives the other; leave one of both out"
-
-
-@dataclass(frozen=True, slots=True)
-class Sleeve(Description):
-    """A sliding sleeve that carries the outer rings of bearings, its spring and its end stop.
-
-    The spring pushes the way that loads the bearings. [m], [kg], [N/m]; infinite: no stop, held
-    rigidly by the housing bore.
-    """
-
-    name: Annotated[Name, "of the sleeve"]
-    bearings: Annotated[tuple[Name, ...], Items(), "whose outer rings it carries"]
-    spring: Annotated[Spring, "that loads these bearings"]
-    stop_travel: Annotated[StopTravel, "way against the spring, from rest to the end stop"] = (
-        math.inf
-    )
-    mass: Annotated[Mass, "of the sleeve"] = 0.0
-    radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
-    ball_guide: Annotated[
-        BallGuide | None,
-        "balls between sleeve and housing, which give that stiffness instead "
-        "([theory](theory/supports.md#ball-guides))",
-    ] = None
-    friction: Annotated[
-        Preload, "limit of the dry friction in its bore ([which analyses](theory/network.md))"
-    ] = 0.0
-
-    @property
-    def radially(self) -> float:
-        """Stiffness between sleeve and housing, infinite where the bore is rigid [N/m]."""
-        return self.radial_stiffness if self.ball_guide is None else self.ball_guide.law.stiffness
-
-    def _faults(self) -> Faults:
-        if self.ball_guide is not None and self.radial_stiffness < math.inf:
-            yield ("radial_stiffness",), "given beside ball_guide, which gives it: one of both"
-        if 0.0 < self.mass < LEAST_MASS:
-            yield ("mass",), f"out of range: given {{given}}; allowed: 0, or from {LEAST_MASS:g} kg"
-        if self.radial_stiffness < LEAST_HOLD:
-            yield (
-                ("radial_stiffness",),
-                f"out of range: given {{given}}; allowed: from {LEAST_HOLD:g} N/m, or infinite",
-            )
-        for index, sentence in repeated(self.bearings):
-            yield ("bearings", index), sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -339,7 +80,7 @@ class LinearSupport(Description):
         faults = [*self._table_faults()]
         yield from faults
         if not faults and self.loss_factor != 0.0:
-            yield from ((("loss_factor",), why) for why in _no_spring(self.stiffness))
+            yield from ((("loss_factor",), why) for why in no_spring(self.stiffness))
         if self.beyond == "hold" and not self.speeds:
             yield ("beyond",), "hold is of a table over speed, and there is none"
         yield from ascending("speeds", self.speeds)
@@ -450,56 +191,6 @@ class LinearSupport(Description):
     @property
     def _stiff(self) -> tuple[tuple[str, str], ...]:
         return tuple(pair for pair, value in self.stiffness.items() if acts(value))
-
-
-def acts(value: Value) -> bool:
-    """False for an entry that is zero at all speeds."""
-    return any(value) if isinstance(value, tuple) else value != 0.0
-
-
-def _no_spring(stiffness: Entries) -> Iterator[str]:
-    """A sentence where a loss factor has no spring whose energy it could be a share of."""
-    if not any(acts(value) for value in stiffness.values()):
-        yield "loss_factor is of a stiffness, and there is none"
-        return
-    rows = max(len(value) if isinstance(value, tuple) else 1 for value in stiffness.values())
-    for k in range(rows):
-        entries = {p: v[k] if isinstance(v, tuple) else v for p, v in stiffness.items()}
-        for (row, column), value in entries.items():
-            other = entries.get((column, row), 0.0)
-            if abs(value - other) > SYMMETRIC * max(abs(value), abs(other)):
-                yield (
-                    "loss_factor is of a spring, and its stiffness is not symmetric: given "
-                    f"{entry_name(row, column)} {value:.6g} and {entry_name(column, row)} "
-                    f"{other:.6g}"
-                )
-                return
-        if not _resists(entries):
-            yield "loss_factor is of a spring, and there is a motion that its stiffness drives"
-            return
-
-
-def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
-    """No motion is driven by a symmetric matrix; by elimination, DOF in their own measure."""
-    names = list(dict.fromkeys(row for row, _ in entries))
-    size = {name: entries.get((name, name), 0.0) for name in names}
-    if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):
-        return False
-    held = [name for name in names if size[name] > 0.0]
-    rest = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
-    while rest:
-        (pivot, *across), below = rest[0], rest[1:]
-        if pivot < -SYMMETRIC:
-            return False
-        if pivot <= SYMMETRIC:
-            if any(abs(value) > math.sqrt(SYMMETRIC) for value in across):
-                return False
-            across = [0.0 for _ in across]
-        rest = [
-            [v - row[0] * a / (pivot or 1.0) for v, a in zip(row[1:], across, strict=True)]
-            for row in below
-        ]
-    return True
 
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:

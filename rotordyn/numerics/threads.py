@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from threadpoolctl import ThreadpoolController
 
 T = TypeVar("T")
+_processes = [1]
 
 
 def linear_algebra_alone() -> AbstractContextManager[object]:
@@ -37,9 +38,13 @@ def _pools(modules: int) -> ThreadpoolController:
 
 def processors() -> int:
     """How many this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+    few = hasattr(os, "sched_getaffinity")
+    return max(1, (len(os.sched_getaffinity(0)) if few else os.cpu_count() or 1) // _processes[0])
+
+
+def side_by_side(processes: int) -> None:
+    """So many processes work on one thing, this one among them: each has its share of them."""
+    _processes[0] = processes
 
 
 def in_threads(work: Callable[[slice], T], count: int, least: int) -> list[T]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,6 @@ from bearings.ring.state import BearingState
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
     from bearings.ring.assembly import Assembly
-    from bearings.ring.iterate import Iterate
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -41,7 +40,7 @@ States = dict[Alike, Solved]
 class BearingIterates:
     """By model and law: the places of such bearings, their balls, a batch (speeds, places)."""
 
-    of: dict[Alike, tuple[list[int], Iterate]]
+    of: dict[Alike, tuple[list[int], Any]]  # ``Iterate``, or ``Settled``
 
     @classmethod
     def solved(cls, states: States, ring: Callable[[Geometry], Assembly]) -> BearingIterates:
@@ -50,7 +49,7 @@ class BearingIterates:
 
         return cls({k: (balls.places, iterate(balls.state, ring)) for k, balls in states.items()})
 
-    def __iter__(self) -> Iterator[tuple[list[int], Iterate]]:
+    def __iter__(self) -> Iterator[tuple[list[int], Any]]:
         return iter(self.of.values())
 
     def moved(self, displacement: Array) -> BearingIterates:

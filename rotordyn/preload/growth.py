@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat
 from rotordyn.machine.temperatures import Rises, Temperatures
 
 if TYPE_CHECKING:

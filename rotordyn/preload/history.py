@@ -92,7 +92,7 @@ class History:
         return float(events[slip].share) * reach
 
     def under(self, row: int, force: float) -> Load:
-        """What acts at speed ``row`` with ``force`` [N] on the shaft besides."""
+        """Loads at the speed of ``row`` with a further axial ``force`` [N] on the shaft."""
         load = self.loads[row]
         push = load.force.copy()
         push[SHAFT] += force

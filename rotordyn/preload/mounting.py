@@ -14,8 +14,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve
 from rotordyn.preload.growth import static_growth
 
 LIGHTEST, HEAVIEST = 1e-3, 1e7  # N, between which a preload is sought

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, St
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
+DIGITS = 1e-13  # of the largest force: more is less with another step
 BALLS = 1e-9  # of the largest ball load: what is left of it acts on the rings squared
 TOGETHER = 12  # iterations
 ITERATIONS = 60
@@ -102,8 +104,27 @@ class Network:
         states = self.solve_bearings(every, near_by, displacement=displacement)
         return self._response(BearingIterates.solved(states, axial_assembly), states)
 
+    def begin(self, x: Array) -> Response:
+        """The same to ``move`` on from, without states where the compiled solver does it."""
+        from bearings.geometry import geometry
+        from bearings.ring.assembly import axial_assembly
+        from bearings.ring.compiled.states import loaded
+
+        if not all(loaded(geometry(each.model.grooves)) for each in self.arrangement.bearings):
+            return self.respond(x)
+        from bearings.ring.operation import operation
+        from bearings.ring.settled import settled
+
+        displacement = self._displacement(x)
+        asked = self._asked(range(displacement.shape[1]), displacement=displacement, load=None)
+        found = {
+            (model, law): (where, settled(operation(model.grooves, law, **each), axial_assembly))
+            for (model, law), (where, each) in asked.items()
+        }
+        return self._response(BearingIterates(found), {})
+
     def move(self, x: Array, near: Response) -> Response:
-        """Loads and slopes at positions ``x``, balls a Newton step on from where they were."""
+        """Loads and slopes at positions ``x``, balls sought from where they were."""
         return self._response(near.bearings.moved(self._displacement(x)), {})
 
     def _displacement(self, x: Array) -> Array:
@@ -133,24 +154,38 @@ class Network:
         ``bearings``: which of the arrangement's is at every place. All of one model and law are
         solved in one call; ``near``, states of the same places close by, speeds the search up.
         """
+        asked = self._asked(bearings, displacement=displacement, load=load)
+        return {
+            (model, law): Solved(
+                where,
+                model.equilibrium(
+                    **question,
+                    **asdict(law),
+                    start=None if near is None else near[model, law].state,
+                ),
+            )
+            for (model, law), (where, question) in asked.items()
+        }
+
+    def _asked(
+        self, bearings: Sequence[int], **given: Array | None
+    ) -> dict[Alike, tuple[list[int], dict[str, Any]]]:
+        """Of all bearings of one model and law: their places, and what is asked of them."""
         at = [self.arrangement.bearings[k] for k in bearings]
         places: dict[Alike, list[int]] = {}
         for place, bearing in enumerate(at):
             places.setdefault((bearing.model, bearing.law), []).append(place)
         return {
-            (model, law): Solved(
+            alike: (
                 where,
-                model.equilibrium(
-                    displacement=None if displacement is None else displacement[:, where],
-                    load=None if load is None else load[:, where],
-                    speed=self.arrangement.speed[:, None],
-                    static_growth=[at[p].static_growth for p in where],
-                    growth=np.stack([at[p].growth for p in where], axis=1),
-                    **asdict(law),
-                    start=None if near is None else near[model, law].state,
-                ),
+                {
+                    **{n: None if each is None else each[:, where] for n, each in given.items()},
+                    "speed": self.arrangement.speed[:, None],
+                    "static_growth": [at[p].static_growth for p in where],
+                    "growth": np.stack([at[p].growth for p in where], axis=1),
+                },
             )
-            for (model, law), where in places.items()
+            for alike, where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
@@ -216,7 +251,7 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
     """Newton of bodies and balls, no step shortened; none may turn a ball's angles far."""
     fixed = held | network.springs.fixed
     if near is None:
-        response, near_by = network.respond(x), np.ones(len(x), dtype=bool)
+        response, near_by = network.begin(x), np.ones(len(x), dtype=bool)
     else:
         response = network.move(x, near)
         near_by = response.bearings.follows(near.bearings)
@@ -228,7 +263,11 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
         x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         before, response = response, network.move(x, response)
         near_by &= response.bearings.follows(before.bearings)
-    error = network.error(x, response, fixed)[1]
+    miss, error = network.error(x, response, fixed)
+    if (error[np.isfinite(error)] > DIGITS).any():  # answers do not say how balls were found
+        x = x + np.where(np.isfinite(error)[:, None], _newton(network, response, miss, fixed), 0.0)
+        response = network.move(x, response)
+        error = network.error(x, response, fixed)[1]
     converged = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
     return NetworkState(x, held, response, error, converged)
 

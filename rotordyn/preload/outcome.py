@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.machine.matrix import entry_name
 from rotordyn.machine.plausibility import unopposed
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import entry_name
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.network import Network, NetworkState
 

@@ -139,11 +139,9 @@ class PreloadState:
     def mounted_load(self) -> Array:
         """Axial load of every bearing at rest under the stated preloads, as assembled (seats,)
         [N]."""
-        resting = Network(at_rest(self.network.arrangement), self.network.springs)
-        load = resting.respond(self.still.position).load
         bearings = self.network.arrangement.bearings
         place = {seat: k for k, bearing in enumerate(bearings) for seat in bearing.seats}
-        return np.array([load[0, place[seat]] for seat in sorted(place)])
+        return np.array([self.still.response.load[0, place[seat]] for seat in sorted(place)])
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""

@@ -58,7 +58,7 @@ def results_folder(target: Path) -> Iterator[Place]:
     """A folder that takes the place of ``target`` when the block ends without error.
 
     Where ``target`` cannot be moved away, since a file of it is open in another program (Windows),
-    the results go to a sibling, ``target_2`` or further, which the place then names.
+    the results go to a folder beside it, ``target_2`` or further, which ``Place.target`` names.
 
     Raises
     ------
@@ -117,7 +117,7 @@ def check_target(target: Path) -> None:
         raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
     if held == "other":
         raise OutputRefused(
-            f"{target} is not empty and holds no {RECORD} of ours: "
+            f"{target} is not empty and holds no {RECORD} of rotordyn: "
             "give another folder with -o, or empty this one"
         )
     if os.path.ismount(target):

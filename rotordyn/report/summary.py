@@ -11,8 +11,10 @@ from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, place
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import SPINDLE, BearingSeat, Sleeve
+from rotordyn.machine.support import SPINDLE
 from rotordyn.report.known import known_lines
 from rotordyn.results.described import Described
 from rotordyn.results.text import opening, unbroken, wrapped

@@ -8,16 +8,10 @@ from collections.abc import Iterable
 from bearings.bearing import BallBearing
 from rotordyn.description import Faults
 from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.matrix import acts, entry_name
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
-from rotordyn.machine.support import (
-    GROUND,
-    SPINDLE,
-    LinearSupport,
-    acts,
-    coupled_motions,
-    entry_name,
-)
+from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport, coupled_motions
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import INERTIAL, ROTATING
 from rotordyn.scene.spec import Setting, placed

@@ -129,8 +129,8 @@ def _free_body(left: Array, scale: Array) -> str:
     force, moment = np.abs(left[:3]).max(), np.abs(left * scale)[3:].max()
     amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
     return (
-        f"free body in a static case: nothing holds {names}, and the loads leave {amount} over "
-        "there; balance them, or hold it by a support"
+        f"free body in a static case: nothing holds {names}, and the loads there are out of "
+        f"balance by {amount}; balance them, or hold it by a support"
     )
 
 

@@ -84,8 +84,8 @@ class Loading:
             )
         most = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
-            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: "
-            "lower it or hold the shaft better"
+            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} times that force "
+            "would not: lower it or hold the shaft better"
         )
 
 

@@ -37,14 +37,14 @@ class HeatFlow(Description):
 
     @property
     def conductances(self) -> Conductances:
-        """As ``bearings.heat`` takes them."""
+        """Conductances in the form of ``bearings.heat``."""
         from bearings.heat.temperature import Conductances
 
         return Conductances(*(getattr(self, name) for name in Conductances._fields))
 
     @property
     def surroundings(self) -> Surroundings:
-        """As ``bearings.heat`` takes them."""
+        """Temperatures of shaft, housing and oil in the form of ``bearings.heat``."""
         from bearings.heat.temperature import Surroundings
 
         return Surroundings(self.shaft, self.housing, self.oil)
@@ -58,7 +58,7 @@ class SpindleHeatFlow(HeatFlow):
 
     @property
     def flow(self) -> Flow:
-        """As the balance of the preload takes it."""
+        """Oil and conductances in the form that the heat balance of a spindle takes."""
         from bearings.heat.moments import OIL_FACTORS
         from rotordyn.preload.heat_balance import Flow
 

@@ -131,7 +131,7 @@ class Scene(Statics):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was chosen that changes how the results read."""
+        """Sentences about choices of the case without which results are misread."""
         return frame_notes(self.conditions.formulation)
 
     @property

@@ -15,8 +15,8 @@ from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve, Spring
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.plausibility import implausible
-from rotordyn.machine.support import BearingSeat
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.preload.growth import released_fits
 from rotordyn.results.balls import gripping, pressed, slipping
 from rotordyn.results.display import RPM

@@ -158,7 +158,7 @@ def _rest(one: Plain, law: Law, at: str) -> float:
     preload = _number(one["preload"], f"{at}, preload", least=0.0)
     d0 = deflection(law, preload)
     if not math.isfinite(d0):
-        _refuse(f"{at}, preload", f"its law does not come to {preload:g} N; give another preload")
+        _refuse(f"{at}, preload", f"its law does not reach {preload:g} N; give another preload")
     return d0
 
 

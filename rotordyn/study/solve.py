@@ -95,8 +95,15 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
     InvalidInput : a path, value or number that cannot be, before anything is solved; a folder of
         another study; more than an hour without ``yes``; no scheduler
     """
-    how = dict(sampling=sampling, samples=samples, seed=seed, analyses=analyses, results=results)
-    study = study_of(case, varied, **how)  # type: ignore[arg-type]
+    study = study_of(
+        case,
+        varied,
+        sampling=sampling,
+        samples=samples,
+        seed=seed,
+        analyses=analyses,
+        results=results,
+    )
     return solved(study, workers, cluster, folder, progress, yes=yes)[0]
 
 

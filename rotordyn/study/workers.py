@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeVar
 
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.field import shown
+from rotordyn.numerics.threads import side_by_side
 from rotordyn.study.point import Outcome, solve_point
 
 ATTEMPTS = 3  # at points whose process was killed
@@ -28,18 +29,18 @@ def solved_here(
     packed: bytes,
     points: Sequence[Any],
     workers: int,
-    task: Callable[[bytes, Any], N] = solve_point,  # type: ignore[assignment]
+    task: Callable[[bytes, Any, int], N] = solve_point,  # type: ignore[assignment]
 ) -> Iterator[N]:
     """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
 
-    ``task`` solves one of the points of what is ``packed``.
+    ``task`` solves one of the points of what is ``packed``, of so many that a process will solve.
 
     Raises
     ------
     RotordynError : processes were killed again and again, as happens where memory runs out
     """
     if workers == 1 or len(points) < 2:
-        yield from (task(packed, number) for number in points)
+        yield from (task(packed, number, len(points)) for number in points)
         return
     from joblib import Parallel, delayed
     from joblib.externals.loky.process_executor import TerminatedWorkerError
@@ -48,7 +49,9 @@ def solved_here(
     for _ in range(ATTEMPTS):
         pool = Parallel(n_jobs=min(workers, len(left)), return_as="generator_unordered")
         with suppress(TerminatedWorkerError):
-            for found in pool(delayed(task)(packed, number) for number in list(left)):
+            share = len(left) // workers
+            calls = (delayed(_beside)(task, packed, k, workers, share) for k in list(left))
+            for found in pool(calls):
                 del left[found.number]
                 yield found
             return
@@ -80,12 +83,21 @@ def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Ite
         ) from None
     with client:
         study = client.scatter(packed, broadcast=True, hash=False)
-        futures = client.map(_on_cluster, points, packed=study, pure=False, retries=ATTEMPTS)
+        share = len(points) // max(1, sum(client.ncores().values()))
+        how = dict(packed=study, points=share, pure=False, retries=ATTEMPTS)
+        futures = client.map(_on_cluster, points, **how)
         running = dask.as_completed(futures, with_results=True, loop=client.loop)
         for future, found in running:
             future.release()
             yield found
 
 
-def _on_cluster(number: int, packed: bytes) -> Outcome:
-    return solve_point(packed, number)
+def _beside(
+    task: Callable[[bytes, Any, int], N], packed: bytes, point: Any, workers: int, share: int
+) -> N:
+    side_by_side(workers)
+    return task(packed, point, share)
+
+
+def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:
+    return solve_point(packed, number, points)

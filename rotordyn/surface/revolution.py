@@ -37,12 +37,12 @@ class Tube:
 
     @property
     def right_wall(self) -> Interval:
-        """The same at the right end."""
+        """From the inner to the outer radius at the right end."""
         inner, outer = self.right_inner, self.right_outer
         return self.inner if inner is None else inner, self.outer if outer is None else outer
 
     def radii(self, x: float) -> Interval:
-        """The same at ``x``."""
+        """From the inner to the outer radius at ``x``."""
         share = (x - self.left) / (self.right - self.left)
         if x == self.right:
             return self.right_wall

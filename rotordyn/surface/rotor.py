@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from rotordyn.machine.lumped import Disc, PointMass
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, LinearSupport
+from rotordyn.machine.support import LinearSupport
 from rotordyn.surface.body import Surface, together
 from rotordyn.surface.revolution import FACETS, Tube, revolved
 

@@ -11,12 +11,13 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import GROUND, SPINDLE
 from rotordyn.surface.body import Array, Surface, together
 from rotordyn.surface.motion import Complex, displacement, section_motion
+from rotordyn.surface.revolution import FACETS
 from rotordyn.surface.rotor import holder_surface, rotor_surface
 
 
-def surfaces(spindle: Spindle) -> dict[str, Surface]:
+def surfaces(spindle: Spindle, facets: int = FACETS) -> dict[str, Surface]:
     """What turns, by rotor; bodies of a further one bear its name before their own."""
-    rotors = {name: rotor_surface(spindle.part(name)) for name in spindle.ratios}
+    rotors = {name: rotor_surface(spindle.part(name), facets) for name in spindle.ratios}
     return {
         name: surface
         if name == SPINDLE
@@ -25,14 +26,14 @@ def surfaces(spindle: Spindle) -> dict[str, Surface]:
     }
 
 
-def holders(spindle: Spindle) -> Surface | None:
+def holders(spindle: Spindle, facets: int = FACETS) -> Surface | None:
     """What holds rotors against ground; nothing is drawn between two of them."""
     parts = []
     for name in spindle.ratios:
         held = {s.name for s in spindle.supports if set(s.ends) == {name, GROUND}}
         part = spindle.part(name)
         held_part = replace(part, supports=tuple(s for s in part.supports if s.name in held))
-        parts.append(holder_surface(replace(held_part, housings=())))
+        parts.append(holder_surface(replace(held_part, housings=()), facets))
     rings = [surface for surface in parts if surface is not None]
     return together(rings) if rings else None
 

@@ -17,10 +17,11 @@ from scipy.linalg import eigh
 import rotordyn
 from bearings.materials import Material
 from rotordyn.equation.elements.shear import shear_coefficient
-from rotordyn.equation.elements.standard_beam import axial_force_stiffness, shear_parameter
+from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
+from tests.oracles.beam_column import axial_force_stiffness
 from tests.oracles.dense_rotor.assemble import (
     add_at_nodes,
     bending_plane,

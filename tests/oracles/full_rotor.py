@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 
 from rotordyn.equation.elements.shear import shear_coefficient
-from rotordyn.equation.elements.standard_beam import axial_force_stiffness, shear_parameter
+from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import turn
 from rotordyn.equation.support import node_matrix
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
+from tests.oracles.beam_column import axial_force_stiffness
 from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL, Selection
 

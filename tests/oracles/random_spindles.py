@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 
 from bearings import STEEL, AngularContactBallBearing
 from rotordyn.machine.growth import ComputedShortening, QuadraticInSpeed, RingGrowth
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from tests.oracles.spindles import TOP
 
 

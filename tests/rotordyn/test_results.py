@@ -222,7 +222,9 @@ def _files(folder: Path) -> dict[str, bytes]:
 
 
 def test_what_is_no_results_folder_is_named(tmp_path: Path) -> None:
-    with pytest.raises(InvalidInput, match=r"is no results folder: it holds no run\.json of ours"):
+    with pytest.raises(
+        InvalidInput, match=r"is no results folder: it holds no run\.json of rotordyn"
+    ):
         rotordyn.open(tmp_path)
 
 

@@ -283,9 +283,10 @@ given = dict(load=load, speed=2000.0)
 found = [bearing.equilibrium(compiled=c, **given).displacement for c in (True, False)]
 assert "numba" not in sys.modules
 assert np.allclose(*found, rtol=1e-9, atol=1e-15), found
+import bearings.geometry
 from bearings.ring.compiled import states
 states.BALL = 1e9
-assert not states.pays(25, (1, 1))
+assert not states.pays(25, bearings.geometry.geometry(bearing.grooves))
 sys.exit(0)
 """
     done = program(code=BLOCKED.format(names={"numba"}) + code)

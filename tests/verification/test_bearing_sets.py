@@ -20,9 +20,10 @@ from rotordyn.analyses.preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingSet, Fits, RingGrowth, SetPreload, Spring
 from rotordyn.machine.bearing_set import SETS, patterns
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve
 from rotordyn.preload.mounting import class_offset, mounted_preload, ring_offset
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene

@@ -22,9 +22,10 @@ from rotordyn.analyses.thermal_preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.panels import Shown
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.preload.growth import (
     inner_fit,
     outer_fit,

@@ -18,9 +18,10 @@ from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.mesh import build_mesh
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.preload.balance import Balance
 from rotordyn.preload.network import Network
 from tests.oracles.dense_rotor.assemble import bending_plane

@@ -23,9 +23,11 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.seat import turn
 from rotordyn.machine.misalignment import Misalignment
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.agreement import setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene

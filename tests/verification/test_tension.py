@@ -89,7 +89,7 @@ def test_a_column_buckles_at_the_load_of_euler_and_engesser() -> None:
 
     assert not any(scene(1.0 - 1e-6).outcome)
     assert all("buckles the shaft" in word for word in scene(1.0 + 1e-6).outcome)
-    with pytest.raises(NoSolution, match=r"0\.5 of it would not"):
+    with pytest.raises(NoSolution, match=r"0\.5 times that force would not"):
         scene(2.0).require_solution()
 
 

@@ -37,9 +37,21 @@ class CompiledStates(NamedTuple):
 
 def pays(balls: int, g: Geometry) -> bool:
     """Whether so many balls are found sooner with the compiled solver, its loading included."""
-    if _type(g) in _loaded:
-        return True
-    seconds = BALL * balls
+    return loaded(g) or _worth(BALL * balls, g)
+
+
+def expect(seconds: float, g: Geometry) -> None:
+    """Take the compiled solver from now on if it pays where so much time is to be saved by it."""
+    if not loaded(g) and _worth(seconds, g):
+        _loaded.add(_type(g))
+
+
+def loaded(g: Geometry) -> bool:
+    """Whether this process has the compiled solver for such grooves."""
+    return _type(g) in _loaded
+
+
+def _worth(seconds: float, g: Geometry) -> bool:
     quick = seconds > FROM_DISK and _type(g) == (1, 1, 0) and is_kept()
     return (seconds > COMPILING or quick) and available()
 
@@ -118,7 +130,7 @@ def find_all(
                 d[k, j] = d[k - 1, j]
             x[k] = x[k - 1]
         exists[k] = find(p, d[k], x[k], start, w)
-        carried[k], stiffness[k] = w.action, w.stiffness
+        carried[k], stiffness[k] = w.condensed, w.stiffness
 
 
 def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:

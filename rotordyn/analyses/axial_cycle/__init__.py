@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
 from rotordyn.analyses.axial_cycle.tables import LAYOUTS
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="axial_cycle",
+ANALYSIS = in_folder(
+    __name__,
+    "warnings",
     machine="spindle",
     place=32,
     spec=AxialCycleSpec,
-    solve=code("solve:answer"),
     bearings=True,
-    figures=code("figures:figures"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
-    warnings=code("summary:warnings"),
     heading="axial stiffness at no load",
-    numbers=code("summary:numbers"),
 )

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.tables import LAYOUTS
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="bearing",
+ANALYSIS = in_folder(
+    __name__,
+    "warnings",
+    "known",
     machine="bearing",
     place=70,
     spec=BearingMapSpec,
-    solve=code("solve:answer"),
-    figures=code("figures:figures"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
-    warnings=code("summary:warnings"),
     heading="axial/radial stiffness, tilts blocked",
-    numbers=code("summary:numbers"),
-    known=code("known:known"),
 )

@@ -158,7 +158,7 @@ def warnings(result: CampbellResult) -> list[str]:
 def _unconverged(result: CampbellResult) -> list[str]:
     if not result.unconverged:
         return []
-    return [f"modes are less sure than asked for: {result.unconverged}"]
+    return [f"modes are less accurate than asked for: {result.unconverged}"]
 
 
 def _dropped(result: CampbellResult) -> list[str]:

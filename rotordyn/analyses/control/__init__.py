@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.control.spec import ControlSpec
 from rotordyn.analyses.control.tables import LAYOUTS
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="control",
+ANALYSIS = in_folder(
+    __name__,
+    "panels",
     machine="bearing",
     place=80,
     spec=ControlSpec,
-    solve=code("solve:answer"),
-    figures=code("figures:figures"),
-    panels=code("figures:panels"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
     heading="axial load at which race control changes",
-    numbers=code("summary:numbers"),
 )

@@ -28,6 +28,7 @@ SAME = 1e-10  # of a frequency: samples nearer to one another are one
 TOGETHER = 6  # pairs
 ROUNDS = 5  # of parabolas
 ROUNDING = 1e-7  # of a response: differences below that mean nothing
+NEAR = 3.0  # half widths of a mode from its frequency: what peaks there is its own
 NOTHING = 1e-10  # of what a mode would give at its own places: less is rounding
 
 
@@ -45,6 +46,18 @@ class Poles(NamedTuple):
         """Centres and widths at one speed."""
         known = np.isfinite(self.centre[row])
         return self.centre[row, known], self.width[row, known]
+
+    def damping_at(self, peak: Array) -> Array:
+        """Damping ratio of the mode that makes each ``peak`` [Hz] (s, pairs, n), 0 without damping,
+        NaN where no mode is near."""
+        if not self.centre.shape[1]:
+            return np.full(peak.shape, np.nan)
+        away = np.abs(peak[..., None] - self.centre[:, None, None]) / self.width[:, None, None]
+        away = np.nan_to_num(away, nan=np.inf)
+        mode = away.argmin(axis=-1)
+        ratio = np.where(self.undamped, 0.0, self.width / np.hypot(self.width, self.centre))
+        at = np.take_along_axis(ratio[:, None], mode.reshape(len(ratio), 1, -1), axis=-1)
+        return np.where(away.min(axis=-1) <= NEAR, at.reshape(peak.shape), np.nan)
 
 
 class Peaks(NamedTuple):

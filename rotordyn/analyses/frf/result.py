@@ -21,15 +21,15 @@ class FrequencyResponse:
 
     Subclasses add the values at the frequencies of the case, whose name is their ``kind``. Every
     peak between and at them is solved for: ``peak_frequency`` and ``peak_value``, ascending, NaN
-    where there are fewer, infinite of a mode without damping. ``slice_value`` is the response at
-    the speeds that are drawn, at the frequencies of the case and more of them about every mode,
+    where there are fewer, infinite of a mode without damping. ``peak_damping``: NaN of a peak that
+    no single mode makes; ``light_mode``: empty from ``LIGHT`` up. ``slice_value`` is the response
+    at the speeds that are drawn, at the frequencies of the case and more of them about every mode,
     NaN beyond the last. ``line_value``: along the lines of engine orders, at the speeds of the
     case, ``line_curve`` at more of them about the critical speeds; a stop that closes leaves a NaN.
-    What was ``measured`` has frequencies
-    of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
-    next to them, NaN where there are fewer. ``unstable``: some motion grows by itself there, so
-    that the steady solution given is not reached. ``frac``: frequency response assurance
-    criterion.
+    What was ``measured`` has frequencies of its own, NaN beyond its last ``sample``; its highest
+    peaks stand beside the computed ones next to them, NaN where there are fewer. ``unstable``: some
+    motion grows by itself there, so that the steady solution given is not reached. ``frac``:
+    frequency response assurance criterion.
     """
 
     kind: ClassVar[str]
@@ -49,6 +49,12 @@ class FrequencyResponse:
     )
     peak_value: Complex = quantity(
         "speed", "pair", "resonance", unit=AS_COMPUTED, label="response at the peak"
+    )
+    peak_damping: Array = quantity(
+        *("speed", "pair", "resonance"), unit="1", label="damping ratio of the mode at the peak"
+    )
+    light_mode: Words = quantity(
+        "pair", unit="", label="mode of the highest peak, if hardly damped"
     )
     slice_speed: Array = coordinate("slice_speed", unit="rad/s", label="speed")
     place: NDArray[np.int_] = coordinate("place", unit="", label="place")
@@ -89,6 +95,14 @@ class FrequencyResponse:
         "measured", "peak", unit=AS_COMPUTED, label="amplitude of the computed peak"
     )
     frac: Array = quantity("measured", unit="1", label="FRAC of measured and computed response")
+
+    def highest(self, pair: int) -> tuple[int, int] | None:
+        """Speed and resonance of the highest peak of a pair, None where there is none."""
+        size = np.abs(self.peak_value[:, pair])
+        if not np.isfinite(self.peak_frequency[:, pair]).any():
+            return None
+        row, place = np.unravel_index(np.nanargmax(size), size.shape)
+        return int(row), int(place)
 
     @property
     def response(self) -> Complex:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.measured import measured_fields
-from rotordyn.analyses.frf.orders import line_fields, lines_of
+from rotordyn.analyses.frf.orders import BEYOND, line_fields, lines_of
 from rotordyn.analyses.frf.peaks import Peaks, Poles, curve_at, joined, peaks_of, poles_of
 from rotordyn.analyses.frf.result import (
     FrequencyResponse,
@@ -23,6 +23,10 @@ from rotordyn.analyses.frf.result import (
 from rotordyn.analyses.frf.spec import ORDERS_TURNED, QUANTITIES, FrfSpec, Port
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.plausibility import undamped
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import Branch, branches_of
+from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
 from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, solve_accurately
@@ -31,6 +35,7 @@ from rotordyn.scene.scene import Scene
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Answered = Callable[[Array], Complex]
+LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
@@ -122,6 +127,9 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
             (places, peaks_of(ask, poles[-1], frequency, values[:, places], reach_of, power))
         )
     at, high = joined(parts, shape)
+    damping = np.full(at.shape, np.nan)
+    for (places, _), each in zip(parts, poles, strict=True):
+        damping[:, places] = each.damping_at(at[:, places])
     slices = _slices(scene, spec) if len(frequency) else np.zeros(0, dtype=np.intp)
     rows = {index: row for row, index in enumerate(scene.usable.tolist())}
     curves = [frequency] * len(slices)
@@ -147,11 +155,43 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
         "resonance": np.arange(1, at.shape[-1] + 1),
         "peak_frequency": scene.scattered(at),
         "peak_value": scene.scattered(high),
+        "peak_damping": scene.scattered(damping),
+        "light_mode": _light_modes(scene, spec, at, np.abs(high), damping),
         "slice_speed": scene.speed[slices],
         "place": np.arange(longest),
         "slice_frequency": axis,
         "slice_value": shown,
     }
+
+
+def _light_modes(
+    scene: Scene, spec: FrfSpec, at: Array, size: Array, damping: Array
+) -> tuple[str, ...]:
+    """The mode of the highest peak of each pair where its damping ratio is below ``LIGHT``; empty
+    elsewhere, and where nothing in the machine is damped, which is said otherwise."""
+    names = [""] * len(spec.pairs)
+    if not np.nanmin(damping, initial=1.0) < LIGHT or undamped(scene.spindle):
+        return tuple(names)
+    branches, called = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
+    for k, places in _by_system(scene, spec.pairs).items():
+        modes = [(b, name) for b, name in zip(branches, called, strict=True) if b.subsystem == k]
+        for place in places:
+            high = np.where(np.isnan(at[:, place]), -1.0, size[:, place])
+            row, top = np.unravel_index(high.argmax(), high.shape)
+            if damping[row, place, top] < LIGHT and modes:
+                seen = [_seen(scene, mode, int(row)) for mode, _ in modes]
+                away = np.abs(np.nan_to_num(seen, nan=np.inf) - at[row, place, top])
+                names[place] = modes[int(away.argmin())][1]
+    return tuple(names)
+
+
+def _seen(scene: Scene, mode: Branch, row: int) -> float:
+    """Frequency [Hz] of a mode in the frame of the responses."""
+    frequency = float(mode.frequency[row])
+    if scene.conditions.formulation != ROTATING or mode.kind != "bending":
+        return frequency
+    spin = float(scene.speed[scene.usable[row]]) / (2.0 * math.pi)
+    return abs(float(mode.whirl[row]) * frequency - spin)
 
 
 def _finite(at: Array, high: Complex, row: int) -> Array:

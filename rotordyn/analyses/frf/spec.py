@@ -10,8 +10,9 @@ from typing import Annotated
 from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.housing import housed_motions
+from rotordyn.machine.matrix import Dof
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import MOTIONS, Dof, coupled_motions
+from rotordyn.machine.support import MOTIONS, coupled_motions
 from rotordyn.quantity import (
     HIDDEN,
     Choice,

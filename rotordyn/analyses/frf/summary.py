@@ -35,13 +35,13 @@ def summary(result: FrequencyResponse) -> list[str]:
 
 def _highest(result: FrequencyResponse, pair: int) -> str:
     """The highest peak of a pair at all speeds; empty where there is none."""
-    size = np.abs(result.peak_value[:, pair])
-    if not np.isfinite(result.peak_frequency[:, pair]).any():
+    if (highest := result.highest(pair)) is None:
         return ""
-    row, place = np.unravel_index(np.nanargmax(size), size.shape)
+    row, place = highest
     hertz, rpm = result.peak_frequency[row, pair, place], result.speed[row] * RPM.factor
     at = f"at {number(float(hertz))} Hz and {number(float(rpm), 0)} rpm"
-    return f"{result.pair[pair]} {_size(result, pair, float(size[row, place]))} {at}"
+    size = float(np.abs(result.peak_value[row, pair, place]))
+    return f"{result.pair[pair]} {_size(result, pair, size)} {at}"
 
 
 def _along(result: FrequencyResponse, row: int, pair: int) -> str:
@@ -122,7 +122,22 @@ def warnings(result: FrequencyResponse) -> list[str]:
             f"frf: {pair} is less accurate than asked for: an estimated error of "
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
-    return sentences
+    return [*sentences, *_hardly_damped(result)]
+
+
+def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
+    """One sentence where the highest peaks are those of modes that hardly anything damps."""
+    light = [pair for pair, mode in enumerate(result.light_mode) if mode]
+    for pair in light[:1]:
+        row, place = result.highest(pair) or (0, 0)
+        ratio = result.peak_damping[row, pair, place]
+        has = f"has a damping ratio of {ratio:.0e} only" if ratio > 0.0 else "has no damping"
+        others = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
+        yield (
+            f"frf: the highest peak of {_highest(result, pair)}{others} is set by "
+            f"{result.light_mode[pair]}, which {has}, so that its height means nothing: give "
+            "damping of the bearings or supports in which that mode moves, or rotor_damping"
+        )
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:

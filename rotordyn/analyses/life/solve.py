@@ -13,8 +13,8 @@ import bearings
 from bearings.ring.state import BearingState
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.scene import Scene
 

@@ -28,7 +28,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
     good = np.array([word == "" for word in scene.outcome])
 
     def shown(values: Array) -> Array:
-        """Values per speed of the case, NaN where the outcome says why."""
+        """``values`` at every speed of the case, NaN at those without a solution."""
         taken = values[rows].astype(float)
         taken[~good] = np.nan
         return taken

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tables import LAYOUTS
 
@@ -16,24 +15,17 @@ if TYPE_CHECKING:
 
 __all__ = ["ANALYSIS", "Limit", "limit_depth", "turning_limit"]
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="stability_lobes",
+ANALYSIS = in_folder(
+    __name__,
+    "warnings",
     machine="spindle",
     place=25,
     spec=StabilityLobesSpec,
-    solve=code("solve:answer"),
     highest=lambda spec, _: spec.max_frequency,
     forced=True,
     ports=lambda spec: (spec.point,),
-    figures=code("figures:figures"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
-    warnings=code("summary:warnings"),
     heading="stable depth of cut, least and largest",
-    numbers=code("summary:numbers"),
 )
 
 _HOME = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}

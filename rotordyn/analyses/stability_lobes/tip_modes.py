@@ -25,7 +25,7 @@ class TipModes:
     participation: Complex
 
     def at(self, row: int) -> ModalTip:
-        """At one of the speeds."""
+        """Modes at one speed, given by its ``row``."""
         kept = np.isfinite(self.pole[row])
         return ModalTip(self.pole[row, kept], self.shape[row, kept], self.participation[row, kept])
 

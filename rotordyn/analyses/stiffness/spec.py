@@ -8,7 +8,7 @@ from typing import Annotated
 
 from rotordyn.description import Faults, repeated
 from rotordyn.machine.assembly import unknown
-from rotordyn.machine.support import entry_name
+from rotordyn.machine.matrix import entry_name
 from rotordyn.quantity import Choice, LightLoad, Name, Travel, Whole
 from rotordyn.scene.spec import Setting, Spec
 

@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
 from rotordyn.analyses.thermal_preload.tables import LAYOUTS
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="thermal_preload",
+ANALYSIS = in_folder(
+    __name__,
     machine="spindle",
     place=33,
     spec=ThermalPreloadSpec,
-    solve=code("solve:answer"),
     bearings=True,
-    figures=code("figures:figures"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
 )

@@ -65,20 +65,6 @@ def shear_parameter(length: Array, bending_rigidity: Array, shear_rigidity: Arra
     return 12.0 * bending_rigidity / (shear_rigidity * length**2)
 
 
-def axial_force_stiffness(length: Array, phi: Array, force: Array) -> Array:
-    """Stiffness by a steady axial ``force`` [N], tension positive: N ∫ v′² dx, shape (…, 4, 4)."""
-    return _pattern(
-        length,
-        force / (30.0 * length * (1.0 + phi) ** 2),
-        36.0 + 60.0 * phi + 30.0 * phi**2,
-        3.0 + 0.0 * phi,
-        -(36.0 + 60.0 * phi + 30.0 * phi**2),
-        3.0 + 0.0 * phi,
-        4.0 + 5.0 * phi + 2.5 * phi**2,
-        -(1.0 + 5.0 * phi + 2.5 * phi**2),
-    )
-
-
 def _stiffness(length: Array, phi: Array, bending: Array) -> Array:
     twelve, six = 12.0 + 0.0 * phi, 6.0 + 0.0 * phi
     scale = bending / ((1.0 + phi) * length**3)

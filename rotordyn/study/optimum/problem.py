@@ -116,8 +116,8 @@ class Trial:
         return self.violation == 0.0
 
 
-def solve_trial(packed: bytes, place: Place) -> Trial:
-    """Try a place of a pickled problem, in whatever process this is."""
+def solve_trial(packed: bytes, place: Place, places: int = 1) -> Trial:
+    """Try a place of a pickled problem, in whatever process this is, one of so many."""
     problem, memo = _unpacked(packed)
     begin = time.perf_counter()
     try:

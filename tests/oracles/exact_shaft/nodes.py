@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import turn
 from rotordyn.equation.support import ALIKE, node_matrix
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.exact_shaft.circular import PLANES, TURNING
 

@@ -209,7 +209,7 @@ def test_a_kind_with_thrust_both_ways_needs_none_but_on_a_sleeve(tmp_path: Path)
 
 
 def test_python_says_the_same() -> None:
-    from rotordyn.machine.support import BearingSeat
+    from rotordyn.machine.seat import BearingSeat
 
     assert BearingSeat("r", BUILT["deep_groove"], 0.1).thrust == 1
     assert BearingSeat("r", BUILT["deep_groove"], 0.1, -1).thrust == -1

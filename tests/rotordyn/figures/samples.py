@@ -28,9 +28,10 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.reference import Reference
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.results.declaration import declared
 
 TOP = 24000.0 * math.pi / 30.0
@@ -312,6 +313,8 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         resonance=np.arange(0),
         peak_frequency=none,
         peak_value=none + 0j,
+        peak_damping=none,
+        light_mode=("",) * 4,
         slice_speed=speed[rows],
         place=np.arange(points),
         slice_frequency=np.broadcast_to(frequency, (len(rows), points)),

@@ -16,6 +16,7 @@ from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.summary import summary
 from rotordyn.figures.draw import Drawing
+from rotordyn.figures.png import write_png
 from rotordyn.figures.style import FORMATS, HEAD_COLOUR
 from rotordyn.job.figures import figures
 from rotordyn.scene.conditions import Conditions
@@ -107,6 +108,19 @@ def test_print_size_and_dots_per_inch(folder):
         assert picture.info["dpi"] == pytest.approx((300, 300), abs=0.01)
     page = re.search(rb"/MediaBox \[ *0 0 ([0-9.]+) ", (folder / "campbell.pdf").read_bytes())
     assert float(page[1]) == pytest.approx(168.0 / 25.4 * 72.0, abs=0.1)
+
+
+def test_pixels_are_those_of_matplotlib(drawn, tmp_path):
+    """Our file holds what matplotlib's own has, and is the same when written again."""
+    figure = drawn["frf_map"]
+    write_png(figure, tmp_path / "ours.png", 100.0)
+    ours = (tmp_path / "ours.png").read_bytes()
+    figure.savefig(tmp_path / "theirs.png", dpi=100.0)
+    with Image.open(tmp_path / "ours.png") as one, Image.open(tmp_path / "theirs.png") as other:
+        np.testing.assert_array_equal(np.asarray(one), np.asarray(other.convert("RGB")))
+        assert (np.asarray(other)[..., 3] == 255).all()
+    write_png(figure, tmp_path / "ours.png", 100.0)
+    assert (tmp_path / "ours.png").read_bytes() == ours
 
 
 @pytest.mark.parametrize("name", ["frf_map", "frf_surface"])

@@ -18,8 +18,8 @@ from rotordyn.figures.symbols import contact_lines, draw_drawbar
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
-from rotordyn.machine.support import BearingSeat
 from tests.oracles.rotors import STEPPED, support
 from tests.rotordyn.figures import samples
 

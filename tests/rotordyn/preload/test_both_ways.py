@@ -11,8 +11,9 @@ import pytest
 
 from bearings import BallBearing, DeepGrooveBallBearing, FourPointBallBearing
 from bearings.ball.law import Law
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.known_bearings import VEX70
 from tests.oracles.spindles import RPM, mfw2310

@@ -13,8 +13,8 @@ from bearings.ball.law import Law
 from bearings.ring.iterate import Iterate
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.sleeve import Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Spring
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.spindles import RPM, TOP, mfw2310, with_sleeve, with_springs

@@ -137,12 +137,12 @@ def test_killed_processes_are_replaced(case: Case, tmp_path: Path) -> None:
 
 
 def test_too_many_killed_processes_are_no_endless_loop(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "solve_point", _dies)
+    monkeypatch.setattr(workers, "_beside", _dies)
     with pytest.raises(RotordynError, match="take fewer workers"):
         list(workers.solved_here(b"", [0, 1], 2))
 
 
-def _dies(packed: bytes, number: int) -> Outcome:
+def _dies(packed: bytes, number: int, workers: int, points: int) -> Outcome:
     os.kill(os.getpid(), signal.SIGKILL)
     return Outcome(number)
 

@@ -48,7 +48,7 @@ def campbell_figure(
 
     Critical speeds are numbered in the diagram and listed below it.
     """
-    criticals = _shown_criticals(result)
+    criticals = shown_criticals(result)
     listed = _listed(result, criticals)
     columns = _LIST_COLUMNS if max(map(len, listed), default=0) <= _SHORT else _LIST_COLUMNS - 1
     rows = math.ceil(len(listed) / columns)
@@ -210,7 +210,7 @@ def _row(number: int) -> float:
     return 1.0 - 0.037 * number
 
 
-def _shown_criticals(result: CampbellResult) -> list[int]:
+def shown_criticals(result: CampbellResult) -> list[int]:
     """Critical speeds that are marked, the slowest first."""
     shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
     if turning(result):
@@ -218,7 +218,7 @@ def _shown_criticals(result: CampbellResult) -> list[int]:
     return sorted(np.flatnonzero(shown).tolist(), key=lambda k: float(result.critical_speed[k]))
 
 
-def _critical_hertz(result: CampbellResult, place: int) -> float:
+def critical_hertz(result: CampbellResult, place: int) -> float:
     """Frequency [Hz] in the fixed frame at which what turns excites there."""
     turned = abs(_ratios(result)[result.critical_rotor[place]])
     rpm = float(result.critical_speed[place] * RPM.factor)
@@ -230,7 +230,7 @@ def _criticals(axes: Axes, result: CampbellResult, shown: Sequence[int]) -> None
     if not shown:
         return
     rpm = np.array([result.critical_speed[k] * RPM.factor for k in shown])
-    hertz = np.array([_critical_hertz(result, k) for k in shown]) * (not turning(result))
+    hertz = np.array([critical_hertz(result, k) for k in shown]) * (not turning(result))
     look: dict[str, Any] = dict(mfc="white", mec=RED, mew=1.2, ls="none", zorder=7, clip_on=False)
     axes.plot(rpm, hertz, "o", label="critical speed", **look)
     places = axes.transData.transform(np.column_stack([rpm, hertz])) * 72.0 / axes.figure.dpi
@@ -262,7 +262,7 @@ def _listed(result: CampbellResult, shown: Sequence[int]) -> list[str]:
     for number_of, k in enumerate(shown[:MOST_LISTED], start=1):
         rotor = f" {result.critical_rotor[k]}" if len(result.rotor) > 1 else ""
         by = f", {result.critical_order[k]:g}×{rotor}" if several else ""
-        rpm, hertz = result.critical_speed[k] * RPM.factor, _critical_hertz(result, k)
+        rpm, hertz = result.critical_speed[k] * RPM.factor, critical_hertz(result, k)
         lines.append(f"{number_of}: {rpm:.0f} rpm, {number(hertz)} Hz, {result.critical[k]}{by}")
     if len(shown) > MOST_LISTED:
         lines[-1] = f"… {len(shown) - MOST_LISTED + 1} more in campbell_critical.csv"

@@ -66,7 +66,7 @@ def draw_control(axes: Axes, result: ControlResult, most: int = 6) -> None:
 
 
 def draw_variant(axes: Axes, variant: Shown, _: object) -> None:
-    """The same of a variant beside others."""
+    """Draw the boundaries of one variant, small, beside those of others."""
     draw_control(axes, variant.result, 4)
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.solve import answer
 from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec
-from rotordyn.analyses.frf.summary import summary
+from rotordyn.analyses.frf.summary import summary, warnings
 from rotordyn.analyses.frf.uff import write_uff
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
@@ -42,6 +42,25 @@ def solved(spindle: Spindle, speeds: list[float], spec: FrfSpec, rotor: str) -> 
         spindle, Conditions(accuracy=1e-3, rotor=rotor), np.array(speeds) * RPM, 1500.0, stations
     )
     return answer(scene, spec)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [(0.0, "which has no damping"), (2e-6, "which has a damping ratio of 2e-06 only"), (1e-4, "")],
+)
+def test_a_peak_that_hardly_anything_damps_is_named(ratio: float, words: str) -> None:
+    """A mode whose damping ratio is given; a damper along the axis does not reach it."""
+    spindle = single(ratio)
+    along = replace(spindle.supports[0], damping={("x", "x"): 10.0, **spindle.supports[0].damping})
+    spec = FrfSpec(GRID, pairs("middle.y/middle.y"))
+    found = solved(replace(spindle, supports=(along,)), [0.0], spec, "rigid")
+    assert np.nanmin(found.peak_damping) == pytest.approx(ratio, rel=1e-4)
+    sentences = [sentence for sentence in warnings(found) if "height means nothing" in sentence]
+    assert len(sentences) == bool(words)
+    if words:
+        hertz = math.sqrt(K / rotor_inertia(STEPPED).mass) / (2.0 * math.pi)
+        for part in ("middle.y / middle.y", f"at {hertz:.1f} Hz and 0 rpm", "bending 1", words):
+            assert part in sentences[0]
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)

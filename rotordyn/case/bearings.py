@@ -1,0 +1,97 @@
+"""Reads bearings of any kind and their places on the shaft."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+from bearings.bearing import BallBearing
+from bearings.errors import InvalidBearing
+from bearings.materials import Material
+from rotordyn import units
+from rotordyn.case.estimated import estimated
+from rotordyn.case.faults import Faults
+from rotordyn.case.keys import bearing_class, keys_of
+from rotordyn.case.node import Node
+from rotordyn.case.reading import Reading, exact
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.units import format_quantity
+
+
+def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """A bearing on the shaft, called by the name that its model has."""
+    named = exact(node, ("model", "name"))
+    model = named.value if named is not None and isinstance(named.value, str) else ""
+    if exact(node, ("model", "estimate")) is not None:
+        model += " (estimate)"
+    return reading.description(BearingSeat, node, model=model)
+
+
+def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """A bearing of any kind; None where its faults are reported."""
+    if not isinstance(node.value, dict):
+        return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
+    if node.child("estimate") is not None:
+        estimate = estimated(reading, node)
+        if estimate is not None:
+            _rings(reading.faults, node, estimate)
+        return estimate
+    kind = node.child("kind")
+    model = bearing_class(kind.value if kind else None)
+    values = reading.fields(model, node)
+    optional = {field.name for field in keys_of(model) if field.default is None}
+    for name, value in values.items():
+        unclear = value.young_modulus if isinstance(value, Material) else value
+        if (value is None and name not in optional) or unclear != unclear:
+            return None
+        if isinstance(value, int) and exact(node, (name,)) is not None and value == 0:
+            return None
+    try:
+        made = model(**values)
+    except InvalidBearing as error:
+        place, hint = _named(str(error), model, node)
+        reading.faults.at(node, place, f"impossible bearing: {error}{hint}")
+        return None
+    _rings(reading.faults, node, made)
+    return made
+
+
+def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[str, ...], str]:
+    """The key to change of those that a sentence names, and how to override one of the model.
+
+    Keys that an override gives come first: the model of a library is not the user's to change.
+    """
+    kind: Any = model
+    optional = {field.name for field in keys_of(kind) if field.default is None}
+    words = re.findall(r"[a-z_]+", sentence)
+    given = [word for word in words if word in model.measures() and node.child(word) is not None]
+    written = [word for word in given if node.at(word).file != node.file]
+    instead = [word for word in given if word not in written and word in optional]
+    hint = ""
+    if written and instead and "exactly one" in sentence:
+        nulls = ", ".join(f"{word}: null" for word in dict.fromkeys(instead))
+        hint = f"; the model gives {instead[0]} already: add {nulls} to the override"
+    return tuple((written or given)[:1]), hint
+
+
+def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
+    """Bore and outside leave a ring beside the balls."""
+    inner, outer = 2.0 * made.inner_raceway_radius, 2.0 * made.outer_raceway_radius
+    for key, side, limit in (
+        ("bore_diameter", "below", inner),
+        ("outside_diameter", "above", outer),
+    ):
+        child = node.child(key)
+        try:
+            value = math.nan if child is None else units.parse(child.value, "length")
+        except InvalidInput:
+            continue
+        if value >= limit if side == "below" else value <= limit:
+            faults.at(
+                node,
+                (key,),
+                f"no ring left beside the balls: given '{node.at(key).raw}'; allowed: {side} "
+                f"{format_quantity(limit, 'mm')}",
+            )

@@ -1,0 +1,103 @@
+"""Single values as files write them, and what stands for a value whose fault is reported."""
+
+from __future__ import annotations
+
+import math
+import types
+from collections.abc import Mapping
+from dataclasses import is_dataclass
+from functools import cache
+from itertools import product
+from typing import Any, get_args, get_origin
+
+from bearings.bearing import BallBearing
+from bearings.materials import Material
+from rotordyn import units
+from rotordyn.case.keys import keys_of
+from rotordyn.description import unchecked
+from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, bare, members, metadata, optional
+from rotordyn.machine.matrix import DOFS, Matrix
+from rotordyn.quantity import Choice, Named, Quantity, Whole, Words
+
+LIMITS = (Quantity, Choice, Whole, Named, Words)
+
+
+def is_kind(inner: Any) -> bool:
+    """A description."""
+    return isinstance(inner, type) and is_dataclass(inner)
+
+
+def limit_of(annotation: Any) -> Any:
+    """What limits a value; its type where nothing does."""
+    return next((m for m in metadata(annotation) if isinstance(m, LIMITS)), bare(annotation))
+
+
+def wanted(annotation: Any) -> str:
+    """What a form takes, in a few words."""
+    limit, inner = limit_of(annotation), bare(annotation)
+    if isinstance(limit, Quantity):
+        return f"a {limit.kind} such as 1 {units.KINDS[limit.kind][0]}".rstrip()
+    if isinstance(limit, Choice):
+        return ", ".join(map(str, limit.allowed))
+    if isinstance(limit, Named):
+        return "a name"
+    if get_origin(inner) is tuple:
+        return "a list"
+    return "text" if inner is str else "a mapping (key: value)"
+
+
+def leaf(annotation: Any, value: object) -> Any:
+    """A single value as written in a file; raises Refused."""
+    limit = limit_of(annotation)
+    if not isinstance(limit, LIMITS):
+        return _plain(bare(annotation), value, units.shown(value))
+    try:
+        return limit.read(value)
+    except InvalidInput as refusal:
+        raise Refused(str(refusal)) from None
+
+
+def _plain(inner: Any, value: object, given: str) -> Any:
+    if inner is str and not isinstance(value, str):
+        raise Refused(f"not text: given {given}; allowed: text, in quotes where it is a number")
+    if inner is bool and not isinstance(value, bool):
+        raise Refused(f"not a yes or no: given {given}; allowed: true, false")
+    if inner is float:
+        if isinstance(value, bool) or not isinstance(value, int | float) or value != value:
+            raise Refused(f"not a number: given {given}; allowed: a plain number")
+        return float(value)
+    return value
+
+
+_UNKNOWN = {float: math.nan, str: "", int: 0, bool: False, Mapping: types.MappingProxyType({})}
+
+
+def unknown(annotation: Any) -> Any:
+    """What stands for a value whose fault is reported already."""
+    if optional(annotation):
+        return None
+    inner = bare(members(annotation)[0])
+    if any(isinstance(beside, Matrix) for beside in metadata(annotation)):
+        return dict.fromkeys(product(DOFS, DOFS), math.nan)
+    if is_kind(inner):
+        return _nothing_known(inner)
+    if get_origin(inner) is tuple:
+        item = get_args(inner)[0]
+        return (unknown(item),) if is_kind(bare(item)) or bare(item) is float else ()
+    return _UNKNOWN.get(get_origin(inner) or inner)
+
+
+@cache
+def _nothing_known(kind: Any) -> Any:
+    if issubclass(kind, BallBearing):
+        return None
+    with unchecked():
+        if issubclass(kind, Material):
+            made = object.__new__(kind)
+            for name in ("young_modulus", "poisson_ratio", "density", "thermal_expansion"):
+                object.__setattr__(made, name, math.nan)
+            object.__setattr__(made, "name", "")
+            return made
+        fields = keys_of(kind)
+        return kind(**{field.name: unknown(field.annotation) for field in fields if field.name})

@@ -1,0 +1,118 @@
+"""Reads 6×6 matrices, written entry by entry or whole."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+from typing import Annotated, Any, get_args
+
+from rotordyn import units
+from rotordyn.case.leaf import leaf
+from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.reading import Reading, unknown_key
+from rotordyn.field import Refused, bare
+from rotordyn.machine.matrix import DOFS, Matrix, entry_name
+from rotordyn.quantity import Quantity
+
+ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOFS, DOFS)}
+WHOLE = ("dof", "matrix")
+
+
+def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Entries of a 6×6 matrix by pair of DOF, written one by one or whole."""
+    marker = next(m for m in annotation.__metadata__ if isinstance(m, Matrix))
+    nothing = dict.fromkeys(ENTRIES.values(), math.nan)
+    if not isinstance(node.value, dict):
+        reading.wrong_shape(annotation, node, "a mapping (key: value)")
+        return nothing
+    if any(key in node.value for key in WHOLE):
+        return _whole(reading, marker, node) or nothing
+    tabled = len(get_args(get_args(bare(annotation))[1])) > 1
+    entries: dict[tuple[str, str], Any] = {}
+    for key, child in node.value.items():
+        if key not in ENTRIES:
+            reading.faults.at_key(child, (), unknown_key(key, [*WHOLE, *ENTRIES]))
+            continue
+        pair = ENTRIES[key]
+        one = Annotated[float, marker.quantity(*pair)]
+        if child.value is None:
+            continue
+        if isinstance(child.value, list) and tabled:
+            entries[pair] = tuple(reading.value(one, item) for item in child.value)
+        elif isinstance(child.value, list):
+            message = "a housing does not follow the speed: one value is needed"
+            reading.faults.at(child, (), message)
+        else:
+            entries[pair] = reading.value(one, child)
+    return entries
+
+
+def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str], float]:
+    both = [key for key in node.value if key in ENTRIES]
+    if both:
+        reading.faults.at(
+            node,
+            (),
+            f"both ways of writing a matrix: given {', '.join(both)} beside dof and matrix; "
+            "allowed: entries by name, or dof and matrix",
+        )
+        return {}
+    for key, child in node.value.items():
+        if key not in WHOLE:
+            reading.faults.at_key(child, (), unknown_key(key, [*WHOLE, *ENTRIES]))
+    for key in WHOLE:
+        if key not in node.value:
+            reading.faults.missing(node, (key,), "missing key: it must be given")
+    dofs = _dofs(reading, node.child("dof"))
+    rows = node.child("matrix")
+    if rows is None or not dofs or not _square(reading, rows, len(dofs)):
+        return {}
+    entries = {}
+    for (i, row), (j, column) in product(enumerate(dofs), enumerate(dofs)):
+        entries[row, column] = _cell(
+            reading, marker.quantity(row, column), rows.at(i, j), row, column
+        )
+    return entries
+
+
+def _dofs(reading: Reading, node: Node | None) -> list[str]:
+    if node is None or node.value is UNKNOWN:
+        return []
+    names = node.plain()
+    listed = list(map(str, names)) if isinstance(names, list) else []
+    if not listed or len(set(listed)) < len(listed) or not set(listed) <= set(DOFS):
+        given = units.shown(", ".join(listed) if listed else names)
+        reading.faults.at(
+            node,
+            (),
+            f"not DOF: given {given}; allowed: different ones of {', '.join(DOFS)}",
+        )
+        return []
+    return listed
+
+
+def _square(reading: Reading, node: Node, size: int) -> bool:
+    rows = node.plain() if isinstance(node.value, list) else []
+    lengths = [len(row) if isinstance(row, list) else 0 for row in rows]
+    if lengths == [size] * size:
+        return True
+    count = (
+        f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else units.shown(node.plain())
+    )
+    reading.faults.at(
+        node, (), f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
+    )
+    return False
+
+
+def _cell(reading: Reading, quantity: Quantity, node: Node, row: str, column: str) -> float:
+    """An entry of a matrix; a bare 0 is the same in every unit."""
+    value = node.plain()
+    if isinstance(value, int | float) and not isinstance(value, bool) and value == 0:
+        return 0.0
+    try:
+        cell: float = leaf(Annotated[float, quantity], value)
+    except Refused as refusal:
+        reading.faults.at(node, (), f"entry {entry_name(row, column)}: {refusal.why}")
+        return math.nan
+    return cell

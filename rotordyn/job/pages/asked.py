@@ -1,0 +1,69 @@
+"""What every analysis of a case shows on a page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from rotordyn.analyses.contract import Analysis
+from rotordyn.analyses.registry import analysis, place
+from rotordyn.figures.panels import Shown
+from rotordyn.job.results import Part
+from rotordyn.page.blocks import Block, Table
+from rotordyn.page.curves import curve_charts
+from rotordyn.page.declared import declared_blocks
+from rotordyn.results.display import RPM
+from rotordyn.results.frames import turning
+from rotordyn.results.headline import cells
+from rotordyn.results.text import from_to
+
+MOST = 12  # variants whose curves a page shows
+
+
+def analysis_blocks(parts: Sequence[Part]) -> Iterator[tuple[str, Block]]:
+    """Section and block, by the place of the analysis."""
+    for name in sorted({name for part in parts for name in part.results}, key=place):
+        record = analysis(name)
+        title = record.title or name.replace("_", " ").capitalize()
+        shown = [_shown(part, name) for part in parts if name in part.results][:MOST]
+        good = [each for each in shown if not all(map(_failed, each.result.outcome))]
+        for block in _blocks(record, parts[0].case.analyses.get(name), good) if good else ():
+            yield title, block
+
+
+def _shown(part: Part, name: str) -> Shown:
+    result = part.results[name]
+    known = () if turning(result) else part.case.known
+    return Shown(part.case.title or part.case.name, result, known, part.case.spindle)
+
+
+def _failed(word: Any) -> bool:
+    return bool(word) if isinstance(word, str) else all(map(_failed, word))
+
+
+def _blocks(record: Analysis, spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
+    if record.page is not None:
+        yield from record.page(spec, variants)
+        return
+    charts = list(curve_charts(record.curves, spec, variants))
+    yield from charts or declared_blocks(variants)
+
+
+def numbers_table(parts: Sequence[Part], name: str) -> Table | None:
+    """Headline numbers of an analysis, a row for each variant; None where it has none."""
+    record = analysis(name)
+    rows = [
+        (part.case.title or part.case.name, cells(record.numbers(part.results[name], part.case)))
+        for part in parts
+        if name in part.results
+    ]
+    heads = list(dict.fromkeys(head for _, row in rows for head in row))
+    if not heads:
+        return None
+    title = f"{record.heading[:1].upper()}{record.heading[1:]}"
+    if len(rows) == 1:
+        speed = next(part.results[name].speed for part in parts if name in part.results)
+        values, ends = rows[0][1], from_to(speed * RPM.factor, 0)
+        return Table(title, ("", f"{ends} rpm"), [(head, values[head]) for head in heads])
+    lines = [(label, *(row.get(head, "–") for head in heads)) for label, row in rows]
+    return Table(title, ("variant", *heads), lines)

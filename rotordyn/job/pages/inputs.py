@@ -1,0 +1,111 @@
+"""What went in: every value of a description that is not its default, with unit and meaning."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import is_dataclass
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.varied import usual_unit
+from rotordyn.description import quantity_of
+from rotordyn.field import declared
+from rotordyn.page.blocks import Block, Printed, Table, Text
+from rotordyn.results.display import RPM
+from rotordyn.units import parse_unit
+
+APART = ("name", "title", "references", "note", "spindle", "bearing", "speeds", "variants")
+LONGEST = 90  # of a value in a table
+Row = tuple[str, str, str]
+
+
+def input_blocks(case: Case) -> Iterator[Block]:
+    """Speeds, conditions, analyses, machine, sources; tables shown when asked for."""
+    ends = " to ".join(dict.fromkeys(f"{case.speeds[k] * RPM.factor:.6g}" for k in (0, -1)))
+    asked = ", ".join(name.replace("_", " ") for name in case.analyses)
+    says = "What follows differs from the defaults; numbers without a unit are in SI units."
+    yield Text([f"{len(case.speeds)} speeds, {ends} rpm; analyses: {asked}. {says}"])
+    yield from _tables("Conditions", case.conditions)
+    for name, spec in case.analyses.items():
+        yield from _tables(f"Analysis {name.replace('_', ' ')}", spec)
+    machine = case.spindle if case.spindle is not None else case.bearing
+    note = getattr(machine, "note", "")
+    if note.strip():
+        yield Printed("Note of the machine", note.strip())
+    yield from _tables("Spindle" if case.spindle is not None else "Bearing", machine)
+    rows = [[file, of[0], " ".join(of[1:])] for file, of in case.sources.items()]
+    if rows:
+        yield Table("Sources", ("file", "what it is", "where its values come from"), rows)
+
+
+def _tables(title: str, value: Any) -> Iterator[Table]:
+    """Plain values of a description in one table, lists of descriptions in one each."""
+    rows: list[Row] = []
+    lists: list[Table] = []
+    for field, held in _given(value):
+        words = " ".join(field.keys) if field.keys else field.name
+        if isinstance(held, tuple) and held and all(map(is_dataclass, held)):
+            lists.append(_list(f"{title}: {words.replace('_', ' ')}", held))
+        elif is_dataclass(held) and len(_written(held, None)) > LONGEST:
+            lists += _tables(f"{title}: {words.replace('_', ' ')}", held)
+        else:
+            meaning = field.meaning.partition(" ([")[0]
+            rows.append((words, _written(held, field.annotation), meaning))
+    if rows:
+        yield Table(title, ("key", "value", "meaning"), rows, folded=True)
+    yield from lists
+
+
+def _given(value: Any) -> Iterator[tuple[Any, Any]]:
+    kind: Any = type(value)
+    for field in declared(kind):
+        held = getattr(value, field.name) if field.name else field.default
+        if field.name and field.name not in APART and held != field.default:
+            yield field, held
+
+
+def _list(title: str, items: Sequence[Any]) -> Table:
+    """A row for each item, a column for each value that one of them has."""
+    rows = [{f.name: _written(held, f.annotation) for f, held in _given(item)} for item in items]
+    heads = list(dict.fromkeys(name for row in rows for name in row))
+    named = [getattr(item, "name", "") or str(k) for k, item in enumerate(items, start=1)]
+    cells = [
+        [name, *(row.get(h, "") for h in heads)] for name, row in zip(named, rows, strict=True)
+    ]
+    return Table(title, ["", *(head.replace("_", " ") for head in heads)], cells, folded=True)
+
+
+def _written(value: Any, annotation: Any) -> str:
+    """A value as a file could write it."""
+    if isinstance(value, float):
+        return _number(value, annotation)
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "none"}[value]
+    if is_dataclass(value):
+        name = getattr(value, "name", "")
+        inner = ", ".join(
+            f"{f.name.replace('_', ' ')} {_written(v, f.annotation)}" for f, v in _given(value)
+        )
+        return str(name) if name and len(inner) > LONGEST else f"{name} {inner}".strip()
+    if isinstance(value, Mapping):
+        return "; ".join(f"{_key(k)}: {_written(v, annotation)}" for k, v in value.items())
+    if isinstance(value, tuple | list):
+        words = [_written(each, annotation) for each in value[:8]]
+        return ", ".join(words) + (f", … ({len(value)} in all)" if len(value) > len(words) else "")
+    return str(value)
+
+
+def _key(key: Any) -> str:
+    return key if isinstance(key, str) else " ".join(map(str, key))
+
+
+def _number(value: float, annotation: Any) -> str:
+    quantity = quantity_of(annotation)
+    if not math.isfinite(value):
+        return "infinite"
+    if quantity is None:
+        return f"{value:.6g}"
+    unit = usual_unit(quantity, [value])
+    scale = parse_unit(unit).scale if unit else 1.0
+    return f"{value / scale:.6g} {unit}".rstrip()

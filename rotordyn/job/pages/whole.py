@@ -1,0 +1,102 @@
+"""The page of a case: verdict first, where the numbers are from last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import rotordyn
+from rotordyn.errors import InvalidInput
+from rotordyn.job.pages.asked import analysis_blocks, numbers_table
+from rotordyn.job.pages.inputs import input_blocks
+from rotordyn.job.pages.machine import bearings_table, machine_blocks, single_table
+from rotordyn.job.pages.origin import known_table, origin_blocks
+from rotordyn.job.pages.variants import variant_blocks
+from rotordyn.job.results import Origin, Part, Results
+from rotordyn.page.blocks import BEARINGS, Block, Printed, Table, Text, sections
+from rotordyn.page.html import Page, html
+
+
+def write_page(path: Path, results: Results) -> None:
+    """Write the page of ``results`` to ``path``.
+
+    Raises
+    ------
+    ModuleNotFoundError : plotly is not installed
+    InvalidInput : the file cannot be written; the case of an opened folder cannot be read
+    """
+    text = html(page_of(results))
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
+
+
+def page_of(results: Results) -> Page:
+    """What the page of ``results`` shows."""
+    case, origin = results.case, results.origin
+    named = [*_verdict(results), *_blocks(results, origin)]
+    machines = {
+        (part.case.spindle.title or part.case.spindle.name): None
+        for part in results.parts.values()
+        if part.case.spindle is not None
+    }
+    return Page(
+        title=case.title or case.name,
+        about=[", ".join(machines), f"Case {case.name}; {origin.date}".rstrip("; ")],
+        verdict=verdict(results),
+        grave=bool(results.unsolved),
+        sections=sections(named),
+        footer=f"rotordyn {origin.versions.get('rotordyn', rotordyn.__version__)}. {origin.date}",
+    )
+
+
+def verdict(results: Results) -> str:
+    """In a few words: whether all was solved, and how many warnings there are."""
+    count, lost = len(results.warnings), len(results.unsolved)
+    warned = f"{count or 'No'} warning{'' if count == 1 else 's'}"
+    if lost:
+        reasons = f"{lost} reason{'' if lost == 1 else 's'}"
+        return f"✕ Not everything is solved ({reasons} below). {warned}."
+    return f"{'⚠' if count else '✓'} Everything is solved. {warned}."
+
+
+def _verdict(results: Results) -> Iterator[tuple[str, Block]]:
+    title = "Verdict"
+    if results.unsolved:
+        yield title, Text(results.unsolved, listed=True, title="Not solved")
+    if results.warnings:
+        yield title, Text(results.warnings, listed=True, title="Warnings")
+    if results.notes:
+        yield title, Text(results.notes, listed=True, title="Notes")
+    for name, part in results.parts.items():
+        for each in part.results if not name else ():
+            table = numbers_table([part], each)
+            if table is not None:
+                yield title, table
+    yield title, Printed("Summary", results.summary)
+
+
+def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
+    parts = results.parts
+    first = next(iter(parts.values())).case
+    if "" not in parts:
+        yield from (("Variants", block) for block in variant_blocks(parts))
+    if first.spindle is not None:
+        yield from (("Machine", block) for block in machine_blocks(first.spindle))
+    yield from (("Inputs", block) for block in input_blocks(first))
+    yield from ((BEARINGS, table) for table in _bearings(parts))
+    yield from analysis_blocks(list(parts.values()))
+    if (table := known_table(parts)) is not None:
+        yield table.title, table
+    yield from (("Accuracy and origin", block) for block in origin_blocks(parts, origin))
+
+
+def _bearings(parts: Mapping[str, Part]) -> Iterator[Table]:
+    """What the bearings of every part are."""
+    for part in parts.values():
+        case, title = part.case, BEARINGS if "" in parts else f"{part.case.title}: bearings"
+        if case.spindle is not None and case.spindle.seats:
+            yield bearings_table(case.spindle, title)
+        if case.bearing is not None:
+            yield single_table(case.bearing, case.speeds[-1], title)

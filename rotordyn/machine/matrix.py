@@ -1,0 +1,108 @@
+"""Entries of stiffness and damping matrices by pair of DOF: names, ranges, symmetry."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated
+
+from rotordyn.quantity import Choice, Quantity
+
+DOFS = ("x", "y", "z", "thx", "thy", "thz")
+Dof = Annotated[str, Choice(DOFS)]
+Value = float | tuple[float, ...]
+Entries = Mapping[tuple[Dof, Dof], Value]
+SYMMETRIC = 1e-9  # of an entry: less than that is rounding
+MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
+_UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
+
+    Files write them by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns.
+    """
+
+    kind: str
+
+    def quantity(self, row: str, column: str) -> Quantity:
+        """What an entry takes, by how many of its two DOF are rotations."""
+        return _entry(self.kind, sum(len(dof) > 1 for dof in (row, column)))
+
+    def refusal(self, entries: Entries) -> str:
+        """Why an entry is not taken; empty where all are."""
+        for pair, value in entries.items():
+            quantity = self.quantity(*pair)
+            for each in value if isinstance(value, tuple) else (value,):
+                if why := quantity.refusal(each):
+                    return f"{entry_name(*pair)}: {why}"
+        return ""
+
+
+@cache
+def _entry(kind: str, rotations: int) -> Quantity:
+    names, limit = (kind, f"coupling {kind}", f"tilt {kind}"), f"{MOST[kind]:g}"
+    bound = f"{limit} {_UNITS[kind][rotations]}"
+    instead = ", or rigid: no give at all" if kind == "stiffness" else ""
+    return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound, instead=instead)
+
+
+STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
+
+
+def entry_name(row: str, column: str) -> str:
+    """An entry of a 6×6 matrix as files write it: ``yy``, ``y_thz``."""
+    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
+
+
+def acts(value: Value) -> bool:
+    """False for an entry that is zero at all speeds."""
+    return any(value) if isinstance(value, tuple) else value != 0.0
+
+
+def no_spring(stiffness: Entries) -> Iterator[str]:
+    """A sentence where a loss factor has no spring whose energy it could be a share of."""
+    if not any(acts(value) for value in stiffness.values()):
+        yield "loss_factor is of a stiffness, and there is none"
+        return
+    rows = max(len(value) if isinstance(value, tuple) else 1 for value in stiffness.values())
+    for k in range(rows):
+        entries = {p: v[k] if isinstance(v, tuple) else v for p, v in stiffness.items()}
+        for (row, column), value in entries.items():
+            other = entries.get((column, row), 0.0)
+            if abs(value - other) > SYMMETRIC * max(abs(value), abs(other)):
+                yield (
+                    "loss_factor is of a spring, and its stiffness is not symmetric: given "
+                    f"{entry_name(row, column)} {value:.6g} and {entry_name(column, row)} "
+                    f"{other:.6g}"
+                )
+                return
+        if not _resists(entries):
+            yield "loss_factor is of a spring, and there is a motion that its stiffness drives"
+            return
+
+
+def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
+    """No motion is driven by a symmetric matrix; by elimination, DOF in their own measure."""
+    names = list(dict.fromkeys(row for row, _ in entries))
+    size = {name: entries.get((name, name), 0.0) for name in names}
+    if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):
+        return False
+    held = [name for name in names if size[name] > 0.0]
+    rest = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
+    while rest:
+        (pivot, *across), below = rest[0], rest[1:]
+        if pivot < -SYMMETRIC:
+            return False
+        if pivot <= SYMMETRIC:
+            if any(abs(value) > math.sqrt(SYMMETRIC) for value in across):
+                return False
+            across = [0.0 for _ in across]
+        rest = [
+            [v - row[0] * a / (pivot or 1.0) for v, a in zip(row[1:], across, strict=True)]
+            for row in below
+        ]
+    return True

@@ -1,0 +1,136 @@
+"""A bearing on the shaft."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.bearing import BallBearing
+from bearings.kinds import kind_of
+from rotordyn.description import Description, Faults
+from rotordyn.machine.fits import Fits
+from rotordyn.machine.growth import RingGrowth
+from rotordyn.machine.misalignment import Misalignment
+from rotordyn.quantity import HIDDEN, Choice, Damping, Friction, Key, Name, Station, Words
+from rotordyn.units import format_quantity
+
+THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
+
+
+@dataclass(frozen=True, slots=True)
+class BearingSeat(Description):
+    """A bearing on the shaft.
+
+    ``thrust``: of a kind that takes thrust both ways it says along which its axial load is
+    positive, and which way a spring of its sleeve loads it; 0 stands for +1 there. What is assumed
+    of its balls is that of the conditions of the case unless given here; friction ``none`` or
+    infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
+    """
+
+    name: Annotated[Name, "of this bearing"]
+    bearing: Annotated[BallBearing, Key("model"), "name or path of a bearing model, or a mapping"]
+    x: Annotated[Station, "station of the circle of inner groove centres"]
+    thrust: Annotated[
+        int,
+        THRUST,
+        "the way the shaft pushes the inner ring to load the balls; of kinds that take thrust both "
+        "ways only needed on a sleeve",
+    ] = 0
+    growth: Annotated[RingGrowth, "instead of that of the spindle"] = field(
+        default_factory=RingGrowth
+    )
+    fits: Annotated[
+        Fits | None,
+        "fits of its rings, from which the growth follows instead ([theory](theory/rings.md))",
+    ] = None
+    radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
+    axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
+    model: Annotated[str, HIDDEN] = ""
+    kinematics: Annotated[
+        Annotated[str, Choice(KINEMATICS)] | None, "instead of that of the conditions"
+    ] = None
+    moment_sharing: Annotated[
+        Annotated[str, Choice(MOMENT_SHARING)] | None, "instead of that of the conditions"
+    ] = None
+    friction: Annotated[Friction | None, "instead of that of the conditions"] = None
+    misalignment: Annotated[
+        Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
+    ] = field(default_factory=Misalignment)
+
+    def __post_init__(self) -> None:
+        given, bearing = self.thrust, self._known_bearing
+        if given == 0 and type(given) is int and bearing is not None:
+            object.__setattr__(self, "thrust", int(bearing.both_ways))
+        Description.__post_init__(self)
+
+    @property
+    def _known_bearing(self) -> BallBearing | None:
+        """The bearing; None where the faults of its file are reported already."""
+        given: object = self.bearing
+        return given if isinstance(given, BallBearing) else None
+
+    def law(self, common: Law) -> Law:
+        """What is assumed of its balls: its own where given, the rest in ``common``."""
+        friction = common.friction
+        if self.friction is not None:
+            friction = None if math.isinf(self.friction) else self.friction
+        return replace(
+            common,
+            kinematics=self.kinematics or common.kinematics,
+            moment_sharing=self.moment_sharing or common.moment_sharing,
+            friction=friction,
+        )
+
+    def _faults(self) -> Faults:
+        bearing = self._known_bearing
+        if bearing is None:
+            return
+        if self.thrust == 0 and not bearing.both_ways:
+            yield (
+                ("thrust",),
+                f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
+                "+x, -x, the way the shaft pushes the inner ring to load the balls",
+            )
+        yield from self._fit_faults(bearing)
+        room = bearing.largest_static_growth
+        if self.growth.static > room:
+            yield (
+                ("growth", "static"),
+                "takes the whole contact angle: given {given}; allowed: up to "
+                f"{format_quantity(room, 'um')}",
+            )
+        race, fit = 2.0 * bearing.inner_raceway_radius, self.growth.fitted
+        if fit is not None and fit.bore_diameter >= race:
+            yield (
+                ("growth", "fit"),
+                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: below "
+                f"{format_quantity(race, 'mm')}",
+            )
+
+    def _fit_faults(self, bearing: BallBearing) -> Faults:
+        if self.fits is None:
+            return
+        if self.growth != RingGrowth():
+            yield (
+                ("fits",),
+                f"bearing {self.name} has fits beside a given growth, which contradict one "
+                "another: growth follows from the fits; leave one of both out",
+            )
+        races = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
+        bore, outside = self.fits.bore_diameter, self.fits.outside_diameter
+        if bore is not None and bore >= races[0]:
+            yield (
+                ("fits",),
+                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(bore, 'mm')}; allowed: below {format_quantity(races[0], 'mm')}",
+            )
+        if outside is not None and outside <= races[1]:
+            yield (
+                ("fits",),
+                f"the outside of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(outside, 'mm')}; allowed: above "
+                f"{format_quantity(races[1], 'mm')}",
+            )

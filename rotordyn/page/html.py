@@ -1,0 +1,273 @@
+"""A page as one file of HTML: sections, tables, charts and the library that draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from importlib.resources import files
+from itertools import count
+from typing import Any
+
+import numpy as np
+
+from rotordyn.markup import preformatted
+from rotordyn.page.blocks import (
+    Block,
+    Chart,
+    Control,
+    Markup,
+    Printed,
+    Section,
+    Shapes,
+    Table,
+    Text,
+)
+from rotordyn.page.packed import compressed, packed
+
+LONG = 50  # letters of a cell that needs room
+FEW_COLUMNS = 3  # of tables that stand side by side
+STARTS = "0123456789-+−<>. "
+_FRAME = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="rotordyn">
+<title>{title}</title>
+<style>
+{style}</style>
+</head>
+<body>
+<header>
+<h1>{title}</h1>
+{about}
+</header>
+<nav aria-label="Sections">
+<ul>
+{contents}
+</ul>
+</nav>
+<main>
+{body}
+</main>
+<footer><p>{footer}</p></footer>
+<noscript><p>Charts need JavaScript; verdict and tables do not.</p></noscript>
+<script type="text/plain" id="library">{library}</script>
+<script type="text/plain" id="content">{content}</script>
+<script>
+{script}</script>
+</body>
+</html>
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """A page: its ``title``, lines ``about`` it below, sections, a line at its foot.
+
+    ``verdict``: in a few words; ``grave``: whether it is that something failed.
+    """
+
+    title: str
+    about: Sequence[str]
+    verdict: str
+    grave: bool
+    sections: Sequence[Section]
+    footer: str = ""
+
+
+def html(page: Page) -> str:
+    """The page as text of one file.
+
+    Raises
+    ------
+    ModuleNotFoundError : plotly, which has the library of the charts, is not installed
+    """
+    held: dict[str, Any] = {}
+    body = [_section(place, each, held) for place, each in enumerate(page.sections)]
+    named = [f"<p>{escape(line)}</p>" for line in page.about if line]
+    grave = "grave" if page.grave else "plain"
+    named.append(f'<p class="verdict {grave}" role="status">{escape(page.verdict)}</p>')
+    links = (f'<li><a href="#s{k}">{escape(s.title)}</a></li>' for k, s in enumerate(page.sections))
+    return _FRAME.format(
+        title=escape(page.title),
+        style=_own("page.css"),
+        about="\n".join(named),
+        contents="\n".join(links),
+        body="\n".join(body),
+        footer=escape(page.footer),
+        library=compressed(library()) if held else "",
+        content=packed(held),
+        script=_own("page.js"),
+    )
+
+
+def library() -> bytes:
+    """plotly.js as the package plotly has it.
+
+    Raises
+    ------
+    ModuleNotFoundError : the package is not installed
+    """
+    return (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
+
+
+def _own(name: str) -> str:
+    return (files("rotordyn.page") / name).read_text(encoding="utf-8")
+
+
+def _section(place: int, section: Section, held: dict[str, Any]) -> str:
+    parts = [f'<section id="s{place}" aria-labelledby="h{place}">']
+    parts.append(f'<h2 id="h{place}">{escape(section.title)}</h2>')
+    around = ""
+    for block in section.blocks:
+        wanted = _around(block)
+        if wanted != around:
+            parts += ["</div>"] * bool(around)
+            parts += [f'<div class="{wanted}">'] * bool(wanted)
+            around = wanted
+        parts += _block(block, section.title, held)
+    parts += ["</div>"] * bool(around)
+    return "\n".join([*parts, "</section>"])
+
+
+def _around(block: Block) -> str:
+    """The class of what small blocks that follow one another stand in."""
+    if isinstance(block, Chart) and not block.wide:
+        return "grid"
+    return "tables" if isinstance(block, Table) and len(block.head) < FEW_COLUMNS else ""
+
+
+def _block(block: Block, section: str, held: dict[str, Any]) -> Iterator[str]:
+    match block:
+        case Text():
+            yield from _text(block)
+        case Printed():
+            yield preformatted(block.title, block.text)
+        case Table():
+            yield from _table(block, section)
+        case _:
+            name = f"c{len(held)}"
+            held[name] = _chart(block) if isinstance(block, Chart) else _shapes(block)
+            yield from _figure(name, block)
+
+
+def _text(text: Text) -> Iterator[str]:
+    if text.title:
+        yield f"<h3>{escape(text.title)}</h3>"
+    if text.listed:
+        yield "<ul>"
+        yield from (f"<li>{escape(each)}</li>" for each in text.sentences)
+        yield "</ul>"
+    else:
+        yield from (f"<p>{escape(each)}</p>" for each in text.sentences)
+
+
+def _table(table: Table, section: str) -> Iterator[str]:
+    if table.folded:
+        yield f"<details><summary>{escape(table.title)}</summary>"
+    columns = [[row[k] for row in table.rows] for k in range(len(table.head))]
+    kinds = ["", *map(_kind, columns[1:])]
+    label = escape(table.title)
+    shown = f'<span class="spoken">{label}</span>' if table.title == section else label
+    caption = "" if table.folded else f"<caption>{shown}</caption>"
+    yield f'<div class="table" tabindex="0" role="region" aria-label="{label}"><table>{caption}'
+    if any(table.head):
+        heads = "".join(f'<th scope="col">{escape(each)}</th>' for each in table.head)
+        yield f"<thead><tr>{heads}</tr></thead>"
+    yield "<tbody>"
+    for row in table.rows:
+        cells = [
+            f'<th scope="row">{escape(cell)}</th>'
+            if k == 0
+            else f"<td{kinds[k]}>{escape(cell)}</td>"
+            for k, cell in enumerate(row)
+        ]
+        yield f"<tr>{''.join(cells)}</tr>"
+    yield "</tbody></table></div>"
+    if table.note:
+        yield f'<p class="note">{escape(table.note)}</p>'
+    if table.folded:
+        yield "</details>"
+
+
+def _kind(column: Sequence[str]) -> str:
+    """The class of the cells of a column: numbers, long texts, or neither."""
+    filled = [cell for cell in column if cell]
+    if filled and all(cell[0] in STARTS or cell == "none" for cell in filled):
+        return ' class="n"'
+    return ' class="long"' if max(map(len, filled), default=0) > LONG else ""
+
+
+def _figure(name: str, block: Chart | Shapes) -> Iterator[str]:
+    wide = " wide" if isinstance(block, Shapes) or block.wide else ""
+    tall, least = (block.tall, block.least) if isinstance(block, Chart) else (460, 0)
+    yield f'<figure class="chart{wide}" id="{name}">'
+    yield f"<h3>{escape(block.title)}</h3>"
+    numbers = count()
+    if block.controls or isinstance(block, Shapes):
+        yield '<div class="controls">'
+        for control in block.controls:
+            yield from _control(f"{name}_{next(numbers)}", control)
+        if isinstance(block, Shapes):
+            yield '<button type="button" class="play" aria-pressed="false">Play</button>'
+        yield "</div>"
+    label = escape(block.title, quote=True)
+    style = f"height:{tall}px" + (f";min-width:{least}px" if least else "")
+    yield f'<div class="across"><div class="plot" role="img" aria-label="{label}" style="{style}">'
+    yield "</div></div>"
+    if block.words:
+        yield '<p class="words" aria-live="polite"></p>'
+    if block.note:
+        yield f"<figcaption>{escape(block.note)}</figcaption>"
+    yield "</figure>"
+
+
+def _control(name: str, control: Control) -> Iterator[str]:
+    """A slider or a list; a choice of one is none."""
+    hidden = " hidden" if len(control.options) < 2 else ""
+    yield f'<label for="{name}"{hidden}>{escape(control.label)}'
+    if control.slider:
+        last = len(control.options) - 1
+        yield f'<input type="range" id="{name}" min="0" max="{last}" value="{control.start}">'
+        yield f'<output for="{name}">{escape(control.options[control.start])}</output>'
+    else:
+        options = (
+            f"<option{' selected' * (k == control.start)}>{escape(word)}</option>"
+            for k, word in enumerate(control.options)
+        )
+        yield f'<select id="{name}">{"".join(options)}</select>'
+    yield "</label>"
+
+
+def _controls(controls: Sequence[Control]) -> list[Mapping[str, Any]]:
+    """What a script needs to know of them; it sets texts, which are no HTML there."""
+    return [{"options": [*map(Markup, c.options)], "start": c.start} for c in controls]
+
+
+def _chart(chart: Chart) -> dict[str, Any]:
+    return {
+        "kind": "chart",
+        "traces": list(chart.traces),
+        "layout": chart.layout,
+        "controls": _controls(chart.controls),
+        "words": [*map(Markup, chart.words)],
+    }
+
+
+def _shapes(shapes: Shapes) -> dict[str, Any]:
+    motion = shapes.motion
+    return {
+        "kind": "shapes",
+        "controls": _controls(shapes.controls),
+        "words": [*map(Markup, shapes.words)],
+        "points": shapes.points,
+        "triangles": shapes.triangles,
+        "place": shapes.place,
+        "station": shapes.station,
+        "motion": np.stack([motion.real, motion.imag], axis=-1),
+        "still_points": shapes.still_points,
+        "still_triangles": shapes.still_triangles,
+    }

@@ -1,0 +1,97 @@
+"""Tables joined, numbers packed, texts escaped."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.page.blocks import Chart, Control, Markup, Shapes, Table, Text, sections
+from rotordyn.page.html import Page, html
+from rotordyn.page.packed import packed, rounded
+from tests.rotordyn.page.conftest import array, held
+
+
+def test_tables_of_the_same_things_become_one() -> None:
+    one = Table("Bearings", ("bearing", "load"), [("a", "1"), ("b", "2")], "At rest.")
+    other = Table("Bearings", ("bearing", "life"), [("b", "9"), ("c", "8")], "At speed.")
+    (found,) = sections([("Bearings", one), ("Bearings", other)])
+    (table,) = found.blocks
+    assert table.head == ["bearing", "load", "life"]
+    assert table.rows == [["a", "1", ""], ["b", "2", "9"], ["c", "", "8"]]
+    assert table.note == "At rest. At speed."
+
+
+def test_a_block_may_stand_in_a_section_of_others() -> None:
+    shared = Table("T", ("", "x"), [("a", "1")], section="Bearings")
+    found = sections([("Machine", Text(["m"])), ("Life", shared), ("Life", Text(["l"]))])
+    assert [each.title for each in found] == ["Machine", "Bearings", "Life"]
+
+
+def test_numbers_are_packed_as_they_were() -> None:
+    values = np.array([[1.5, np.inf], [-2.0e-7, np.nan]])
+    said = packed({"v": values, "n": np.arange(3)})
+    content, numbers = held(f'<script type="text/plain" id="content">{said}</script>')
+    assert array(content["v"], numbers) == pytest.approx(
+        np.array([[1.5, np.nan], [-2.0e-7, np.nan]]), nan_ok=True
+    )
+    assert array(content["n"], numbers).tolist() == [0, 1, 2]
+
+
+def test_texts_are_escaped_but_templates() -> None:
+    said = {"a": "<b>&", "b": Markup("<b>&"), "c": np.array(["<i>"])}
+    content, _ = held(f'<script type="text/plain" id="content">{packed(said)}</script>')
+    assert content == {"a": "&lt;b&gt;&amp;", "b": "<b>&", "c": ["&lt;i&gt;"]}
+
+
+def test_rounded_numbers_keep_four_digits() -> None:
+    values = np.random.default_rng(0).normal(size=1000) * 10.0 ** np.arange(-20, 20).repeat(25)
+    kept = rounded(np.append(values, [np.nan, np.inf, 0.0]))
+    assert np.abs(kept[:1000] / values - 1.0).max() < 2.0**-15
+    assert np.isnan(kept[1000])
+    assert np.isinf(kept[1001])
+    assert kept[1002] == 0.0
+
+
+def test_the_page_has_headings_labels_and_no_script_of_others() -> None:
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    evil = "</script><script>alert(1)</script>"
+    chart = Chart(
+        evil, [{"x": [1, 2], "y": [1, 2]}], controls=[Control(evil, [evil, "b"], slider=True)]
+    )
+    table = Table(evil, ("", evil), [(evil, evil)], note=evil)
+    text = html(Page(evil, [evil], evil, True, sections([(evil, chart), (evil, table)]), evil))
+    assert text.count("<h1>") == 1
+    assert "<h2 id=" in text
+    assert "<h3>" in text
+    assert text.count("<script") == 3
+    assert text.count("</script>") == 3
+    assert 'type="range"' in text
+    assert "<label for=" in text
+    assert 'scope="row"' in text
+    assert "http://" not in text.split('id="library"')[0]
+    assert 'src="' not in text
+
+
+def test_no_library_is_embedded_where_there_is_no_chart() -> None:
+    text = html(Page("t", [], "fine", False, sections([("S", Text(["one"]))])))
+    assert len(text) < 40_000
+
+
+def test_shapes_are_packed_whole() -> None:
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    motion = np.ones((2, 1, 3, 6)) + 2j
+    shapes = Shapes(
+        "Modes",
+        [Control("mode", ["1", "2"]), Control("speed", ["0 rpm"])],
+        points=np.zeros((6, 3)),
+        triangles=np.array([[0, 1, 2]]),
+        place=np.zeros(6, int),
+        station=np.zeros(3),
+        motion=motion,
+        still_points=np.zeros((0, 3)),
+        still_triangles=np.zeros((0, 3), int),
+    )
+    content, numbers = held(html(Page("t", [], "fine", False, sections([("S", shapes)]))))
+    found = array(content["c0"]["motion"], numbers)
+    assert found.shape == (2, 1, 3, 6, 2)
+    assert (found[..., 0] + 1j * found[..., 1] == motion).all()

@@ -1,0 +1,141 @@
+"""The page in headless Chromium, from disk, without network."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.analyses.campbell.page import FACETS
+from rotordyn.surface.body import together
+from rotordyn.surface.several import displacements, surfaces
+
+
+def _response(page: Any) -> Any:
+    """The chart of responses: the first with a slider that is not of shapes."""
+    return page.locator("figure.chart:has(input[type=range]):not(:has(.play))").first
+
+
+def _data(figure: Any) -> Any:
+    got = figure.locator(".plot").evaluate(
+        "(p) => [Array.from(p.data[0].x), Array.from(p.data[0].y)]"
+    )
+    return [np.array(each, dtype=float) for each in got]
+
+
+def test_opens_from_disk_offline_without_an_error(opened: Any) -> None:
+    """The verdict is there as soon as the page is; charts follow. Time of the page's own thread."""
+    page, said = opened
+    assert said == []
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def busy() -> float:
+        found = session.send("Performance.getMetrics")["metrics"]
+        return next(each["value"] for each in found if each["name"] == "TaskDuration")
+
+    begin = busy()
+    page.reload(wait_until="load")
+    assert page.locator(".verdict").is_visible()
+    shown = busy() - begin
+    page.wait_for_selector("body[data-drawn]")
+    first = busy() - begin
+    assert shown < 1.0
+    assert first < 4.0, "of a processor that others use as well; 1.6 s alone"
+
+
+def test_the_slider_moves_the_curve(opened: Any, flagship: Path) -> None:
+    page, said = opened
+    figure = _response(page)
+    slider, output = figure.locator("input[type=range]"), figure.locator("output")
+    before = _data(figure)
+    assert output.text_content() == "0 rpm"
+    slider.focus()
+    for _ in range(20):
+        page.keyboard.press("ArrowRight")
+    frf = rotordyn.open(flagship.parent)["frf"]
+    assert output.text_content() == f"{frf['speed_rpm'].values[20]:.0f} rpm"
+    x, y = _data(figure)
+    known = np.isfinite(x)
+    wanted = np.interp(x[known], frf["frequency"], np.abs(frf["receptance"].values[20, 0])) * 1e6
+    assert y[known] == pytest.approx(wanted, rel=0.02)
+    assert not np.array_equal(before[1], y, equal_nan=True)
+    figure.locator("select").select_option(index=1)
+    changed = _data(figure)[1]
+    assert np.nanmax(changed) == pytest.approx(
+        np.nanmax(np.abs(frf["peak_value"].values[20, 1])) * 1e6, rel=0.01
+    )
+    assert said == []
+
+
+def test_modes_move_as_computed(opened: Any, flagship: Path) -> None:
+    """Drawn points are those of the surface moved by the mode, up to one factor."""
+    page, said = opened
+    figure = page.locator("figure:has(.play)")
+    figure.scroll_into_view_if_needed()
+    figure.locator("select").select_option(index=2)
+    plot = "document.querySelector('figure:has(.play) .plot').data[0]"
+    drawn = page.evaluate(f"['x', 'y', 'z'].map((axis) => Array.from({plot}[axis]))")
+    (case, results) = rotordyn.open(flagship.parent).parts[""]
+    result, bodies = results["campbell"], surfaces(case.spindle, FACETS)
+    nodes = (result.node, result.node_rotor, result.shape[0, 2])
+    moved = displacements(case.spindle, bodies, *nodes).real
+    away = np.array(drawn).T / 1e3 - together(list(bodies.values())).points
+    factor = np.vdot(moved, away) / np.vdot(moved, moved)
+    assert factor > 0.0
+    assert away == pytest.approx(factor * moved, abs=1e-4 * np.abs(away).max())
+
+    button = figure.locator("button.play")
+    assert button.get_attribute("aria-pressed") == "false"
+    button.click()
+    page.wait_for_function(f"(before) => {plot}.y[7] !== before", arg=drawn[1][7])
+    assert button.get_attribute("aria-pressed") == "true"
+    assert button.text_content() == "Pause"
+    button.click()
+    assert said == []
+
+
+def test_titles_are_inert(show: Any, evil_folder: Path) -> None:
+    page, said = show(evil_folder / "report.html")
+    assert said == []
+    assert page.title().startswith("<script>")
+    assert page.locator("h1").text_content() == rotordyn.open(evil_folder).case.title
+    assert page.locator("img").count() == 0
+    assert page.evaluate("document.scripts.length") == 4  # library, content, ours, library run
+
+
+@pytest.mark.parametrize("look", ["wide", "narrow", "dark"])
+def test_nothing_runs_over_the_edge(show: Any, evil_folder: Path, look: str) -> None:
+    width = 390 if look == "narrow" else 1300
+    scheme = "dark" if look == "dark" else "light"
+    page, said = show(
+        evil_folder / "report.html", viewport={"width": width, "height": 844}, color_scheme=scheme
+    )
+    assert said == []
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    names = ("color", "backgroundColor")
+    ink, paper = (page.evaluate(f"getComputedStyle(document.body).{name}") for name in names)
+    light = [sum(map(int, c.strip("rgb()").split(", ")[:3])) for c in (ink, paper)]
+    assert (light[0] > light[1]) == (look == "dark")
+    tick = page.evaluate("getComputedStyle(document.querySelector('.xtick text')).fill")
+    assert tick == ink
+
+
+def test_prints_on_white(show: Any, evil_folder: Path, tmp_path: Path) -> None:
+    page, said = show(evil_folder / "report.html", color_scheme="dark")
+    page.emulate_media(media="print")
+    page.wait_for_timeout(1500)
+    paper = page.evaluate("getComputedStyle(document.body).backgroundColor")
+    assert paper == "rgb(255, 255, 255)"
+    assert (
+        page.evaluate("getComputedStyle(document.querySelector('.xtick text')).fill")
+        == "rgb(0, 0, 0)"
+    )
+    page.emulate_media(media="screen")
+    pdf = page.pdf(path=tmp_path / "page.pdf")
+    assert pdf.startswith(b"%PDF")
+    assert len(pdf) > 50_000
+    assert said == []
