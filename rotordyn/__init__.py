@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from rotordyn.case.shipped import cases, models
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
-    from rotordyn.job import Results, open, run
+    from rotordyn.job import Results, open
     from rotordyn.study import Goal, Limit, Span, optimise, sweep, write_report
+    from rotordyn.study.run import run
+    from rotordyn.study.sensitivity import sensitivities
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
@@ -33,7 +35,8 @@ _MODULE_OF = {
     "models": "rotordyn.case.shipped",
     "open": "rotordyn.job",
     "optimise": "rotordyn.study",
-    "run": "rotordyn.job",
+    "run": "rotordyn.study.run",
+    "sensitivities": "rotordyn.study.sensitivity",
     "sweep": "rotordyn.study",
     "vary": "rotordyn.case.vary",
     "write_report": "rotordyn.study",
@@ -58,6 +61,7 @@ __all__ = [
     "open",
     "optimise",
     "run",
+    "sensitivities",
     "state",
     "sweep",
     "vary",

@@ -121,6 +121,11 @@ def _parser() -> argparse.ArgumentParser:
         "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
     )
     run.add_argument(
+        "--interval",
+        action="store_true",
+        help="also the range of every result over what is uncertain of the case",
+    )
+    run.add_argument(
         "--report", action="store_true", help="also write report.html, a page to hand on"
     )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
@@ -242,6 +247,7 @@ def _heed_signals() -> None:
 
 def _run(arguments: argparse.Namespace) -> int:
     from rotordyn.job import deliver, one_variant, restricted
+    from rotordyn.study.run import run
 
     _heed_signals()
     case = rotordyn.load(arguments.case)
@@ -264,6 +270,7 @@ def _run(arguments: argparse.Namespace) -> int:
             figures=not arguments.no_figures,
             formats=formats,
             report=arguments.report,
+            solve=partial(run, interval=arguments.interval),
         )
     if not arguments.quiet:
         _say(delivery.summary)

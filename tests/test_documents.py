@@ -63,6 +63,7 @@ GENERATED = OUTPUTS | {
             "scaling-sections",
             "scaling",
             *(f"peer-{n}" for n in ("versions", "times", "errors", "starts")),
+            *("intervals", "interval-costs"),
             "random",
             "random-dense",
             "random-bearings",

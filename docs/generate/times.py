@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 from docs.generate.bearing_times import bearing_parts
+from docs.generate.intervals import interval_parts
 from docs.generate.marked import table
 from docs.generate.peer import peer_parts
 from docs.generate.places import MEASURED
@@ -67,6 +68,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         **sweep_parts(found["sweeps"]),
         **scaling_parts(found["scaling"]),
         **peer_parts(found["peer"]),
+        **interval_parts(found["intervals"]),
         "random": _random(found),
         "random-dense": _random_dense(found),
         "random-bearings": random_bearings(found["random_bearings"]),

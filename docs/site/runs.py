@@ -18,9 +18,10 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
+import rotordyn
 from docs.generate.places import ROOT
 from rotordyn.case.case import Case
-from rotordyn.job import deliver
+from rotordyn.job.delivery import write
 
 COMPUTES = ("rotordyn", "bearings")
 LIBRARIES = ("numpy", "scipy", "matplotlib")
@@ -36,7 +37,7 @@ def case_run(case: Case, runs: Path) -> Path:
     def run() -> None:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            deliver(case, folder)
+            write(rotordyn.run(case, interval=case.uncertain is not None), folder)
 
     return _kept(folder, _hash([case.digest.encode()]), run)
 

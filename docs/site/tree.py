@@ -24,8 +24,7 @@ GROUPS = {
     "How to": _in(
         "howto",
         "bearing_data preload compare studies optimum report measured_frf life stability_lobes "
-        "hypotheses "
-        "editor",
+        "hypotheses intervals editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),

@@ -73,6 +73,10 @@ def _zero(*_: Any) -> float:
     return 0.0
 
 
+def _same(spec: Any) -> Any:
+    return spec
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Analysis:
     """An analysis; ``case`` is what ``results.described.Described`` says of a case.
@@ -114,6 +118,11 @@ class Analysis:
       only machine (``page.blocks.Shown``). Where it is left out: its ``curves``, or, without any,
       its declared quantities over speed.
 
+    Many machines are solved for these numbers and curves alone (intervals):
+
+    - ``lean(spec)``: a spec that costs less and gives the same numbers and curves;
+    - ``speeds(spec)``: speeds [rad/s] at which they must be known, besides the first and the last.
+
     Beside what is published or measured:
 
     - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
@@ -143,6 +152,8 @@ class Analysis:
     warnings: Callable[[Any], Iterable[str]] = _nothing
     heading: str = ""
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
+    lean: Callable[[Any], Any] = _same
+    speeds: Callable[[Any], Iterable[float]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None
     title: str = ""
     page: Callable[[Any, Any], Iterable[Block]] | None = None

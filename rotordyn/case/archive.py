@@ -16,6 +16,7 @@ from typing import Any
 
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import Case
+from rotordyn.case.uncertain import Uncertain
 from rotordyn.description import Description
 from rotordyn.errors import InvalidInput
 
@@ -69,7 +70,7 @@ def restored(plain: Any) -> Any:
     name = plain.get(KIND)
     if name in _PLAIN:
         return _PLAIN[name](plain["value"])
-    kind = Case if name == "Case" else _kind(name)
+    kind = _HERE[name] if name in _HERE else _kind(name)
     held = {key: restored(each) for key, each in plain.items() if key != KIND}
     try:
         return kind(**held)
@@ -89,6 +90,7 @@ def _kind(name: object) -> Any:
     raise InvalidInput(f"this version has no {name}")
 
 
+_HERE: dict[object, Any] = {"Case": Case, "Uncertain": Uncertain}
 _PLAIN: dict[object, Callable[[Any], Any]] = {
     "float": float,
     "complex": lambda parts: complex(*map(restored, parts)),

@@ -10,6 +10,7 @@ from typing import Annotated
 
 from bearings.bearing import BallBearing
 from rotordyn.analyses.registry import analysis
+from rotordyn.case.uncertain import Uncertain, Worded
 from rotordyn.description import Description, Faults, ascending, within
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
@@ -58,6 +59,12 @@ class Case(Description):
         BallBearing | None, "name or path of a single bearing; either this or `spindle`"
     ] = None
     references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
+    uncertain: Annotated[
+        Uncertain | None,
+        Worded(),
+        "what is not known for certain, of which `--interval` gives the range of every result; "
+        "or `as usual` ([how](howto/intervals.md))",
+    ] = None
     files: Annotated[tuple[Path, ...], HIDDEN] = ()
     digest: Annotated[str, HIDDEN] = ""
     sources: Annotated[Mapping[str, tuple[str, ...]], HIDDEN] = field(
@@ -177,6 +184,10 @@ class Case(Description):
                 yield ("compare", name), "a variant has no variants of its own"
 
     def _last_faults(self) -> Faults:
+        if self.uncertain is not None:
+            from rotordyn.case.asked import faults_of
+
+            yield from faults_of(self)
         if self.setting is None:
             return
         for name, spec in self.analyses.items():

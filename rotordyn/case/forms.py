@@ -26,6 +26,7 @@ from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.ranges import sweep
 from rotordyn.case.reading import Reading, exact, unknown_key
 from rotordyn.case.reduced import ReducedModel
+from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import ReducedHousing
@@ -188,6 +189,15 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     return specs
 
 
+def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """What is uncertain, or the words ``as usual``."""
+    if node.value == AS_USUAL:
+        return Uncertain(as_usual=True)
+    if not isinstance(node.value, dict):
+        return reading.wrong_shape(annotation, node, f"{AS_USUAL}, or a mapping (key: value)")
+    return reading.description(Uncertain, node)
+
+
 def measured(files: Reader) -> Any:
     """The form of a measured response, whose values stand in a file of its own."""
 
@@ -236,4 +246,5 @@ FORMS: dict[type, Any] = {
     Matrix: matrix,
     ReducedHousing: reduced,
     Reference: reference,
+    Worded: uncertain,
 }

@@ -53,6 +53,9 @@ def load(path: str | Path) -> Case:
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
                 made[name] = _with(variant, title=written or name.replace("_", " "))
+        reader.faults.variant = ""
+        if whole is not None and not reader.faults:
+            _uncertain_alike(root, whole, made, reader)
     if whole is None or reader.faults:
         raise InvalidInput(in_order(reader.faults.reported, "" if root is None else root.file))
     read = {
@@ -61,6 +64,15 @@ def load(path: str | Path) -> Case:
         "sources": dict(_sources(reader.trees)),
     }
     return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
+
+
+def _uncertain_alike(root: Any, case: Case, variants: Mapping[str, Case], reader: Any) -> None:
+    """What is uncertain is not what variants replace."""
+    from rotordyn.case.asked import conflicts
+    from rotordyn.case.forms import reading_of
+
+    for path, sentence in conflicts(case, variants):
+        reading_of(reader).at(root, path, sentence)
 
 
 def _sources(trees: Mapping[Path, Any]) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -24,6 +24,7 @@ from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
 from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.study import OptimumFile, StudyFile
+from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
 from rotordyn.machine.matrix import DOFS, Matrix
@@ -380,7 +381,14 @@ def _values(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     return {**shape, "description": about(Reference)}
 
 
+def _worded(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    """A mapping, or the words for the usual one."""
+    whole = {"$ref": f"#/$defs/{_defined(bare(members(annotation)[0]), shapes)}"}
+    return {"anyOf": [{"const": AS_USUAL}, whole]}
+
+
 _FORMS: dict[type, Callable[[Any, dict[str, Shape]], Shape]] = {
+    Worded: _worded,
     Sweep: _sweep,
     Port: lambda annotation, shapes: _PLACE,
     Pair: _pair,

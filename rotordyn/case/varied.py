@@ -56,16 +56,25 @@ def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
 def found_at(case: Case, path: str) -> list[tuple[Any, Any]]:
     """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
     ``*``, none where it leads nowhere."""
-    return [*_at(case, tuple(path.split(".")), None)]
+    return [(value, annotation) for _, value, annotation in places(case, path)]
 
 
-def _at(value: Any, steps: tuple[str, ...], annotation: Any) -> Iterator[tuple[Any, Any]]:
+def places(case: Case, path: str) -> list[tuple[str, Any, Any]]:
+    """The same, each with its own path: what ``*`` stands for is written out."""
+    found = _at(case, tuple(path.split(".")), None, ())
+    return [(".".join(way), value, annotation) for way, value, annotation in found]
+
+
+def _at(
+    value: Any, steps: tuple[str, ...], annotation: Any, gone: tuple[str, ...]
+) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
     if not steps:
-        yield value, annotation
+        yield gone, value, annotation
         return
     for way, inner, inside in _below(value, annotation):
-        if all(step in ("*", key) for step, key in zip(steps, way, strict=False)):
-            yield from _at(inner, steps[len(way) :], inside) if len(steps) >= len(way) else ()
+        fits = all(step in ("*", key) for step, key in zip(steps, way, strict=False))
+        if fits and len(steps) >= len(way):
+            yield from _at(inner, steps[len(way) :], inside, (*gone, *way))
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:

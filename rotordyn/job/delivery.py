@@ -41,11 +41,13 @@ def deliver(
     figures: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
     report: bool = False,
+    solve: Callable[[Case, Progress], SolvedResults] = run,
 ) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
 
     Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
-    figures, among ``figures.style.FORMATS``; ``report``: with the page ``report.html``.
+    figures, among ``figures.style.FORMATS``; ``report``: with the page ``report.html``; ``solve``:
+    what solves it.
 
     Raises
     ------
@@ -59,7 +61,7 @@ def deliver(
     check_target(target)
     if report:
         library()
-    results = run(case, progress)
+    results = solve(case, progress)
     return write(results, target, progress, figures=figures, formats=formats, report=report)
 
 
@@ -163,6 +165,7 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
     """Numbers, tables, further files of the analyses; returns what lacks a package."""
     from rotordyn.job.side_by_side import write_comparison
     from rotordyn.report.cf import about
+    from rotordyn.report.interval import keep, write_interval
     from rotordyn.report.netcdf import write_results
     from rotordyn.report.tables import write_tables
 
@@ -179,6 +182,10 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
                     omitted |= _attempted(file, write)
         if case.variants:
             write_comparison(folder, results.parts)
+        if results.solution.intervals:
+            omitted |= _attempted("interval.nc", partial(keep, folder, results.solution.intervals))
+        for name, held in results.solution.intervals.items():
+            write_interval(folder / name, held)
     return omitted
 
 

@@ -11,12 +11,18 @@ from rotordyn.analyses.registry import analysis, place
 from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.overlays import Scale
 from rotordyn.figures.panels import Shown, pages
+from rotordyn.job.values import named_curves
 from rotordyn.results.described import Described
 from rotordyn.results.frames import turning
+from rotordyn.results.headline import Curve
+from rotordyn.results.interval import Interval
 
 MACHINE = Code("rotordyn.figures", "machine:machine_figure")
 PANELS = Code("rotordyn.figures", "panels:panels_figure")
 OVERLAY = Code("rotordyn.figures", "overlays:overlay_figure")
+RULES = Code("rotordyn.figures", "interval:rules_figure")
+SLOPES = Code("rotordyn.figures", "interval:slopes_figure")
+BANDS = Code("rotordyn.figures", "interval:bands_figure")
 Variant = tuple[Described, Mapping[str, Any]]
 
 
@@ -33,6 +39,25 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
         jobs += analysis(name).figures(case, result, results)
         costs |= analysis(name).costs
     return _titled(jobs, _heading([_machine(case)], case.title or case.name), costs)
+
+
+def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval]) -> list[Job]:
+    """Bands about the headline curves of every part, and what rules its numbers."""
+    jobs: list[Job] = []
+    for part, sure in held.items():
+        case, results = parts[part]
+        curves = {k: c for name in results for k, c in named_curves(case, name, results[name])}
+        after = f"_{part}" if part else ""
+        found: dict[str, dict[str, Curve]] = {}
+        for key, curve in curves.items():
+            found.setdefault(curve.figure, {})[key] = curve
+        made: list[Job] = [(f"interval_rules{after}", partial(RULES, sure))]
+        if sure.path:
+            made.append((f"sensitivities{after}", partial(SLOPES, sure)))
+        for figure, shown in found.items():
+            made.append((f"interval_{figure}{after}", partial(BANDS, sure, shown)))
+        jobs += _titled(made, _heading([_machine(case)], case.title or case.name), {})
+    return jobs
 
 
 def comparison_figures(

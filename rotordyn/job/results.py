@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from rotordyn.figures.draw import Figure, Pictures
+    from rotordyn.results.interval import Interval
 
 DATE = "%Y-%m-%d %H:%M UTC"
 
@@ -79,6 +80,32 @@ class Results(Mapping[str, "xr.Dataset"]):
     @abstractmethod
     def notes(self) -> tuple[str, ...]:
         """What was chosen that changes how results read, a sentence each."""
+
+    @property
+    @abstractmethod
+    def _intervals(self) -> Mapping[str, Interval]:
+        """How sure each part is, by its name; empty where that was not asked for."""
+
+    @property
+    def intervals(self) -> dict[str, xr.Dataset]:
+        """How sure the results are, of each variant by its name ("" where there are none)."""
+        from rotordyn.report.datasets import dataset
+
+        return {part: dataset(held) for part, held in self._intervals.items()}
+
+    @property
+    def interval(self) -> xr.Dataset:
+        """How sure the results are: ranges of numbers and curves over what is uncertain.
+
+        Raises
+        ------
+        InvalidInput : the case was run without ``interval=True`` (``--interval``), or has variants
+        """
+        held = self.intervals
+        if "" not in held:
+            instead = "each variant has its own in intervals" if held else "run the case with it"
+            raise InvalidInput(f"no interval of the whole: {instead}")
+        return held[""]
 
     @property
     @abstractmethod
@@ -185,14 +212,15 @@ class Results(Mapping[str, "xr.Dataset"]):
 
     def drawings(self) -> dict[str, Callable[[], Figure]]:
         """Functions that draw, by the name of the figure; nothing is drawn yet."""
-        from rotordyn.job.figures import comparison_figures, figures
+        from rotordyn.job.figures import comparison_figures, figures, interval_figures
         from rotordyn.job.side_by_side import scale_of
 
         parts = self.parts
+        sure = interval_figures(parts, self._intervals)
         if "" in parts:
-            return dict(figures(*parts[""]))
+            return dict([*figures(*parts[""]), *sure])
         scale = scale_of([part.case for part in parts.values()])
-        return dict(comparison_figures(list(parts.values()), self.case.title, scale))
+        return dict([*comparison_figures(list(parts.values()), self.case.title, scale), *sure])
 
     def pictures(self, beside: Path | None = None) -> list[Pictures]:
         """Figures that another process draws; it runs once their context is entered.
@@ -229,13 +257,14 @@ class Solution:
     """A case solved: its parts by the name of their folder, each with the case it was solved for.
 
     A case without variants is one part, named "". ``lost``: why variants have no solution;
-    ``seconds`` by what took them.
+    ``seconds`` by what took them. ``intervals``: how sure parts are, by their names.
     """
 
     case: Case
     parts: dict[str, tuple[Case, Answers]]
     lost: tuple[str, ...] = ()
     seconds: dict[str, float] = field(default_factory=dict)
+    intervals: Mapping[str, Interval] = field(default_factory=dict)
 
     @property
     def results(self) -> dict[str, Any]:
@@ -279,10 +308,17 @@ class SolvedResults(Results):
         from rotordyn.report.side_by_side import comparison_summary
         from rotordyn.report.summary import summary
 
+        sure = [line for part in self._intervals.items() for line in ("", *_sure(*part))]
         if self.case.variants:
             shown = list(self.parts.values())
-            return comparison_summary(self.case, shown, self.warnings, notes)
-        return summary(self.case, self.solution.results, self.warnings, notes)
+            text = comparison_summary(self.case, shown, self.warnings, notes)
+        else:
+            text = summary(self.case, self.solution.results, self.warnings, notes)
+        return "\n".join([text, *sure])
+
+    @property
+    def _intervals(self) -> Mapping[str, Interval]:
+        return self.solution.intervals
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -296,7 +332,10 @@ class SolvedResults(Results):
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        return self.solution.sentences(lambda answers: answers.notes)
+        found = self.solution.sentences(lambda answers: answers.notes)
+        if self.case.uncertain is None or self._intervals:
+            return found
+        return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
 
     @cached_property
     def origin(self) -> Origin:
@@ -346,6 +385,12 @@ class SolvedResults(Results):
         from rotordyn.report.datasets import dataset
 
         return dataset(self.solution.results[name])
+
+
+def _sure(part: str, held: Interval) -> list[str]:
+    from rotordyn.report.interval import interval_lines
+
+    return interval_lines(held, part)
 
 
 def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:

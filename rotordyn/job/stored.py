@@ -18,6 +18,8 @@ from rotordyn.job.results import DATE, Origin, Part, Results, labelled
 if TYPE_CHECKING:
     import xarray as xr
 
+    from rotordyn.results.interval import Interval
+
 
 def open(folder: str | Path) -> Results:
     """Results of the folder that ``rotordyn run`` or ``Results.save`` has written.
@@ -79,6 +81,12 @@ class StoredResults(Results):
         return tuple(self._record["notes"])
 
     @cached_property
+    def _intervals(self) -> Mapping[str, Interval]:
+        from rotordyn.report.interval import kept
+
+        return kept(self._folder)
+
+    @property
     def origin(self) -> Origin:
         from rotordyn.report.folder import RECORD
 

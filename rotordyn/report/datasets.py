@@ -44,7 +44,12 @@ def result_of(of: str, data: xr.Dataset) -> Any:
     kind = next(_kinds(of, name), None)
     if kind is None:
         raise ValueError(f"no result {name}")
-    hints = get_type_hints(kind)
+    return restored_as(kind, data)
+
+
+def restored_as(kind: Any, data: xr.Dataset) -> Any:
+    """The result of a ``kind`` that ``data`` was made from; ValueError where it was not."""
+    hints, name = get_type_hints(kind), kind.__name__
     values = {}
     for field, info in declared(kind).items():
         place = info.metadata["dims"][0] if info.metadata["role"] == "coordinate" else field

@@ -50,7 +50,7 @@ def study_of(
                 f"results: given {shown(name)}; this study has the analyses "
                 f"{', '.join(case.analyses)}"
             )
-    case = replace(case, variants={})
+    case = replace(case, variants={}, uncertain=None)
     return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
 
 

@@ -104,7 +104,14 @@ def _told(data: Any) -> Any:
 MAY_BE_INFINITE = ("stop_speed", "ring_offset", "stability_threshold")
 OF_LOADED_CONTACTS = ("contact_angle", "ellipse_lower", "ellipse_upper")
 SOME = (  # as many as there are: NaN beyond the last, infinite without damping
-    *("peak_frequency", "peak_value", "slice_frequency", "slice_value", "error_asked"),
+    *(
+        "peak_frequency",
+        "peak_value",
+        "peak_damping",
+        "slice_frequency",
+        "slice_value",
+        "error_asked",
+    ),
     *("line_value", "line_curve", "line_peak_speed", "line_peak_value", "line_speed"),
     *("unloading_force", "peak_speed", "peak_amplitude", "fine_displacement"),
     *("contact_heat", "spin_heat", "viscous_heat", "film"),  # where there is oil

@@ -58,8 +58,9 @@ def test_run_returns_datasets_with_complex_values() -> None:
     assert found["preload"]["axial_load"].sel(bearing="c")[0] == pytest.approx(574.0)
 
 
-def test_run_is_the_function_of_the_job() -> None:
-    assert rotordyn.run is run
+def test_run_solves_as_the_job_does() -> None:
+    case = restricted(small(), ("preload",))
+    assert rotordyn.run(case)["preload"].identical(run(case)["preload"])
 
 
 def test_only_what_is_asked() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.campbell.tables import LAYOUTS
 from rotordyn.analyses.contract import Code, in_folder
@@ -23,4 +25,5 @@ ANALYSIS = in_folder(
     tables=LAYOUTS,
     heading="bending modes, backward/forward",
     title="Campbell diagram",
+    lean=lambda spec: replace(spec, shapes=False, shapes_3d=None),
 )

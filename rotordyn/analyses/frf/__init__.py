@@ -24,4 +24,5 @@ ANALYSIS = in_folder(
     tables=LAYOUTS,
     heading="FRAC of measured responses, 1 at best",
     title="Frequency responses",
+    speeds=lambda spec: spec.slices,
 )

@@ -152,7 +152,7 @@ def problem_of(
                 f"dataset, '{each.of}.variable'"
             )
     needed = tuple(dict.fromkeys(each.analysis for each in asked))
-    case = restricted(replace(case, variants={}), needed)
+    case = restricted(replace(case, variants={}, uncertain=None), needed)
     found = tuple(parameters(case, varied))
     for one in found:
         if one.ends is None and len(one.values) < 2:

@@ -1,0 +1,237 @@
+"""What a case says is uncertain, held against the case: hypotheses, tolerances, their faults."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from math import prod
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.tolerance import Tolerance, tolerance
+from rotordyn.case.uncertain import ALL, Uncertain
+from rotordyn.case.usual import HYPOTHESES, usual_of
+from rotordyn.case.varied import found_at, places
+from rotordyn.case.vary import vary
+from rotordyn.description import Faults, unchecked
+from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, accept, declared, found_in
+from rotordyn.quantity import Choice, suggestion
+from rotordyn.scene.conditions import Conditions
+from rotordyn.units import shown
+
+MOST_COMBINATIONS = 1024
+STEP = "± 0.5 %"  # of sensitivities: 1 % in all, as in the thesis
+STATIC, MOMENTLESS = "static", ("frozen", "centrifugal")
+
+
+@dataclass(frozen=True, slots=True)
+class Hypothesis:
+    """A discrete choice: the value of the case at ``path``, and all that it may be."""
+
+    path: str
+    nominal: Any
+    values: tuple[Any, ...]
+
+    @property
+    def name(self) -> str:
+        """Its path without what is clear: ``kinematics``, ``a.kinematics``."""
+        room, _, rest = self.path.partition(".")
+        return rest if room == "conditions" else self.path.removeprefix("spindle.bearings.")
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What is uncertain of a case; of sensitivities the ``steps`` of differences, and ranges."""
+
+    hypotheses: tuple[Hypothesis, ...]
+    tolerances: tuple[Tolerance, ...]
+    steps: tuple[Tolerance, ...] = ()
+    ranges: tuple[Tolerance, ...] = ()
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Of sensitivities."""
+        return tuple(each.path for each in self.steps)
+
+    @property
+    def combinations(self) -> Iterator[dict[str, Any]]:
+        """Values by path of every combination of hypotheses, that of the case among them."""
+        for values in product(*(each.values for each in self.hypotheses)):
+            yield dict(zip((each.path for each in self.hypotheses), values, strict=True))
+
+
+def certain(case: Case) -> Case:
+    """The case without what is uncertain, and without its variants."""
+    with unchecked():
+        return replace(case, variants={}, uncertain=None)
+
+
+def asked_of(case: Case) -> Asked:
+    """What ``case`` says is uncertain; what is usually so where it says nothing.
+
+    Raises
+    ------
+    InvalidInput : the first of ``faults_of``
+    """
+    for way, sentence in faults_of(case):
+        raise InvalidInput(f"{'.'.join(map(str, way))}: {sentence}")
+    given, case = case.uncertain or Uncertain(as_usual=True), certain(case)
+    hypotheses = dict(given.hypotheses)
+    tolerances = dict(given.tolerances)
+    if given.as_usual:
+        known = {_full(name) for name in hypotheses}
+        hypotheses |= {path: each for path, each in HYPOTHESES.items() if path not in known}
+        held = {place for path in tolerances for place in _places(case, path)}
+        for entry in usual_of(case):
+            if not held & _places(case, entry.path) and _possible(case, entry.path, entry.text):
+                tolerances[entry.path] = entry.text
+    choices = (_hypothesis(case, name, values) for name, values in hypotheses.items())
+    return Asked(
+        tuple(each for each in choices if len(each.values) > 1 and _matters(case, each.path)),
+        tuple(tolerance(case, path, text) for path, text in tolerances.items()),
+        *_differences(case, given.sensitivities),
+    )
+
+
+def within_case(case: Case, sensitivities: Mapping[str, str | None]) -> Asked:
+    """Sensitivities alone, by path and range.
+
+    Raises
+    ------
+    InvalidInput : a path that leads to no number that has a share, a range that is none
+    """
+    for path, text in sensitivities.items():
+        try:
+            tolerance(case, path, text or STEP)
+        except InvalidInput as refusal:
+            raise InvalidInput(f"{path}: {refusal}") from None
+    return Asked((), (), *_differences(case, sensitivities))
+
+
+def _differences(
+    case: Case, given: Mapping[str, str | None]
+) -> tuple[tuple[Tolerance, ...], tuple[Tolerance, ...]]:
+    steps = tuple(tolerance(case, path, STEP) for path in given)
+    return steps, tuple(tolerance(case, path, text) for path, text in given.items() if text)
+
+
+def faults_of(case: Case) -> Faults:
+    """What is wrong with what a case says is uncertain: path of keys and a sentence."""
+    given = case.uncertain
+    if given is None:
+        return
+    case = certain(case)
+    yield from _hypotheses(case, given.hypotheses)
+    for key in ("tolerances", "sensitivities"):
+        for path, text in getattr(given, key).items():
+            try:
+                found = tolerance(case, path, text or STEP)
+                for share in (0.0, 1.0):
+                    vary(case, found.at(share))
+            except InvalidInput as refusal:
+                sentence = str(refusal).removeprefix(f"{path}: ").replace("{", "(")
+                yield ("uncertain", key, path), sentence
+
+
+def _hypotheses(case: Case, given: Mapping[str, Any]) -> Faults:
+    found = []
+    for name, values in given.items():
+        try:
+            found.append(_hypothesis(case, name, values))
+        except InvalidInput as refusal:
+            yield ("uncertain", "hypotheses", name), str(refusal)
+    count = prod(len(each.values) for each in found)
+    if count > MOST_COMBINATIONS:
+        yield (
+            ("uncertain", "hypotheses"),
+            f"{count} combinations: allowed are up to {MOST_COMBINATIONS}, take fewer values",
+        )
+
+
+def _hypothesis(case: Case, name: str, values: Sequence[Any] | str) -> Hypothesis:
+    """A hypothesis of a name or a path, its nominal value first.
+
+    Raises
+    ------
+    InvalidInput : there is no such hypothesis, or it has no such value
+    """
+    path = _full(name)
+    found = found_at(case, path)
+    if not found:
+        known = [*_of_conditions(), "spindle.bearings.*.kinematics"]
+        listed = f"allowed: {', '.join(known)}, or another dotted path"
+        raise InvalidInput(f"unknown hypothesis '{name}': {listed}{suggestion(name, known)}")
+    nominal, annotation = found[0]
+    choice = found_in(annotation, Choice)
+    if isinstance(values, str):
+        if values != ALL or choice is None:
+            raise InvalidInput(f"a list of values is needed, or {ALL}: given {shown(values)}")
+        values = choice.allowed
+    taken = []
+    for value in values:
+        try:
+            taken.append(accept(annotation, value))
+        except Refused as refusal:
+            raise InvalidInput(refusal.why) from None
+    if len({*map(str, taken)}) < len(taken):
+        raise InvalidInput(f"a value is given twice: {', '.join(map(str, taken))}")
+    if len({nominal, *taken}) < 2:
+        raise InvalidInput(f"one value is no choice: given {shown(str(nominal))}")
+    if nominal is None and choice is not None:
+        nominal = getattr(case.conditions, path.rpartition(".")[2], None)
+    return Hypothesis(path, nominal, tuple(dict.fromkeys((nominal, *taken))))
+
+
+def _full(name: str) -> str:
+    return f"conditions.{name}" if name in _of_conditions() else name
+
+
+def _of_conditions() -> list[str]:
+    """Names of the conditions that are a choice of words."""
+    return [f.name for f in declared(Conditions) if found_in(f.annotation, Choice) is not None]
+
+
+def _possible(case: Case, path: str, text: str) -> bool:
+    """Whether a usual tolerance leads to machines that there may be."""
+    try:
+        found = tolerance(case, path, text)
+        for share in (0.0, 1.0):
+            vary(case, found.at(share))
+    except InvalidInput:
+        return False
+    return True
+
+
+def _places(case: Case, path: str) -> set[str]:
+    return {place for place, _, _ in places(case, path)}
+
+
+def _matters(case: Case, path: str) -> bool:
+    """Whether balls turn, and where moments are shared, have one."""
+    name, conditions = path.rpartition(".")[2], case.conditions
+    if name not in ("kinematics", "moment_sharing"):
+        return True
+    if conditions.bearings == STATIC or not any(case.speeds):
+        return False
+    return name == "kinematics" or conditions.dynamics not in MOMENTLESS
+
+
+def conflicts(case: Case, variants: Mapping[str, Case]) -> Faults:
+    """Uncertain values that variants replace: their range would be that of another value."""
+    given = case.uncertain
+    if given is None:
+        return
+    for key, paths in (("hypotheses", given.hypotheses), ("tolerances", given.tolerances)):
+        for name in paths:
+            path = _full(name) if key == "hypotheses" else name
+            here = [value for value, _ in found_at(case, path)]
+            for variant, other in variants.items():
+                if [value for value, _ in found_at(other, path)] != here:
+                    yield (
+                        ("uncertain", key, name),
+                        f"is replaced by the variant {variant}: what is uncertain is the same in "
+                        "all variants; leave one of both out",
+                    )
+                    break

@@ -1,0 +1,203 @@
+"""A tolerance as people write it, held against the value that a case has at its path.
+
+``± 5 %`` is a share of the value, ``± 2 um`` and ``+3/-2 deg`` are differences, ``24..28 deg``
+ends, ``factor 2`` half to double, ``least..most`` words.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from rotordyn import units
+from rotordyn.case.case import Case
+from rotordyn.case.varied import places
+from rotordyn.case.vary import vary
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, accept, found_in, shown
+from rotordyn.quantity import Choice, Quantity
+
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
+BOTH = re.compile(rf"(?:±|\+/?-)\s*({NUMBER})\s*(.*)")
+APART = re.compile(rf"\+\s*({NUMBER})\s*(?:/|,)\s*-\s*({NUMBER})\s*(.*)")
+ENDS = re.compile(rf"({NUMBER})\s*(.*?)\s*\.\.\s*({NUMBER})\s*(.*)")
+TIMES = re.compile(rf"factor\s+({NUMBER})")
+WORDS = re.compile(r"([A-Za-z]\w*)\s*\.\.\s*([A-Za-z]\w*)")
+FORMS = "allowed: '± 5 %', '± 2 um', '+3/-2 deg', '24..28 deg', 'factor 2', 'least..most'"
+DIFFERENCE = {"temperature": "temperature difference"}
+LEAST = 1e-12  # of the value: narrower is no tolerance
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerance:
+    """An uncertain number.
+
+    ``path`` and ``text`` as written. ``ends``: by each path that it moves, lowest, nominal and
+    highest value (a row of numbers where the value is one). ``nominal``: share of the way from the
+    lowest to the highest at which the case stands; ``log``: along ratios. ``unit``: SI.
+    """
+
+    path: str
+    text: str
+    ends: Mapping[str, tuple[Any, Any, Any]] = field(default_factory=dict)
+    nominal: float = 0.5
+    log: bool = False
+    unit: str = ""
+
+    def at(self, share: float) -> dict[str, Any]:
+        """Values by path, as ``vary`` takes them, at a share of the way from lowest to highest."""
+        return {path: self._between(*each, share) for path, each in self.ends.items()}
+
+    def _between(self, low: Any, nominal: Any, high: Any, share: float) -> Any:
+        if isinstance(low, str):  # each of the three words as often
+            return (low, nominal, high)[min(int(3.0 * share), 2)]
+        if isinstance(low, tuple):
+            every = zip(low, nominal, high, strict=True)
+            return tuple(self._between(*each, share) for each in every)
+        if isinstance(low, int):
+            return min(low + int(share * (high - low + 1)), high)
+        if share == self.nominal:
+            return nominal
+        if self.log:
+            return low * (high / low) ** share
+        return low + share * (high - low)
+
+    @property
+    def levels(self) -> int:
+        """How many values there are, each as likely; 0: any number between the ends."""
+        low, _, high = next(iter(self.ends.values()))
+        if isinstance(low, str):
+            return 3
+        return high - low + 1 if isinstance(low, int) else 0
+
+    @property
+    def width(self) -> float:
+        """From the lowest to the highest value [SI], of the first path; NaN of words."""
+        low, _, high = next(iter(self.ends.values()))
+        if isinstance(low, tuple):
+            low, high = low[0], high[0]
+        return math.nan if isinstance(low, str) else float(high - low)
+
+    @property
+    def value(self) -> float:
+        """Nominal value [SI], of the first path; NaN of words."""
+        nominal = next(iter(self.ends.values()))[1]
+        nominal = nominal[0] if isinstance(nominal, tuple) else nominal
+        return math.nan if isinstance(nominal, str) else float(nominal)
+
+
+def tolerance(case: Case, path: str, text: str) -> Tolerance:
+    """A tolerance of the value at a dotted path of ``case``.
+
+    Raises
+    ------
+    InvalidInput : the path leads nowhere or to no number, the text is no tolerance of such a value,
+        or leaves its range, or is of no width; one sentence that does not repeat the path
+    """
+    found = _found(case, path)
+    ends, share, log, unit = {}, 0.5, False, ""
+    for place, value, annotation in found:
+        ends[place], share, log = _ends(value, annotation, text)
+        quantity = quantity_of(annotation)
+        unit = "" if quantity is None or isinstance(value, str) else quantity.coherent_unit
+    return Tolerance(path, text, ends, share, log, unit)
+
+
+def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
+    found = places(case, path)
+    if found:
+        return found
+    for room in ("spindle", "bearing", "conditions"):
+        if places(case, f"{room}.{path}"):
+            raise InvalidInput(f"unknown path '{path}' (did you mean {room}.{path}?)")
+    try:
+        vary(case, {path: None})  # which says where the path goes astray
+    except InvalidInput as refusal:
+        raise InvalidInput(str(refusal).removeprefix(f"{path}: ")) from None
+    raise InvalidInput("leads nowhere in this case")
+
+
+def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any], float, bool]:
+    """Lowest, nominal and highest value, the share of the nominal one, whether along ratios."""
+    if isinstance(value, tuple) and value and all(isinstance(each, float) for each in value):
+        rows = [_ends(each, annotation, text) for each in value]
+        columns = tuple(zip(*(row[0] for row in rows), strict=True))
+        return (columns[0], columns[1], columns[2]), rows[0][1], rows[0][2]
+    if isinstance(value, str) and found_in(annotation, Choice) is not None:
+        return _words(value, annotation, text), 0.5, False
+    low, high, log = _limits(value, annotation, text)
+    if isinstance(value, int):
+        if low != round(low) or high != round(high):
+            raise InvalidInput(f"'{text}': whole numbers are needed, such as ± 1")
+        return (int(low), value, int(high)), (value - low) / (high - low), False
+    way = math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
+    return (low, value, high), way, log
+
+
+def _limits(value: Any, annotation: Any, text: str) -> tuple[float, float, bool]:
+    """Lowest and highest number, held against the value and its range."""
+    if isinstance(value, bool) or not isinstance(value, float | int):
+        what = "is not given in this case" if value is None else f"is no number: {shown(value)}"
+        raise InvalidInput(f"{what}; a tolerance needs one")
+    if not math.isfinite(value):
+        raise InvalidInput("is infinite in this case; a tolerance needs a number")
+    quantity = quantity_of(annotation) or Quantity("number")
+    low, high, log = _numbers(float(value), quantity, text.strip().replace("\u2212", "-"))
+    if not low < high or high - low <= LEAST * max(abs(low), abs(high)):
+        hint = ", a share of 0 is 0: give it with a unit" if value == 0 and "%" in text else ""
+        raise InvalidInput(f"a tolerance without width: given '{text}'{hint}")
+    for end in (low, high):
+        if why := quantity.refusal(end):
+            raise InvalidInput(f"'{text}' leads out of what is allowed: {why}")
+    if not low <= value <= high:
+        written = quantity.written(value)
+        raise InvalidInput(f"'{text}' does not hold the value of the case, {written}")
+    return low, high, log
+
+
+def _words(value: str, annotation: Any, text: str) -> tuple[str, str, str]:
+    match = WORDS.fullmatch(text.strip())
+    if match is None:
+        raise InvalidInput(f"holds a word, {value}: given '{text}'; allowed: two words, 'A..B'")
+    for word in match.groups():
+        try:
+            accept(annotation, word)
+        except Refused as refusal:
+            raise InvalidInput(refusal.why) from None
+    if match[1] == match[2]:
+        raise InvalidInput(f"a tolerance without width: given '{text}'")
+    return match[1], value, match[2]
+
+
+def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float, bool]:
+    """Lowest and highest value [SI], and whether they are ratios of the nominal one."""
+    apart = DIFFERENCE.get(quantity.kind, quantity.kind)
+    if match := TIMES.fullmatch(text):
+        by = float(match[1])
+        if by < 1.0 or value <= 0.0:
+            raise InvalidInput(f"a factor is above 1, of a value above 0: given '{text}'")
+        return value / by, value * by, True
+    if match := BOTH.fullmatch(text):
+        half = _difference(value, match[1], match[2], apart)
+        return value - half, value + half, False
+    if match := APART.fullmatch(text):
+        up, down = (_difference(value, each, match[3], apart) for each in match.groups()[:2])
+        return value - down, value + up, False
+    if match := ENDS.fullmatch(text):
+        first, last = match[2] or match[4], match[4]
+        ends = [
+            units.parse(f"{n} {u}", quantity.kind) for n, u in ((match[1], first), (match[3], last))
+        ]
+        return ends[0], ends[1], False
+    raise InvalidInput(f"no tolerance: given {units.shown(text)}; {FORMS}")
+
+
+def _difference(value: float, number: str, unit: str, kind: str) -> float:
+    """A difference [SI]; in percent a share of the value."""
+    if unit == "%":
+        return abs(value) * float(number) / 100.0
+    return units.parse(f"{number} {unit}", kind)

@@ -1,0 +1,93 @@
+"""What is usually uncertain of a spindle or a bearing: ``uncertain: as usual``.
+
+Each entry has its source; those that are assumptions say so (docs/howto/intervals.md).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from rotordyn.case.case import Case
+from rotordyn.case.varied import places
+
+THESIS = "D. Noël, doctoral thesis, 2013, III.1.3.3"
+ASSUMED = "assumption"
+# The two kinematic hypotheses whose friction a race can transmit; sharing by either race alone,
+# between which the others lie.
+HYPOTHESES: Mapping[str, tuple[str, ...]] = {
+    "conditions.kinematics": ("hybrid", "outer"),
+    "conditions.moment_sharing": ("equal", "outer", "inner"),
+}
+
+
+class Usual(NamedTuple):
+    """A tolerance of whatever a case has at ``path``, and where it comes from."""
+
+    path: str
+    text: str
+    source: str
+
+
+OF_SPINDLE = (
+    Usual("spindle.bearings.*.model.contact_angle", "+3/-2 deg", f"{THESIS} (the maker's)"),
+    Usual("spindle.bearings.*.model.inner_conformity", "± 1 %", THESIS),
+    Usual("spindle.bearings.*.model.outer_conformity", "± 1 %", THESIS),
+    Usual(
+        "spindle.bearings.*.fits.taken", "least..most", "ISO 286, ISO 492: limits of the classes"
+    ),
+    Usual(
+        "spindle.bearings.*.growth.static", "± 3 um", "ISO 286, ISO 492: k5 on 70 mm of class P4"
+    ),
+    Usual("spindle.sleeves.*.spring.preload", "± 10 %", ASSUMED),
+    Usual("spindle.sleeves.*.spring.stiffness", "± 10 %", ASSUMED),
+    Usual("spindle.sleeves.*.spring.offset", "± 1 um", ASSUMED),
+    Usual("spindle.sleeves.*.stop_travel", "± 5 um", ASSUMED),
+    Usual("spindle.sleeves.*.friction", "± 30 %", ASSUMED),
+    Usual("spindle.arrangement.preload.force", "± 10 %", ASSUMED),
+    Usual("spindle.arrangement.preload.constant_force", "± 5 %", ASSUMED),
+    Usual("spindle.arrangement.preload.class_force", "± 15 %", ASSUMED),
+    Usual("spindle.arrangement.preload.offset", "± 1 um", ASSUMED),
+    Usual("spindle.arrangement.preload.stiffness", "± 10 %", ASSUMED),
+    Usual("spindle.bearings.*.damping.radial", "factor 2", ASSUMED),
+    Usual("spindle.bearings.*.damping.axial", "factor 2", ASSUMED),
+    Usual("spindle.damping.rotor", "factor 2", ASSUMED),
+    Usual("conditions.friction", "± 30 %", ASSUMED),
+    Usual("conditions.temperatures.shaft", "± 3 K", ASSUMED),
+    Usual("conditions.temperatures.housing", "± 3 K", ASSUMED),
+    Usual("conditions.temperatures.inner_rings", "± 3 K", ASSUMED),
+    Usual("conditions.temperatures.outer_rings", "± 3 K", ASSUMED),
+)
+OF_BEARING = (
+    Usual("bearing.contact_angle", "+3/-2 deg", f"{THESIS} (the maker's)"),
+    Usual("bearing.inner_conformity", "± 1 %", THESIS),
+    Usual("bearing.outer_conformity", "± 1 %", THESIS),
+    Usual("conditions.friction", "± 30 %", ASSUMED),
+)
+APART = ("sleeves",)  # items that are not alike: each of them has a tolerance of its own
+
+
+def usual_of(case: Case) -> Iterator[Usual]:
+    """The entries that ``case`` has something at; items of one maker move together."""
+    listed = OF_BEARING if case.bearing is not None else OF_SPINDLE
+    for entry in listed:
+        found = [(path, value) for path, value, _ in places(case, entry.path) if _uncertain(value)]
+        if case.spindle is not None and case.spindle.arrangement is not None:
+            made = f"spindle.sleeves.{case.spindle.arrangement.name}."
+            found = [(path, value) for path, value in found if not path.startswith(made)]
+        if not found:
+            continue
+        every = len(found) == len(places(case, entry.path))
+        together = every and not any(f".{word}.*" in entry.path for word in APART)
+        for path in [entry.path] if together else [path for path, _ in found]:
+            yield entry._replace(path=path)
+
+
+def _uncertain(value: Any) -> bool:
+    """Something that has a tolerance: a number other than zero, some of them, a word."""
+    if isinstance(value, tuple):
+        return bool(value) and all(map(_uncertain, value))
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return math.isfinite(value) and value != 0.0
+    return isinstance(value, str)

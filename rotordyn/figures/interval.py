@@ -1,0 +1,175 @@
+"""How sure results are: bands about curves, and what rules the range of numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.figures.amplitudes import log_axis
+from rotordyn.figures.legends import shortened, top_legend
+from rotordyn.figures.style import (
+    BLUE,
+    CYCLE,
+    DASHES,
+    FONT_SIZE,
+    GREY,
+    RED,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    round_ticks,
+)
+from rotordyn.results.headline import Curve
+from rotordyn.results.interval import Interval
+from rotordyn.results.kinds import Array
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+PANELS, BARS = 6, 8  # numbers in a figure, sources of each
+BAR, ROOM = 4.6, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
+NARROW = 1e-6
+SEEN = 3e-3  # of the largest change of a number: less is no bar
+OVER_HYPOTHESES, OVER_TOLERANCES = "over hypotheses", "over tolerances, 95 %"
+
+
+def rules_figure(held: Interval) -> Figure:
+    """Tornado diagrams: change of the numbers that vary most, by source, the largest on top."""
+    chosen = _several(held, held.varying())
+    if not chosen:
+        return new_figure(168.0, 30.0, "nothing that is uncertain changes a number")
+    rows = math.ceil(len(chosen) / 2)
+    bars = min(BARS, len(held.source)) + 1
+    figure = new_figure(168.0, rows * (BAR * bars + ROOM))
+    boxes = grid_boxes(figure, rows, 2, margins=(34.0, 6.0, 10.0, 8.0), gaps=(38.0, 18.0))
+    for k, box in zip(chosen, boxes, strict=False):
+        _tornado(add_axes(figure, box, f"change [{held.unit[k] or '-'}]"), held, k)
+    top_legend(figure, *figure.axes)
+    return figure
+
+
+def _several(held: Interval, order: Sequence[int]) -> list[int]:
+    """Of every analysis its widest number first, then the others; in their order.
+
+    Of numbers that behave alike, such as both whirls of a mode, only one.
+    """
+    first: dict[str, int] = {}
+    apart = held.apart(order)
+    for k in apart:
+        first.setdefault(held.number[k].partition(":")[0], k)
+    rest = [k for k in apart if k not in first.values()]
+    return sorted([*first.values(), *rest][:PANELS])
+
+
+def _tornado(axes: Axes, held: Interval, k: int) -> None:
+    low, high = held.hypotheses[k] - held.nominal[k]
+    effects = held.effect[k]
+    size = np.nan_to_num(np.abs(effects).max(axis=1, initial=0.0))
+    seen, several = SEEN * size.max(initial=0.0), len(held.combination) > 1
+    sources = [int(s) for s in np.argsort(-size, kind="stable")[:BARS] if size[s] > seen]
+    names = [*(["hypotheses"] if several else []), *(_end(held.source[s]) for s in sources)]
+    if several:
+        axes.barh(0, high - low, left=low, height=0.7, color=GREY, label=OVER_HYPOTHESES)
+    for place, s in enumerate(sources, start=int(several)):
+        for end, colour, words in zip(effects[s], (BLUE, RED), held.end, strict=True):
+            axes.barh(place, end, height=0.7, color=colour, label=f"at its {words} value")
+    axes.axvline(0.0, color="black", lw=0.7)
+    axes.set_yticks(range(len(names)), names, fontsize=FONT_SIZE - 1.5)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.grid(visible=False, axis="y")
+    left, right = axes.get_xlim()
+    room = 0.05 * (right - left)
+    axes.set_xlim(left - room, right + room)
+    axes.set_xticks(round_ticks(left - room, right + room, 4))
+    words = held.number[k].partition(": ")[2]
+    axes.set_title(shortened(words, 48), fontsize=FONT_SIZE - 0.5, pad=3.0)
+
+
+def _end(path: str, longest: int = 24) -> str:
+    words = ".".join(w for w in path.split(".") if w not in ("spindle", "conditions", "*", "model"))
+    return words if len(words) <= longest else "…" + words[1 - longest :]
+
+
+def slopes_figure(held: Interval) -> Figure:
+    """Relative change of every number over that of a number of the case, as a map of colours."""
+    values = np.nan_to_num(held.elasticity)
+    rows = np.flatnonzero(np.abs(values).max(axis=1) > NARROW)
+    if not rows.size:
+        return new_figure(168.0, 30.0, "none of these numbers changes a result")
+    rows = rows[np.argsort(-np.abs(values[rows]).max(axis=1), kind="stable")][:24]
+    rows.sort()
+    tall = 5.0 * len(rows)
+    figure = new_figure(168.0, tall + 40.0)
+    axes = add_axes(figure, (62.0, 30.0, 100.0, tall))
+    top = float(np.abs(values[rows]).max())
+    axes.imshow(values[rows], cmap="RdBu_r", vmin=-top, vmax=top, aspect="auto")
+    axes.set_xticks(
+        range(len(held.path)), [_end(p, 34) for p in held.path], rotation=20, ha="right"
+    )
+    axes.set_yticks(range(len(rows)), [shortened(held.number[k], 44) for k in rows])
+    axes.tick_params(labelsize=FONT_SIZE - 1.5)
+    axes.grid(visible=False)
+    for (i, j), value in np.ndenumerate(values[rows]):
+        light = "white" if abs(value) > 0.6 * top else "black"
+        words = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
+        axes.text(j, i, words, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=light)
+    axes.set_title("relative change of a result over that of a number", fontsize=FONT_SIZE)
+    return figure
+
+
+def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
+    """Headline curves of a figure, each in the band of what is uncertain."""
+    panels: dict[tuple[str, str, str], list[tuple[str, Curve]]] = {}
+    for key, curve in curves.items():
+        if key in held.curve:
+            panels.setdefault((curve.panel, curve.label, curve.title), []).append((key, curve))
+    columns = 1 if len(panels) == 1 or any(c.log for c in curves.values()) else 2
+    rows = max(math.ceil(len(panels) / columns), 1)
+    figure = new_figure(168.0, 16.0 + rows * (96.0 if len(panels) == 1 else 68.0))
+    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 9.0), gaps=(18.0, 15.0))
+    for box, (panel, shown) in zip(boxes, panels.items(), strict=False):
+        first = shown[0][1]
+        axes = add_axes(figure, box, first.along, f"{first.label} [{first.unit}]")
+        if title := first.title or panel[0]:
+            axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
+        series = list(dict.fromkeys(curve.series for _, curve in shown))
+        for key, curve in shown:
+            _band(axes, held, held.curve.index(key), curve, series)
+        _finish(axes, first)
+    top_legend(figure, *figure.axes)
+    return figure
+
+
+def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence[str]) -> None:
+    rows = held.rows_of(place)
+    x, y = held.x[rows], held.curve_nominal[rows]
+    if curve.log:
+        y = np.where(y > 0.0, y, np.nan)
+    colour = CYCLE[series.index(curve.series) % len(CYCLE)]
+    bands: tuple[tuple[Array, str, str, float], ...] = (
+        (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
+        (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
+    )
+    for ends, words, shade, alpha in bands:
+        if len(x) > 1:
+            axes.fill_between(x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha)
+        else:
+            axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
+    dashes = DASHES[series.index(curve.series) % len(DASHES)]
+    axes.plot(x, y, color=colour, label=curve.series or "as in the case", ls=dashes, lw=1.0)
+
+
+def _finish(axes: Axes, curve: Curve) -> None:
+    low, high = min(float(curve.x[0]), 0.0), max(float(curve.x[-1]), 1.0)
+    if curve.places:
+        low, high = float(curve.x[0]), float(curve.x[-1])
+    axes.set_xlim(low, high)
+    axes.set_xticks(round_ticks(low, high, 6))
+    if curve.log:
+        log_axis(axes)
+    bottom, top = curve.limits
+    axes.set_ylim(bottom, top if top is not None or bottom is None else axes.get_ylim()[1] * 1.05)

@@ -1,0 +1,77 @@
+"""What of a run has a range: its headline numbers and curves, by name."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.registry import analysis, place
+from rotordyn.figures.panels import Shown
+from rotordyn.results.described import Described
+from rotordyn.results.headline import Curve, Number
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """Headline numbers and curves of one machine by name; none of one without a solution."""
+
+    numbers: Mapping[str, Number] = field(default_factory=dict)
+    curves: Mapping[str, Curve] = field(default_factory=dict)
+    sentence: str = ""
+
+
+def values_of(case: Described, results: Mapping[str, Any]) -> Values:
+    """The values of the results of ``case``."""
+    names = sorted(results, key=place)
+    numbers = {
+        f"{name}: {each.heading.removesuffix(f' [{each.unit}]')}": each
+        for name in names
+        for each in analysis(name).numbers(results[name], case)
+    }
+    curves = {key: each for name in names for key, each in named_curves(case, name, results[name])}
+    return Values(numbers, curves)
+
+
+def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
+    """Curves of an analysis by what tells them from the others."""
+    shown = Shown(case.title, result, (), case.spindle)
+    count: Counter[str] = Counter()
+    for curve in analysis(name).curves(case.analyses.get(name), shown):
+        if curve.backdrop:
+            continue
+        parts = (curve.figure, curve.panel, curve.title or curve.label, curve.key or curve.series)
+        words = f"{name}: {', '.join(part for part in dict.fromkeys(parts) if part)}"
+        count[words] += 1
+        yield (words if count[words] == 1 else f"{words} ({count[words]})"), curve
+
+
+def difference(curve: Curve, other: Curve, base: Curve) -> Array:
+    """How far ``other`` lies from ``base`` at the points of ``curve``; logarithms of amplitudes.
+
+    The difference is followed between the points of the two where these are the same.
+    """
+    first, second = _scaled(base), _scaled(other)
+    if np.array_equal(base.x, other.x):
+        return _followed(curve.x, base.x, second - first)
+    return _followed(curve.x, other.x, second) - _followed(curve.x, base.x, first)
+
+
+def _scaled(curve: Curve) -> Array:
+    if not curve.log:
+        return np.asarray(curve.y, float)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(curve.y > 0.0, np.log(np.where(curve.y > 0.0, curve.y, 1.0)), np.nan)
+
+
+def _followed(x: Array, at: Array, y: Array) -> Array:
+    """Values at ``x`` of what is known ``at`` some points; NaN outside and beside unknown ones."""
+    if np.array_equal(x, at):
+        return y
+    return np.interp(x, at, y, left=np.nan, right=np.nan)

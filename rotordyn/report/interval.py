@@ -1,0 +1,187 @@
+"""How sure a run is, in text and tables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from rotordyn.figures.legends import shortened
+from rotordyn.report.datasets import restored_as
+from rotordyn.report.netcdf import read_results, write_results
+from rotordyn.report.tables import Column, write_table
+from rotordyn.results.display import number, rounded_up
+from rotordyn.results.interval import NARROW, Interval
+from rotordyn.results.text import wrapped
+
+FILE, NAME = "interval.nc", "interval"
+MOST = 12  # numbers in the summary
+LONGEST, LONGEST_SOURCE = 44, 17  # of their names, and of those of sources
+FAR = 0.1  # of the range: tolerances act on one another
+NONE = "*"
+AT = re.compile(r"( at \d+) rpm$")
+HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
+
+
+def interval_lines(held: Interval, part: str = "") -> list[str]:
+    """Ranges of the numbers that vary most, and what rules them."""
+    combinations, sources = len(held.combination), len(held.source)
+    words = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
+    if sources:
+        words.append(f"{sources} tolerances (95 % of the machines within them)")
+    of = f"of {part} " if part else ""
+    over = " and ".join(words) or "nothing"
+    lines = wrapped(f"interval   {of}over {over}; machines solved: {held.runs}")
+    chosen = _chosen(held)
+    rows = [HEAD, *(_row(held, k) for k in chosen)]
+    widths = [max(len(row[k]) for row in rows) for k in range(5)]
+    if len(rows) > 1:
+        lines += ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+    if len(chosen) < len(held.number):
+        lines.append(f"… and {len(held.number) - len(chosen)} more numbers: interval.csv")
+    lines += [part for sentence in _doubts(held) for part in wrapped(sentence)]
+    return lines
+
+
+def _chosen(held: Interval) -> list[int]:
+    """The numbers that vary most, in their order."""
+    return sorted(held.apart(held.varying())[:MOST])
+
+
+def _row(held: Interval, k: int) -> tuple[str, ...]:
+    size = float(np.nanmax(np.abs([held.nominal[k], *held.tolerances[k], *held.hypotheses[k]])))
+    digits = 0 if size >= 1000.0 else 1 if size >= 10.0 else 3
+    ranges = [
+        "..".join(number(float(end), digits) for end in each[k])
+        if np.ptp(each[k]) > NARROW * size
+        else "–"
+        for each in (held.hypotheses, held.tolerances)
+    ]
+    for place, without in enumerate((held.without[k], held.without_within[k])):
+        ranges[place] += NONE if without else ""
+    rule = held.ruling(k)
+    ruled = f"{_source(rule[0][0])} {rule[0][1]:.0%}" if rule else ""
+    nominal = f"{number(float(held.nominal[k]), digits)} {held.unit[k]}".rstrip()
+    return shortened(AT.sub(r"\1", held.number[k]), LONGEST), nominal, *ranges, ruled
+
+
+def _source(path: str) -> str:
+    """The end of a path, by which it is known."""
+    plain = ("*", "model", "spindle", "conditions", "bearings", "sleeves", "spring")
+    last = ".".join([step for step in path.split(".") if step not in plain][-2:])
+    return last if len(last) <= LONGEST_SOURCE else last.rpartition(".")[2]
+
+
+def _doubts(held: Interval) -> Iterator[str]:
+    if np.any(held.without) or np.any(held.without_within):
+        unmet = "a stop that is not met, a bearing that is unloaded"
+        yield f"{NONE}          some of these machines have no such number: {unmet}"
+    errors = held.numerical_error[np.isfinite(held.numerical_error)]
+    if errors.size:
+        most = rounded_up(float(errors.max()))
+        yield f"beside it  the numerical error, within {most} of these numbers"
+    far = np.flatnonzero(np.nan_to_num(held.interaction) > FAR)
+    if far.size:
+        worst = max(far, key=lambda k: held.interaction[k])
+        yield (
+            "note       tolerances act on one another: where all are off at once, "
+            f"{held.number[worst]} differs from the sum of their effects by "
+            f"{held.interaction[worst]:.0%} of its range; give samples to be sure"
+        )
+    if held.lost:
+        yield f"note       left out, without a solution: {shortened(held.lost, 300)}"
+
+
+def write_interval(folder: Path, held: Interval) -> None:
+    """The tables ``interval.csv``, ``interval_effects.csv``, ``interval_hypotheses.csv``,
+    ``interval_curves.csv`` and ``sensitivities.csv``, those that have rows."""
+    write_table(folder / "interval.csv", _numbers(held))
+    every = range(len(held.number))
+    if held.source:
+        pairs = [(k, s) for k in every for s in range(len(held.source))]
+        head: list[Column] = [
+            ("number", [held.number[k] for k, _ in pairs]),
+            ("unit", [held.unit[k] for k, _ in pairs]),
+            ("uncertain number", [held.source[s] for _, s in pairs]),
+            ("tolerance", [held.tolerance[s] for _, s in pairs]),
+        ]
+        for place, end in enumerate(held.end):
+            head.append((f"change at {end}", _printed(held.effect[..., place].ravel())))
+        write_table(folder / "interval_effects.csv", head)
+    if len(held.combination) > 1:
+        columns: list[Column] = [("number", list(held.number)), ("unit", list(held.unit))]
+        for name, values in zip(held.combination, held.by_combination.T, strict=True):
+            columns.append((name, _printed(values)))
+        write_table(folder / "interval_hypotheses.csv", columns)
+    if held.curve:
+        write_table(folder / "interval_curves.csv", _curves(held))
+    if held.path:
+        write_table(folder / "sensitivities.csv", _sensitivities(held))
+
+
+def _numbers(held: Interval) -> list[Column]:
+    columns: list[Column] = [
+        ("number", list(held.number)),
+        ("unit", list(held.unit)),
+        ("nominal", _printed(held.nominal)),
+    ]
+    for words, ends in (
+        ("hypotheses", held.hypotheses),
+        ("95 % of tolerances", held.tolerances),
+        ("worst case of tolerances", held.worst),
+    ):
+        for place, end in enumerate(held.end):
+            columns.append((f"{words}, {end}", _printed(ends[:, place])))
+    rules = [held.ruling(k)[:1] for k in range(len(held.number))]
+    columns.append(("ruled by", [rule[0][0] if rule else "" for rule in rules]))
+    columns.append(("its share", [f"{rule[0][1]:.3g}" if rule else "" for rule in rules]))
+    columns.append(("not the sum of effects, over the range", _printed(held.interaction)))
+    columns.append(("numerical error", _printed(held.numerical_error)))
+    return columns
+
+
+def _curves(held: Interval) -> list[Column]:
+    columns: list[Column] = [
+        ("curve", [held.curve[k] for k in held.curve_of]),
+        ("abscissa", _printed(held.x)),
+        ("nominal", _printed(held.curve_nominal)),
+    ]
+    for words, ends in (
+        ("hypotheses", held.curve_hypotheses),
+        ("95 % of tolerances", held.curve_tolerances),
+    ):
+        for place, end in enumerate(held.end):
+            columns.append((f"{words}, {end}", _printed(ends[:, place])))
+    return columns
+
+
+def _sensitivities(held: Interval) -> list[Column]:
+    pairs = [(k, p) for k in range(len(held.number)) for p in range(len(held.path))]
+    return [
+        ("number", [held.number[k] for k, _ in pairs]),
+        ("unit", [held.unit[k] for k, _ in pairs]),
+        ("by", [held.path[p] for _, p in pairs]),
+        ("derivative, by SI unit", _printed(held.derivative.ravel())),
+        ("relative derivative", _printed(held.elasticity.ravel())),
+        ("change over the range", _printed(held.range_effect.ravel())),
+    ]
+
+
+def _printed(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> list[str]:
+    return ["" if np.isnan(value) else f"{value:.7g}" for value in values]
+
+
+def keep(folder: Path, held: Mapping[str, Interval]) -> None:
+    """All intervals of a run in one file, by part."""
+    named = {f"{part}/{NAME}" if part else NAME: each for part, each in held.items()}
+    write_results(folder / FILE, named)
+
+
+def kept(folder: Path) -> dict[str, Interval]:
+    """The intervals in a results folder by part; none where it has none."""
+    if not (folder / FILE).exists():
+        return {}
+    groups = read_results(folder / FILE)
+    return {name.rpartition("/")[0]: restored_as(Interval, groups[name]) for name in groups}

@@ -1,0 +1,103 @@
+"""How sure the answers to a case are: the range of every headline number and curve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.kinds import Array
+
+Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+ENDS = ("lowest", "highest")
+NARROW = 1e-6  # relative width: nothing changes the number
+ALIKE = 0.05  # of the largest change of two numbers
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Interval:
+    """Ranges over hypotheses and over tolerances, and what rules them.
+
+    Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
+    over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
+    lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number when
+    one source goes to its end. ``interaction``: what two machines of which all tolerances are off
+    differ from the sum of effects, over the range. Curves stand one after the other (``point``).
+
+    ``without``: how many combinations have no such number, a stop that is not met, a bearing that
+    is unloaded; ``without_within``: how many of the machines solved within tolerances, one more
+    where a load would vanish within the range.
+    """
+
+    number: tuple[str, ...] = coordinate("number", unit="", label="number")
+    source: tuple[str, ...] = coordinate("source", unit="", label="uncertain number")
+    end: tuple[str, ...] = coordinate("end", unit="", label="end of the range")
+    combination: tuple[str, ...] = coordinate("combination", unit="", label="hypotheses")
+    path: tuple[str, ...] = coordinate("path", unit="", label="number of the case")
+    curve: tuple[str, ...] = coordinate("curve", unit="", label="curve")
+    unit: tuple[str, ...] = quantity("number", unit="", label="unit")
+    nominal: Array = quantity("number", unit="", label="nominal")
+    by_combination: Array = quantity("number", "combination", unit="", label="value")
+    hypotheses: Array = quantity("number", "end", unit="", label="over hypotheses")
+    tolerances: Array = quantity("number", "end", unit="", label="95 % of tolerances")
+    worst: Array = quantity("number", "end", unit="", label="worst case of tolerances")
+    effect: Array = quantity("number", "source", "end", unit="", label="effect")
+    interaction: Array = quantity("number", unit="1", label="not the sum of effects, over range")
+    without: Whole = quantity("number", unit="", label="combinations without it")
+    without_within: Whole = quantity(
+        "number", unit="", label="machines within tolerances without it"
+    )
+    numerical_error: Array = quantity("number", unit="1", label="numerical error")
+    tolerance: tuple[str, ...] = quantity("source", unit="", label="tolerance")
+    derivative: Array = quantity("number", "path", unit="", label="derivative, by SI unit")
+    elasticity: Array = quantity("number", "path", unit="1", label="relative derivative")
+    range_effect: Array = quantity("number", "path", unit="", label="κ, change over the range")
+    curve_of: Whole = quantity("point", unit="", label="curve it belongs to")
+    x: Array = quantity("point", unit="", label="abscissa")
+    curve_nominal: Array = quantity("point", unit="", label="nominal")
+    curve_hypotheses: Array = quantity("point", "end", unit="", label="over hypotheses")
+    curve_tolerances: Array = quantity("point", "end", unit="", label="95 % of tolerances")
+    runs: int = quantity(unit="", label="machines solved")
+    lost: str = quantity(unit="", label="why some of them have no solution")
+
+    def spread(self) -> Array:
+        """Largest relative width of either range of every number (numbers,)."""
+        size = np.abs(np.where(np.isnan(self.nominal), self.hypotheses[:, 1], self.nominal))
+        size = np.where(size == 0.0, 1.0, size)
+        widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
+        return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
+
+    def varying(self) -> list[int]:
+        """Numbers by how much they vary, the widest first; those that nothing changes left out."""
+        spread = self.spread()
+        return [int(k) for k in np.argsort(-spread, kind="stable") if spread[k] > NARROW]
+
+    def apart(self, order: Sequence[int]) -> list[int]:
+        """Of numbers that change by the same, such as both whirls of a mode, the first alone."""
+        kept: list[int] = []
+        for k in order:
+            if not any(self._alike(k, other) for other in kept):
+                kept.append(k)
+        return kept
+
+    def _alike(self, one: int, other: int) -> bool:
+        first, second = (
+            np.nan_to_num(np.append(self.effect[k], self.hypotheses[k] - self.nominal[k]))
+            for k in (one, other)
+        )
+        size = float(np.abs(first).max(initial=0.0))
+        apart = float(np.abs(first - second).max(initial=0.0))
+        return self.unit[one] == self.unit[other] and apart < ALIKE * size
+
+    def rows_of(self, curve: int) -> Whole:
+        """Points of a curve."""
+        return np.flatnonzero(self.curve_of == curve)
+
+    def ruling(self, number: int) -> list[tuple[str, float]]:
+        """Sources by the share of the range over tolerances that is theirs, largest first."""
+        widths = np.nan_to_num(np.abs(self.effect[number]).max(axis=1, initial=0.0)) ** 2
+        total = widths.sum()
+        order = np.argsort(-widths, kind="stable")
+        return [(self.source[k], float(widths[k] / total)) for k in order if total and widths[k]]

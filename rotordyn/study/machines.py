@@ -1,0 +1,79 @@
+"""The machines that an interval takes, solved for what has a range and nothing else.
+
+They are solved at few speeds: differences from the nominal machine at the same speeds are what is
+kept, and these vary slowly. What machines have in common is solved once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from bearings.errors import BearingError
+from rotordyn.analyses.registry import analysis
+from rotordyn.case.asked import certain
+from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at
+from rotordyn.case.vary import vary
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.job.solving import solve
+from rotordyn.job.values import Values, values_of
+from rotordyn.scene.stage import Memo
+
+MOST_SPEEDS = 9
+LATEST = 2  # values of a stage kept beside the first
+
+
+def lean(case: Case) -> Case:
+    """The case at few of its speeds, its analyses asked for what has a range alone."""
+    case = certain(case)
+    kept = {speed for name, spec in case.analyses.items() for speed in analysis(name).speeds(spec)}
+    speeds = np.array(case.speeds)
+    rows = {int(np.abs(speeds - speed).argmin()) for speed in kept}
+    rows |= {round(k) for k in np.linspace(0.0, len(speeds) - 1.0, min(MOST_SPEEDS, len(speeds)))}
+    specs = {name: analysis(name).lean(spec) for name, spec in case.analyses.items()}
+    return replace(case, speeds=tuple(case.speeds[k] for k in sorted(rows)), analyses=specs)
+
+
+@dataclass
+class Machines:
+    """Machines that differ from ``case`` by some values; ``lost``: why some have no solution."""
+
+    case: Case
+    solved: int = 0
+    lost: list[str] = field(default_factory=list)
+    _memo: Memo = field(default_factory=Memo)
+    _known: dict[str, Values] = field(default_factory=dict)
+
+    def values(self, changes: Mapping[str, Any]) -> Values:
+        """What the machine with other values at dotted paths comes to; one without a solution has
+        no numbers."""
+        changes = {path: value for path, value in changes.items() if self._other(path, value)}
+        key = repr(sorted(changes.items()))
+        if key not in self._known:
+            self._known[key] = self._solved(changes)
+        return self._known[key]
+
+    def _other(self, path: str, value: Any) -> bool:
+        """Whether a value at a path is not that of the case already."""
+        found = [held for held, _ in found_at(self.case, path)]
+        return any(type(held) is not type(value) or held != value for held in found)
+
+    def _solved(self, changes: Mapping[str, Any]) -> Values:
+        self.solved += 1
+        try:
+            case = vary(self.case, changes)
+            found = values_of(case, solve(case, memo=self._memo).results)
+        except (InvalidInput, BearingError, NoSolution) as error:
+            self.lost.append(str(error))
+            return Values(sentence=str(error))
+        for held in self._memo.values.values():
+            del held[1:-LATEST]
+        return found
+
+    def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
+        """The same of many."""
+        return [self.values(each) for each in changes]

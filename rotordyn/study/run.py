@@ -1,0 +1,40 @@
+"""A case solved, and on request how sure its results are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotordyn.analyses.solving import Progress
+from rotordyn.case.asked import asked_of
+from rotordyn.case.case import Case
+from rotordyn.job import results as job
+from rotordyn.job.results import SolvedResults
+
+
+def run(
+    case: Case, progress: Progress = lambda name: None, *, interval: bool = False
+) -> SolvedResults:
+    """Solve a case: every analysis that it asks for, of every variant that it compares.
+
+    ``progress`` is called with the name of each analysis as it begins, and of a long one with how
+    far it is. ``interval``: solve it over what is uncertain of it, too; what ``uncertain`` of the
+    case says, or what is usually uncertain.
+
+    Raises
+    ------
+    NoSolution : no speed of the case, or of any of its variants, has a physical solution
+    InvalidInput : what is uncertain contradicts the case
+    """
+    if not interval:
+        return job.run(case, progress)
+    from rotordyn.study.interval import interval as interval_of
+
+    if isinstance(case, Case):
+        for each in case.variants.values() if case.variants else (case,):
+            asked_of(each)
+    solution = job.run(case, progress).solution
+    held = {
+        name: interval_of(part, answers.results, progress)
+        for name, (part, answers) in solution.parts.items()
+    }
+    return SolvedResults(replace(solution, intervals=held))

@@ -1,0 +1,104 @@
+"""Derivatives of headline numbers by numbers of a case, one at a time.
+
+``derivative`` is that by the number itself, ``elasticity`` the relative change of the result over
+that of the number, ``over_range`` the linear change over a whole range: κ of D. Noël (doctoral
+thesis, 2013, equation 3.10).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.asked import Asked, certain, within_case
+from rotordyn.case.case import Case
+from rotordyn.case.tolerance import Tolerance
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.results.headline import Number
+from rotordyn.study.machines import Machines, lean
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+
+class Derivatives(NamedTuple):
+    """By number and path (numbers, paths); NaN where there is no number, or no range."""
+
+    derivative: Array
+    elasticity: Array
+    over_range: Array
+
+
+def derivatives(asked: Asked, machines: Machines, numbers: Mapping[str, Number]) -> Derivatives:
+    """Central differences by every path asked for."""
+    ranges = {each.path: each for each in asked.ranges}
+    columns = [_column(each, ranges.get(each.path), machines, numbers) for each in asked.steps]
+    table = np.array(columns).reshape(len(columns), 3, len(numbers))
+    return Derivatives(*(table[:, k].T for k in range(3)))
+
+
+def _column(
+    step: Tolerance, over: Tolerance | None, machines: Machines, numbers: Mapping[str, Number]
+) -> list[Array]:
+    low, high = (machines.values(step.at(end)).numbers for end in (0.0, 1.0))
+    change = np.array(
+        [high[k].value - low[k].value if k in low and k in high else np.nan for k in numbers]
+    )
+    value = np.array([each.value for each in numbers.values()])
+    slope = change / step.width
+    with np.errstate(divide="ignore", invalid="ignore"):
+        relative = slope * step.value / np.where(value == 0.0, np.nan, value)
+    return [slope, relative, slope * (np.nan if over is None else over.width)]
+
+
+def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -> xr.Dataset:
+    """Derivatives of every headline number of ``case`` by the numbers at dotted ``paths``.
+
+    ``paths`` may map each path to the range over which its influence is stated, as a tolerance:
+    ``{"spindle.sleeves.front.spring.preload": "± 10 %"}``. ``*`` moves all items together, by the
+    same share; the derivative is then by the first of them.
+
+    Returns
+    -------
+    Dataset over ``number`` and ``path``: ``derivative`` (printed unit over SI unit), ``elasticity``
+    (relative over relative), ``range_effect`` (printed unit; NaN without a range)
+
+    Raises
+    ------
+    InvalidInput : a path that leads nowhere, to no number or to zero; a range that is no tolerance
+    NoSolution : the machine has none
+    """
+    import xarray as xr
+
+    if not isinstance(case, Case):
+        raise InvalidInput(f"sensitivities take a case, as rotordyn.load gives it: {shown(case)}")
+    if isinstance(paths, str):
+        paths = [paths]
+    given: dict[str, Any] = dict(paths) if isinstance(paths, Mapping) else dict.fromkeys(paths)
+    asked = within_case(certain(case), given)
+    machines = Machines(lean(case))
+    numbers = machines.values({}).numbers
+    if not numbers:
+        raise InvalidInput(machines.lost[0] if machines.lost else "the case has no numbers")
+    found = derivatives(asked, machines, numbers)
+    dims = ("number", "path")
+    return xr.Dataset(
+        {
+            "derivative": (dims, found.derivative, {"long_name": "derivative, by SI unit"}),
+            "elasticity": (
+                dims,
+                found.elasticity,
+                {"long_name": "relative derivative", "units": "1"},
+            ),
+            "range_effect": (dims, found.over_range, {"long_name": "κ, change over the range"}),
+            "nominal": ("number", [each.value for each in numbers.values()]),
+            "unit": ("number", [each.unit for each in numbers.values()]),
+        },
+        {"number": [*numbers], "path": [*given]},
+    )

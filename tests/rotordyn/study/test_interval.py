@@ -1,0 +1,298 @@
+"""Ranges over what is uncertain: equal to single runs, honest about what they are."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.case.asked import asked_of
+from rotordyn.case.case import Case
+from rotordyn.case.uncertain import Uncertain
+from rotordyn.errors import InvalidInput
+from rotordyn.job.values import values_of
+from rotordyn.study import quantiles
+from rotordyn.study.interval import sampled
+from rotordyn.study.machines import Machines, lean
+
+KINEMATICS = ("outer", "hybrid", "inner", "geometric")
+SHARING = ("equal", "outer", "inner", "hybrid")
+SPRING = "spindle.sleeves.front.spring.preload"
+
+
+def _case(analyses: tuple[str, ...], rpm: tuple[float, ...], **uncertain: Any) -> Case:
+    whole = rotordyn.load("mfw2310")
+    specs = {name: whole.analyses[name] for name in analyses}
+    if "stiffness" in specs:
+        specs["stiffness"] = replace(specs["stiffness"], variants=("full",), second_stop={})
+    if "campbell" in specs:
+        specs["campbell"] = replace(specs["campbell"], max_frequency=2000.0)
+    speeds = tuple(math.pi / 30.0 * each for each in rpm)
+    return replace(whole, analyses=specs, speeds=speeds, uncertain=Uncertain(**uncertain))
+
+
+def test_combinations_are_what_single_runs_give() -> None:
+    """All 16 of kinematics and sharing, on the flagship."""
+    asked = {"kinematics": "all", "moment_sharing": "all"}
+    case = _case(("preload", "campbell", "stiffness"), (0.0, 24000.0), hypotheses=asked)
+    found = rotordyn.run(case, interval=True).interval
+    plain = replace(case, uncertain=None)
+    singles = []
+    for law, sharing in itertools.product(KINEMATICS, SHARING):
+        changes = {"conditions.kinematics": law, "conditions.moment_sharing": sharing}
+        other = rotordyn.vary(plain, changes)
+        numbers = values_of(other, rotordyn.run(other).parts[""].results).numbers
+        singles.append([numbers[str(name)].value for name in found.number.values])
+        column = found.by_combination.sel(combination=f"kinematics {law}, moment_sharing {sharing}")
+        np.testing.assert_allclose(column, singles[-1], rtol=1e-6)
+    assert len(singles) == found.sizes["combination"] == 16
+    known = np.isfinite(singles).any(axis=0)
+    for end, limit in (("lowest", np.nanmin), ("highest", np.nanmax)):
+        np.testing.assert_allclose(
+            found.hypotheses.sel(end=end)[known],
+            limit(np.array(singles)[:, known], axis=0),
+            rtol=1e-6,
+        )
+    assert found.without.values.tolist() == (np.isnan(singles).sum(axis=0) * known).tolist()
+    moved = np.ptp(found.hypotheses.values[known], axis=1) / found.nominal.values[known]
+    assert moved.max() > 0.2  # the choice matters
+
+
+def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
+    asked = {"moment_sharing": ("inner", "outer")}
+    widths = {SPRING: "± 10 %"}
+    rpm = tuple(np.linspace(0.0, 24000.0, 17))
+    case = _case(("preload", "campbell"), rpm, hypotheses=asked, tolerances=widths)
+    held = rotordyn.run(case, interval=True)._intervals[""]
+    row = held.number.index("preload: sum at 24000 rpm")
+    points = held.rows_of(next(k for k, c in enumerate(held.curve) if "sum of preloads" in c))
+    assert len(points) == 17
+    for ends, of_curve in (
+        (held.hypotheses, held.curve_hypotheses),
+        (held.tolerances, held.curve_tolerances),
+    ):
+        np.testing.assert_allclose(of_curve[points[-1]], ends[row], rtol=1e-9)
+    inside = held.curve_hypotheses[points]
+    assert (inside[:, 0] <= held.curve_nominal[points]).all()
+    assert (inside[:, 1] >= held.curve_nominal[points]).all()
+
+
+def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
+    asked = {"kinematics": "all", "moment_sharing": "all"}
+    still = _case(("preload",), (0.0,), hypotheses=asked)
+    assert asked_of(still).hypotheses == ()
+    frozen = rotordyn.vary(
+        _case(("preload",), (0.0, 24000.0), hypotheses=asked),
+        {"conditions.dynamics": "centrifugal"},
+    )
+    assert [each.name for each in asked_of(frozen).hypotheses] == ["kinematics"]
+
+
+def _effect(low: float, high: float, nominal: float = 0.5, levels: int = 0) -> quantiles.Effect:
+    share, change = np.array([0.0, nominal, 1.0]), np.array([[low], [0.0], [high]])
+    return quantiles.Effect(share, change, nominal, levels)
+
+
+def _range(*effects: quantiles.Effect) -> Any:
+    return quantiles.ranges(np.zeros(1), effects)
+
+
+def test_words_have_three_values_each_as_often() -> None:
+    drawn = _effect(-1.0, 2.0, levels=3).at((np.arange(300) + 0.5) / 300.0)[:, 0]
+    assert {*drawn.round(12)} == {-1.0, 0.0, 2.0}
+    assert np.mean(drawn) == pytest.approx(1.0 / 3.0)
+
+
+def test_a_kink_is_met_with_values_in_between() -> None:
+    """|x| over [−1, 1] through five points: evenly in [0, 1]."""
+    share = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+    effect = quantiles.Effect(share, np.abs(2.0 * share - 1.0)[:, None], 0.5)
+    np.testing.assert_allclose(_range(effect).usual, [[0.025, 0.975]], atol=0.03)
+
+
+def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
+    """Uniform within ± 1: one source covers ± 0.95; two equal ones ± (2 − √0.2), of a triangle
+    whose tail beyond x holds (2 − x)²/8; many a normal distribution."""
+    one = _range(_effect(-1.0, 1.0))
+    np.testing.assert_allclose(one.usual, [[-0.95, 0.95]], atol=2e-3)
+    two = _range(*[_effect(-1.0, 1.0)] * 2)
+    edge = 2.0 - math.sqrt(0.2)
+    np.testing.assert_allclose(two.usual, [[-edge, edge]], atol=0.01)
+    many = _range(*[_effect(-1.0, 1.0)] * 12)
+    np.testing.assert_allclose(many.usual[0, 1], 1.96 * math.sqrt(12.0 / 3.0), rtol=0.02)
+    np.testing.assert_allclose(many.worst, [[-12.0, 12.0]])
+
+
+def test_a_parabola_is_met_and_one_end_may_be_nominal() -> None:
+    """y = x² over x in [−1, 1], nominal 0: y lies evenly in √y, between 0.025² and 0.975²."""
+    square = _range(_effect(1.0, 1.0))
+    np.testing.assert_allclose(square.usual, [[0.025**2, 0.975**2]], atol=2e-3)
+    sided = _range(_effect(0.0, 2.0, nominal=0.0))
+    np.testing.assert_allclose(sided.usual, [[0.05, 1.95]], atol=4e-3)
+
+
+@pytest.mark.parametrize("power", [1.0, 1.5, 3.0, math.inf])
+def test_the_power_that_adds_up_is_found(power: float) -> None:
+    """Numbers (Σ x)^p, or e^(Σ x), of six sources: no interaction, and the quantiles are those of
+    the sum, which the power keeps in order."""
+
+    def of(total: Any) -> Any:
+        return np.exp(total) if math.isinf(power) else (2.0 + total) ** power
+
+    size, count = 0.3, 6
+    effects = [_effect(float(of(-size) - of(0.0)), float(of(size) - of(0.0)))] * count
+    share = quantiles.corner_shares(np.ones((1, count)), np.full(count, 0.5))
+    change = of(size * (2.0 * share - 1.0).sum(axis=1)) - of(0.0)
+    corners = quantiles.Corners(share, change[:, None])
+    found = quantiles.ranges(np.array([of(0.0)]), effects, corners)
+    drawn = np.random.default_rng(0).uniform(-size, size, (200_000, count)).sum(axis=1)
+    exact = np.percentile(of(drawn) - of(0.0), (2.5, 97.5))
+    np.testing.assert_allclose(found.usual[0], exact, atol=0.02 * np.ptp(exact))
+    assert found.interaction[0] < 0.02
+    if power != 1.0:
+        plain = quantiles.ranges(np.array([of(0.0)]), effects)  # which just adds changes up
+        assert np.abs(plain.usual[0] - exact).max() > np.abs(found.usual[0] - exact).max()
+
+
+def test_few_runs_cover_95_of_100_machines() -> None:
+    """Of 120 drawn within the tolerances 90 to 99 % lie in the range, all within the worst case."""
+    widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "+3/-2 deg"}
+    case = _case(("preload", "stiffness"), (0.0, 16000.0), tolerances=widths)
+    few = rotordyn.run(case, interval=True)._intervals[""]
+    machines = Machines(lean(case))
+    drawn = [machines.values(each) for each in sampled(asked_of(case).tolerances, 120, 2)]
+    for name in ("preload: sum at 16000 rpm", "stiffness: full at 16000 rpm"):
+        k = few.number.index(name)
+        values = np.array([each.numbers[name].value for each in drawn])
+        low, high = few.tolerances[k]
+        assert 0.90 <= np.mean((values >= low) & (values <= high)) <= 0.99
+        slack = 0.01 * (high - low)
+        assert (values >= few.worst[k, 0] - slack).all()
+        assert (values <= few.worst[k, 1] + slack).all()
+    asked = Uncertain(tolerances=widths, samples=40, seed=3)
+    again = rotordyn.run(replace(case, uncertain=asked), interval=True)._intervals[""]
+    assert again.runs >= few.runs + 40 - 2
+    inside = again.tolerances[k]
+    assert few.worst[k, 0] <= inside[0] < inside[1] <= few.worst[k, 1]
+
+
+def test_a_sample_is_the_same_again_and_within_its_tolerances() -> None:
+    widths = {SPRING: "500..600 N", "spindle.bearings.*.fits.taken": "least..most"}
+    case = replace(rotordyn.load("mfw2310"), uncertain=Uncertain(tolerances={SPRING: "500..600 N"}))
+    (given,) = asked_of(case).tolerances
+    once, again = (sampled([given], 32, 1) for _ in range(2))
+    assert once == again
+    values = sorted(each[SPRING] for each in once)
+    assert 500.0 <= values[0] < values[-1] <= 600.0
+    assert np.diff(values).max() < 2 * 100.0 / 32  # one in each of 32 parts
+    assert widths
+
+
+def test_what_rules_is_what_moves_most() -> None:
+    widths = {SPRING: "± 1 %", "spindle.bearings.*.model.contact_angle": "± 10 %"}
+    held = rotordyn.run(
+        _case(("stiffness",), (0.0, 24000.0), tolerances=widths), interval=True
+    )._intervals[""]
+    k = held.number.index("stiffness: full at 24000 rpm")
+    source, share = held.ruling(k)[0]
+    assert source.endswith("contact_angle")
+    assert share > 0.9
+
+
+def test_folder_keeps_the_interval(tmp_path: Path) -> None:
+    case = _case(
+        ("preload",),
+        (0.0, 24000.0),
+        hypotheses={"kinematics": ("outer", "hybrid")},
+        tolerances={SPRING: "± 10 %"},
+        sensitivities={SPRING: "± 10 %"},
+    )
+    results = rotordyn.run(case, interval=True)
+    folder = results.save(tmp_path / "sure", figures=False)
+    back = rotordyn.open(folder)
+    assert back.interval.equals(results.interval)
+    assert back.figures == results.figures
+    assert "interval_rules" in back.figures
+    assert {"interval.csv", "interval_effects.csv", "interval_hypotheses.csv"} <= {
+        path.name for path in folder.iterdir()
+    }
+    assert (folder / "sensitivities.csv").exists()
+    summary = (folder / "summary.txt").read_text(encoding="utf-8")
+    assert "2 combinations of hypotheses and 1 tolerances" in summary
+    assert max(map(len, summary.splitlines())) <= 100
+    for name in ("interval_rules", "interval_preload", "sensitivities"):
+        assert back.plot(name).axes
+
+
+def test_without_it_there_is_none() -> None:
+    results = rotordyn.run(_case(("preload",), (0.0,), as_usual=True))
+    with pytest.raises(InvalidInput, match="run the case with it"):
+        _ = results.interval
+
+
+def test_variants_have_their_own() -> None:
+    case = rotordyn.load("mfw2310_axial_cycle")
+    specs = {"preload": case.analyses["preload"]}
+    given = Uncertain(tolerances={SPRING: "± 10 %"})
+    small = {"analyses": specs, "speeds": (0.0, 1000.0)}
+    variants = {
+        name: replace(each, uncertain=given, **small) for name, each in case.variants.items()
+    }
+    case = replace(case, variants=variants, uncertain=given, **small)
+    results = rotordyn.run(case, interval=True)
+    assert list(results.intervals) == list(case.variants)
+    with pytest.raises(InvalidInput, match="each variant has its own"):
+        _ = results.interval
+
+
+def test_machines_without_a_solution_are_left_out_and_said() -> None:
+    case = _case(("preload",), (0.0, 24000.0), tolerances={SPRING: "± 10 %"})
+    machines = Machines(lean(case))
+    lost = machines.values({"spindle.bearings.*.model.balls": 400})
+    assert not lost.numbers
+    assert machines.lost == [lost.sentence]
+    assert machines.values({}).numbers
+
+
+def test_a_derivative_is_that_of_a_closed_form() -> None:
+    """A spring preload at rest is the preload: derivative 1 N/N by its own spring, the share of it
+    as elasticity; κ over ± 10 % is a fifth of it."""
+    case = _case(("preload",), (0.0,), as_usual=True)
+    found = rotordyn.sensitivities(case, {SPRING: "± 10 %"})
+    here = found.sel(number="preload: sum at 0 rpm", path=SPRING)
+    assert float(here.derivative) == pytest.approx(1.0, rel=1e-6)
+    assert float(here.elasticity) == pytest.approx(574.0 / 1102.0, rel=1e-6)
+    assert float(here.range_effect) == pytest.approx(114.8, rel=1e-6)
+    assert np.isnan(rotordyn.sensitivities(case, [SPRING]).range_effect).all()
+
+
+def test_hertz_gives_the_elasticity_of_a_single_bearing() -> None:
+    """Axial stiffness of a bearing at rest under light load goes with F^(1/3) nearly: the contact
+    angle changes a little."""
+    case = rotordyn.vary(rotordyn.load("vex70"), {"speeds": (0.0,)})
+    case = replace(case, variants={})
+    found = rotordyn.sensitivities(case, ["bearing.ball_diameter"])
+    assert np.isfinite(found.elasticity.values).any()
+
+
+@pytest.mark.parametrize(
+    ("paths", "sentence"),
+    [
+        (["spindle.sleeves.frnt.spring.preload"], "did you mean front"),
+        (["sleeves.front.spring.preload"], "did you mean spindle.sleeves"),
+        (["conditions.kinematics"], "two words"),
+        (["conditions.friction"], "infinite"),
+        (["conditions.axial_force"], "share of 0"),
+        ({SPRING: "± 1 mm"}, "not a unit of force"),
+    ],
+)
+def test_sensitivities_that_there_are_not(paths: Any, sentence: str) -> None:
+    case = _case(("preload",), (0.0,), as_usual=True)
+    with pytest.raises(InvalidInput, match=sentence):
+        rotordyn.sensitivities(case, paths)
