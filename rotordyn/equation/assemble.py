@@ -25,7 +25,7 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
-STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
+STIFF = 1e10  # of the softest mode's stiffness: links so stiff take ten of its digits
 
 
 def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
@@ -100,14 +100,14 @@ def assemble(
             stiffness += connections[-1].stiffness
             if damped.any():
                 damping += connections[-1].damping
+    whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
     allowed = _allowed(whole, connections)
-    return replace(
-        whole,
-        connections=tuple(connections),
-        loss=_loss(whole, connections),
-        allowed=allowed,
-        bodies=None if allowed is None else bodies,
-    )
+    if allowed is None:
+        return whole
+    if whole.isotropic:  # solved as one plane: the other has the same coordinates, not only as many
+        half = [n // 2 for n in allowed.shape]
+        allowed[half[0] :, half[1] :] = allowed[: half[0], : half[1]]
+    return replace(whole, allowed=allowed, bodies=bodies)
 
 
 def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:

@@ -40,6 +40,16 @@ def _study(case: Case, **how: Any) -> Any:
     return sweep(case, asked, analyses=["preload", "campbell"], **how)
 
 
+def same(one: Any, other: Any) -> None:
+    """Twelve digits: a process that solves many points takes the compiled solver of bearings."""
+    assert set(one.variables) == set(other.variables)
+    for name, values in one.variables.items():
+        if values.dtype.kind == "f":
+            np.testing.assert_allclose(values, other[name], rtol=1e-12, atol=1e-15)
+        else:
+            assert (values.values == other[name].values).all()
+
+
 def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
     found = _study(case, workers=1, results=["campbell"])
     case = restricted(case, ("preload", "campbell"))
@@ -61,7 +71,7 @@ def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
 
 def test_several_processes_give_the_same(case: Case) -> None:
     one, two = _study(case, workers=1), _study(case, workers=2)
-    assert one.drop_attrs().identical(two.drop_attrs())
+    same(one, two)
 
 
 def test_what_cannot_be_solved_is_nan_beside_its_sentence(case: Case) -> None:
@@ -133,7 +143,7 @@ def test_killed_processes_are_replaced(case: Case, tmp_path: Path) -> None:
     lines = (tmp_path / "s" / "points.jsonl").read_text().splitlines()[1:]
     assert sorted(json.loads(line)["point"] for line in lines) == list(range(24))
     alone = sweep(case, asked, analyses=["preload"], workers=1)
-    assert found.drop_attrs().identical(alone.drop_attrs())
+    same(found, alone)
 
 
 def test_too_many_killed_processes_are_no_endless_loop(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -142,7 +152,7 @@ def test_too_many_killed_processes_are_no_endless_loop(monkeypatch: pytest.Monke
         list(workers.solved_here(b"", [0, 1], 2))
 
 
-def _dies(packed: bytes, number: int, workers: int, points: int) -> Outcome:
+def _dies(task: Any, packed: bytes, number: int, workers: int, points: int) -> Outcome:
     os.kill(os.getpid(), signal.SIGKILL)
     return Outcome(number)
 
@@ -233,7 +243,7 @@ def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case) -> None:
         found = sweep(case, asked, analyses=["preload"], cluster=address, progress=progress)
     assert killed
     alone = sweep(case, asked, analyses=["preload"], workers=1)
-    assert found.drop_attrs().identical(alone.drop_attrs())
+    same(found, alone)
 
 
 def test_a_scheduler_that_is_not_there(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
