@@ -25,7 +25,7 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
-STIFF = 1e10  # of the softest mode's stiffness: links so stiff take ten of its digits
+STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
 
 
 def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
@@ -115,6 +115,9 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
     least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    damped = [*(c.damping for c in linear.components), *(c.damping for c in connections)]
+    if linear.loss is not None or any(each.any() for each in damped):
+        least = np.inf  # motions of damped systems would lose digits instead
     stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
     rigid = np.concatenate([none, *held])
