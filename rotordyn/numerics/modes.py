@@ -192,14 +192,8 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
 def _general(
     stiffness: Matrix, damping: Matrix, shape: tuple[int, ...]
 ) -> tuple[Complex, Complex, Complex, Array]:
-    """Poles, vectors, participations and the condition of the vectors, of any system.
-
-    Stiff coordinates stand first, as in ``conservative``.
-    """
+    """Poles, vectors, participations and the condition of the vectors, of any system."""
     n = shape[-1]
-    first = np.argsort(-np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1)).reshape(-1, n).max(0))
-    back, swapped = np.argsort(first), (first[:, None], first)
-    stiffness, damping = stiffness[..., *swapped], damping[..., *swapped]
     matrix = np.zeros((*shape[:-2], 2 * n, 2 * n), dtype=np.result_type(stiffness, damping))
     matrix[..., :n, n:] = np.eye(n)
     matrix[..., n:, :n] = -stiffness
@@ -207,10 +201,9 @@ def _general(
     scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
-    pairs = np.arange(2 * n).reshape(2, n).T.ravel()  # displacement and velocity of a coordinate
-    pole, vectors, left = _eigenpairs(matrix[..., pairs[:, None], pairs])
+    pole, vectors, left = _eigenpairs(matrix)
     condition = np.abs(left).sum(axis=-1).max(axis=-1)
-    return pole, vectors[..., 2 * back, :], left[..., 2 * back + 1] / scale, condition
+    return pole, vectors[..., :n, :], left[..., n:] / scale, condition
 
 
 def _of_weight(stiffness: Matrix) -> Matrix:
