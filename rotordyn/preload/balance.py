@@ -18,8 +18,6 @@ from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.equation.statics import PLANE, StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
-
-# HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.network import Network

@@ -13,6 +13,7 @@ from rotordyn.results.kinds import Array
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 ENDS = ("lowest", "highest")
 NARROW = 1e-6  # relative width: nothing changes the number
+ORDERED = 5  # decimals of the logarithm of a width by which numbers are put in order
 ALIKE = 0.05  # of the largest change of two numbers
 
 
@@ -70,9 +71,13 @@ class Interval:
         return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
 
     def varying(self) -> list[int]:
-        """Numbers by how much they vary, the widest first; those that nothing changes left out."""
+        """Numbers by how much they vary, the widest first; those that nothing changes left out.
+
+        Twins, such as both whirls of a mode at rest, stay in the order in which they are listed.
+        """
         spread = self.spread()
-        return [int(k) for k in np.argsort(-spread, kind="stable") if spread[k] > NARROW]
+        coarse = np.log(np.maximum(spread, NARROW)).round(ORDERED)  # rounding must not order twins
+        return [int(k) for k in np.argsort(-coarse, kind="stable") if spread[k] > NARROW]
 
     def apart(self, order: Sequence[int]) -> list[int]:
         """Of numbers that change by the same, such as both whirls of a mode, the first alone."""

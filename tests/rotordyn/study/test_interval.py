@@ -83,6 +83,20 @@ def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
     assert (inside[:, 1] >= held.curve_nominal[points]).all()
 
 
+def test_rounding_does_not_order_twins() -> None:
+    """Both whirls of a mode at rest have one frequency, which of them is named must not depend on
+    the last digit."""
+    case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True)._intervals[""]
+    order, rng = held.varying(), np.random.default_rng(7)
+    assert len(order) > 4
+    for _ in range(8):
+        digit = 1.0 + 1e-12 * rng.standard_normal((len(held.number), 1))
+        middle = held.nominal[:, None]
+        moved = replace(held, tolerances=middle + (held.tolerances - middle) * digit)
+        assert moved.varying() == order
+
+
 def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
     asked = {"kinematics": "all", "moment_sharing": "all"}
     still = _case(("preload",), (0.0,), hypotheses=asked)
