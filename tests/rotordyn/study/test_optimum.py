@@ -86,7 +86,7 @@ def test_brute_force_is_not_better(case: Case) -> None:
     found = optimise(case, choices, [goal], limits, trials=80, workers=1)
     grid = rotordyn.sweep(
         case,
-        {**choices, SPRING: Span("400 N", "2400 N", 41)},
+        {**choices, SPRING: Span("400 N", "2400 N", 17)},
         analyses=["preload"],
         results=["preload"],
         workers=1,
