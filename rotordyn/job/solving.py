@@ -70,7 +70,7 @@ def restricted(case: Case, only: tuple[str, ...]) -> Case:
     unknown = [name for name in only if name not in case.analyses]
     if unknown:
         known = ", ".join(case.analyses)
-        raise InvalidInput(f"--only {','.join(unknown)}: this case has the analyses {known}")
+        raise InvalidInput(f"--only {','.join(unknown):.200}: this case has the analyses {known}")
     return replace(
         case,
         analyses={n: s for n, s in case.analyses.items() if n in only},
