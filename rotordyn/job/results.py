@@ -19,7 +19,7 @@ from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
-from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.job.solving import restricted, solve, solve_variants, unsolved
 from rotordyn.markup import preformatted, table
 
 if TYPE_CHECKING:
@@ -415,7 +415,11 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
         parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
         lost = tuple(solved.failed.values())
     else:
-        parts = {"": (case, solve(case, progress))}
+        answers = solve(case, progress)
+        if answers.interrupted:
+            case = restricted(case, tuple(answers.results))
+            lost = (f"interrupted in {answers.interrupted}, before that was solved",)
+        parts = {"": (case, answers)}
     seconds = {"solve, all stages": time.perf_counter() - begin}
     return SolvedResults(Solution(case, parts, lost, seconds))
 

@@ -24,6 +24,7 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.allowance import require, require_memory
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
@@ -234,6 +235,8 @@ class Scene(Statics):
         state = State(*(each[chosen] for each in self.state[:3]))
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
+        size = sum(component.size for component in self.subsystems[k])
+        require_memory(f"{self.name_of(k)} system", len(state.speed), size)
         solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
@@ -249,7 +252,13 @@ class Scene(Statics):
             return self.systems[k].at(rows)
         key = k, b"" if rows is None else rows.tobytes()
         if key not in self._at_rows:
-            solve = partial(free_motions, self.linear(k, rows), self._ceiling)
+            linear = self.linear(k, rows)
+            require(
+                f"{self.name_of(k)} modes",
+                len(linear.speed) if "bending" in linear.motions else 1,
+                linear.size // 2 if linear.isotropic else linear.size,
+            )
+            solve = partial(free_motions, linear, self._ceiling)
             self._at_rows[key] = self.timed(f"{self.name_of(k)} modes", solve)
         return self._at_rows[key]
 
