@@ -102,7 +102,11 @@ def _add_supports(chance: random.Random, spindle: Mapping, length: float) -> Non
         if chance.random() < 0.1:
             support["rigid"] = chance.choice((["y", "z"], ["y"], ["x"], ["thy", "thz"]))
         else:
-            y = _decades(chance, 1e-15, 1e20) if chance.random() < 0.3 else _decades(chance, 1e4, 1e10)
+            y = (
+                _decades(chance, 1e-15, 1e20)
+                if chance.random() < 0.3
+                else _decades(chance, 1e4, 1e10)
+            )
             ratio = chance.choice((1.0, 1.0, 1.0 + 1e-12, 0.1, 1e-9, -1.0))
             support["stiffness"] = {"yy": f"{y:.6g} N/m", "zz": f"{y * ratio:.15g} N/m"}
             if chance.random() < 0.2:
@@ -198,13 +202,19 @@ def _analyses(chance: random.Random, spindle: Mapping) -> Mapping:
             "points": [point],
             "unbalances": [{"at": point, "unbalance": f"{_decades(chance, 1e-12, 1e3):.6g} kg m"}],
         },
-        "section_forces": {"loads": [{"at": point, "Fy": "1 kN", "Mx": chance.choice(("0 N m", "1 N m"))}]},
+        "section_forces": {
+            "loads": [{"at": point, "Fy": "1 kN", "Mx": chance.choice(("0 N m", "1 N m"))}]
+        },
         "static_sag": {"point": point},
     }
     if "bearings" in spindle:
         every |= {
             "preload": {},
-            "stiffness": {"point": point, "max_force": f"{_decades(chance, 1e-3, 1e7):.6g} N", "steps": 3},
+            "stiffness": {
+                "point": point,
+                "max_force": f"{_decades(chance, 1e-3, 1e7):.6g} N",
+                "steps": 3,
+            },
             "bearing_loads": {"loss_steps": 3},
         }
     names = chance.sample([*every], chance.choice((1, 1, 2, 3)))
