@@ -301,7 +301,7 @@ def _run(arguments: argparse.Namespace) -> int:
 
 def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
     """What a run may take, unless the user has said yes to more."""
-    from rotordyn.scene.allowance import LONGEST, within
+    from rotordyn.allowance import LONGEST, within
 
     if arguments.yes:
         return nullcontext()

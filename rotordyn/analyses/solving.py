@@ -62,8 +62,8 @@ def answer_spindle(
     ------
     NoSolution : no speed has a physical solution
     """
+    from rotordyn.allowance import limited
     from rotordyn.numerics.threads import linear_algebra_alone
-    from rotordyn.scene.allowance import limited
     from rotordyn.scene.plan import reasons, spared
     from rotordyn.scene.scene import Scene
 

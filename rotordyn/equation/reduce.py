@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_free_modes
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.threads import linear_algebra_alone
 
@@ -127,6 +128,7 @@ def _reduced(
             f"{below} modes and {ports.shape[1]} loads of a body of {size} DOF do not fit into "
             "memory; ask for lower frequencies or less accuracy, or join sections that are alike"
         )
+    require_free_modes(size, below + least if large else None)
     if not large:
         mass, stiffness = (m.toarray() if hasattr(m, "toarray") else m for m in (mass, stiffness))
     body = _Body.held(mass, stiffness, rigid)

@@ -42,7 +42,7 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     ------
     NoSolution : no variant has a physical solution at any speed
     """
-    from rotordyn.scene.allowance import limited
+    from rotordyn.allowance import limited
     from rotordyn.scene.stage import Memo
 
     solved = VariantAnswers({})

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_matrices, require_modes
 from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
@@ -24,7 +25,6 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.allowance import require, require_memory
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
@@ -236,7 +236,7 @@ class Scene(Statics):
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
         size = sum(component.size for component in self.subsystems[k])
-        require_memory(f"{self.name_of(k)} system", len(state.speed), size)
+        require_matrices(f"{self.name_of(k)} system", len(state.speed), size)
         solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
@@ -253,7 +253,7 @@ class Scene(Statics):
         key = k, b"" if rows is None else rows.tobytes()
         if key not in self._at_rows:
             linear = self.linear(k, rows)
-            require(
+            require_modes(
                 f"{self.name_of(k)} modes",
                 len(linear.speed) if "bending" in linear.motions else 1,
                 linear.size // 2 if linear.isotropic else linear.size,

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from rotordyn.scene.allowance import require_time
+from rotordyn.allowance import require_time
 
 T = TypeVar("T")
 Inputs = tuple[Any, ...]

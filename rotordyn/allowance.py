@@ -16,7 +16,9 @@ from rotordyn.errors import InvalidInput
 
 LONGEST = 120.0  # s, by estimate
 MOST_BYTES = 4e9
-EIGENPROBLEM = 3.5e-9  # s for each cubed row; LAPACK's of general matrices on one processor
+# Seconds on one processor of 2 GHz: eigenproblems of LAPACK, of general and of symmetric matrices,
+# for each cubed row; of ARPACK for each row and squared mode.
+GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
 ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
 MATRICES = 6  # stiffness, damping, and what their sums take
 REMEDY = "take fewer speeds, lower frequencies or fewer points, or say yes to that (--yes)"
@@ -48,30 +50,41 @@ def limited() -> bool:
     return _allowance.get() is not None
 
 
-def require(name: str, speeds: int, size: int) -> None:
-    """Raise InvalidInput where eigenproblems of ``size`` coordinates at so many speeds, beside what
-    has been spent, take more than is allowed."""
+def require_modes(name: str, speeds: int, size: int) -> None:
+    """Raise InvalidInput where eigenproblems of ``size`` coordinates at so many speeds take more
+    than is allowed."""
+    rows = 2 * size
+    seconds = GENERAL * float(rows) ** 3 * speeds
+    _require(
+        f"{name}: {speeds} eigenproblems of {rows} rows", seconds, 16.0 * ARRAYS * rows**2 * speeds
+    )
+
+
+def require_free_modes(size: int, count: int | None) -> None:
+    """The same of modes of a free body of ``size`` DOF, so many of them by Lanczos' method, or all
+    (None)."""
+    seconds = SYMMETRIC * float(size) ** 3 if count is None else SPARSE * float(count) ** 2 * size
+    many, wide = ("all", size) if count is None else (f"{count}", 3 * count)
+    what = f"reduction of a body: {many} modes of {size} DOF"
+    _require(what, seconds, 8.0 * ARRAYS * size * wide)
+
+
+def require_matrices(name: str, speeds: int, size: int) -> None:
+    """The same of matrices of ``size`` rows at so many speeds."""
+    what = f"{name}: matrices of {size} rows at {speeds} speeds"
+    _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
+
+
+def _require(what: str, seconds: float, memory: float) -> None:
     allowance = _allowance.get()
     if allowance is None:
         return
     left = allowance.until - time.perf_counter()
-    seconds = EIGENPROBLEM * (2.0 * size) ** 3 * speeds
-    memory = 16.0 * ARRAYS * (2.0 * size) ** 2 * speeds
     if seconds > left or memory > MOST_BYTES:
         raise InvalidInput(
-            f"{name}: {speeds} eigenproblems of {2 * size} rows take about {seconds:.3g} s and "
-            f"{memory / 1e9:.2g} GB; allowed: {allowance.seconds:g} s for the whole run, of which "
-            f"{max(left, 0.0):.0f} s are left, and {MOST_BYTES / 1e9:g} GB; {REMEDY}"
-        )
-
-
-def require_memory(name: str, speeds: int, size: int) -> None:
-    """Raise InvalidInput where matrices of ``size`` rows at so many speeds do not fit."""
-    memory = 8.0 * MATRICES * size**2 * speeds
-    if limited() and memory > MOST_BYTES:
-        raise InvalidInput(
-            f"{name}: matrices of {size} rows at {speeds} speeds take {memory / 1e9:.2g} GB; "
-            f"allowed: {MOST_BYTES / 1e9:g} GB; {REMEDY}"
+            f"{what} take about {seconds:.3g} s and {memory / 1e9:.2g} GB; allowed: "
+            f"{allowance.seconds:g} s for the whole run, of which {max(left, 0.0):.0f} s are left, "
+            f"and {MOST_BYTES / 1e9:g} GB; {REMEDY}"
         )
 
 
