@@ -122,7 +122,9 @@ def finite(value: object) -> TypeGuard[float]:
 
 def _number(value: Any) -> bool:
     fraction = isinstance(value, Rational) and not isinstance(value, Integral)
-    return not fraction and finite(value) and (value == 0.0 or 1.0 / MOST <= abs(value) <= MOST)
+    if fraction or not finite(value):
+        return False
+    return value == 0.0 or 1.0 / MOST <= abs(float(value)) <= MOST
 
 
 def _flag(value: Any) -> bool:

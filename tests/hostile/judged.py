@@ -115,11 +115,14 @@ def command(*words: object, then: Callable[[], str] = str) -> Callable[[], int]:
 
 
 def words_of_nan(folder: Path) -> str:
-    """What texts of a results folder say that is no number; empty where they say none."""
-    for path in sorted((*folder.glob("**/*.csv"), *folder.glob("**/summary.txt"))):
-        for line in path.read_text(encoding="utf-8").splitlines():
-            if found := _NAN.search(line):
-                return f"{path.name}: {found[0]} in {line[:200]!r}"
+    """What the summary in a results folder says that is no number; empty where it says none.
+
+    Tables have nan where there is nothing, and inf of a peak that nothing limits.
+    """
+    path = folder / "summary.txt"
+    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else ():
+        if found := _NAN.search(line):
+            return f"{path.name}: {found[0]} in {line[:200]!r}"
     return ""
 
 
