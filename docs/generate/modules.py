@@ -13,7 +13,7 @@ from docs.generate.places import ROOT, THEORY
 ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
-# Array types and checks of arguments, what a case specifies and how a result is reported need no theory.
+# Array types, checks, what a case specifies and how a result is reported need no theory.
 PLAIN = {
     "arguments",
     "arrays",
