@@ -15,9 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bearings.arguments import check_fields, checked
 from bearings.arrays import Array
 from bearings.contact.hertz import contact
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.materials import STEEL, Material
 
 
@@ -45,11 +46,12 @@ class LinearBallGuide:
     column_material: Material = STEEL
 
     def __post_init__(self) -> None:
+        check_fields(self)
         sizes = (self.ball_diameter, self.column_diameter)
         if not all(math.isfinite(size) and size > 0.0 for size in sizes):
             raise InvalidBearing(f"ball_diameter and column_diameter must be above 0, got {sizes}")
         if self.balls < 3 or self.balls != int(self.balls):
-            raise InvalidBearing(f"balls must be a whole number from 3 up, got {self.balls!r}")
+            raise InvalidBearing(f"balls must be a whole number from 3 up, got {shown(self.balls)}")
         if not abs(self.interference) < 0.1 * self.ball_diameter:
             raise InvalidBearing(
                 f"interference {self.interference * 1e6:g} µm must be far below the balls' "
@@ -73,12 +75,14 @@ class LinearBallGuide:
         """Radial stiffness at the centre, ¾ N K √s [N/m]; 0 with clearance."""
         return 0.75 * self.balls * self.contact_stiffness * math.sqrt(max(self.interference, 0.0))
 
+    @checked
     def force(self, displacement: Array | float) -> Array:
         """Radial force that moves the column by ``displacement`` [m], of its shape [N]."""
         cosine, pressed = self._pressed(displacement)
         force: Array = self.contact_stiffness * (pressed**1.5 * cosine).sum(axis=-1)
         return force
 
+    @checked
     def tangent(self, displacement: Array | float) -> Array:
         """dF/dδy at a displacement [m], of its shape [N/m]."""
         cosine, pressed = self._pressed(displacement)
@@ -86,6 +90,7 @@ class LinearBallGuide:
         tangent: Array = slope.sum(axis=-1)
         return tangent
 
+    @checked
     def linear_range(self, share: float = 0.01) -> float:
         """Displacement up to which F/δy is within ``share`` of the stiffness [m]; 0 with clearance.
 

@@ -30,10 +30,10 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import KW_ONLY, MISSING, dataclass, field, fields
 from itertools import chain
-from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any, ClassVar, TypeGuard
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from bearings.errors import InvalidBearing
+from bearings.arguments import finite
+from bearings.errors import InvalidBearing, shown
 from bearings.grooves import Grooves
 from bearings.materials import STEEL, Material
 
@@ -62,12 +62,12 @@ class Measure:
         """Why a field does not take a value; empty where it does."""
         if self.quantity == "material":
             taken = isinstance(value, Material)
-            return "" if taken else f"{name} must be a bearings.Material, got {value!r}"
-        if not _number(value):
-            return f"{name} must be a finite number, got {value!r:.60}"
+            return "" if taken else f"{name} must be a bearings.Material, got {shown(value)}"
+        if not finite(value):
+            return f"{name} must be a finite number, got {shown(value)}"
         number = float(value)
         if self.quantity == "count" and number != int(number):
-            return f"{name} must be a whole number from {self.low:g} up, got {value!r:.60}"
+            return f"{name} must be a whole number from {self.low:g} up, got {shown(value)}"
         above = number > self.low if self.open_low else number >= self.low
         if above and number <= self.high:
             return ""
@@ -178,7 +178,11 @@ class BallBearing:
 
     def drawn(self, name: str, value: float | None = None) -> str:
         """A field and its value, or another one, in the unit of drawings."""
+        if str(name) not in self.measures():
+            raise InvalidBearing(f"no field {shown(name)}: there are {', '.join(self.measures())}")
         value = getattr(self, name) if value is None else value
+        if not finite(value):
+            raise InvalidBearing(f"{name} must be a finite number, got {shown(value)}")
         return f"{name} {self.measures()[name].drawn(value)}"
 
     def _exactly_one(self, names: Sequence[str]) -> Iterator[str]:
@@ -316,9 +320,9 @@ class BallBearing:
         from bearings.ring.state import BearingState
 
         if start is not None and not isinstance(start, BearingState):
-            raise InvalidBearing(f"start must be a state of this bearing, got {start!r:.80}")
+            raise InvalidBearing(f"start must be a state of this bearing, got {shown(start)}")
         if not (compiled is None or isinstance(compiled, bool)):
-            raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
+            raise InvalidBearing(f"compiled must be True, False or None, got {shown(compiled)}")
         points = operation(
             self.grooves,
             Law(kinematics, moment_sharing, friction, dynamics),
@@ -333,13 +337,3 @@ class BallBearing:
         if points.shape == () and state.outcome:
             raise refusal(state)
         return state
-
-
-def _number(value: object) -> TypeGuard[float]:
-    """A finite real number."""
-    if isinstance(value, bool) or not isinstance(value, Real | Integral):
-        return False
-    try:
-        return math.isfinite(value)
-    except OverflowError:
-        return False

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.bearing import BallBearing
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
 from bearings.ring.operation import LARGEST
 
@@ -167,7 +167,7 @@ def race_weights(
     for name, value in (("size_ratio", size_ratio), ("inner", inner), ("outer", outer)):
         _check_positive(name, value)
     if size_ratio >= 1.0:
-        raise InvalidBearing(f"size_ratio D/dm must be below 1, got {size_ratio!r}")
+        raise InvalidBearing(f"size_ratio D/dm must be below 1, got {shown(size_ratio)}")
     _check_conformities(inner, outer)
     grooves = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)
     ratio = 1.04 * ((1.0 - size_ratio) / (1.0 + size_ratio)) ** 1.72 * grooves**0.41  # Ci/Ce
@@ -202,9 +202,11 @@ class RadialRing:
         for name in (f.name for f in fields(self) if f.name != "clearance"):
             _check_positive(name, getattr(self, name))
         if not _number(self.clearance):
-            raise InvalidBearing(f"clearance must be a finite length in m, got {self.clearance!r}")
+            raise InvalidBearing(
+                f"clearance must be a finite length in m, got {shown(self.clearance)}"
+            )
         if self.balls != int(self.balls):
-            raise InvalidBearing(f"balls must be a whole number, got {self.balls!r}")
+            raise InvalidBearing(f"balls must be a whole number, got {shown(self.balls)}")
         _check_conformities(self.inner_conformity, self.outer_conformity)
         if self.ball_diameter >= self.pitch_diameter:
             raise InvalidBearing("ball_diameter must be below pitch_diameter: is the unit right?")
@@ -278,7 +280,7 @@ def approximate(
         take, or a load at which x of the most loaded ball leaves 0.01 to 100
     """
     if not isinstance(ring, RadialRing | BallBearing):
-        raise InvalidBearing(f"ring must be a RadialRing or a bearing, got {ring!r:.80}")
+        raise InvalidBearing(f"ring must be a RadialRing or a bearing, got {shown(ring)}")
     ring = ring if isinstance(ring, RadialRing) else RadialRing.of(ring)
     _check_positive("load", load)
     _check_positive("speed", speed)
@@ -336,7 +338,7 @@ def _constants(
 
 def _check_positive(name: str, value: float) -> None:
     if not (_number(value) and value > 0.0):
-        raise InvalidBearing(f"{name} must be a finite number above zero, got {value!r:.80}")
+        raise InvalidBearing(f"{name} must be a finite number above zero, got {shown(value)}")
 
 
 def _check_conformities(inner: float, outer: float) -> None:
@@ -356,10 +358,10 @@ def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:
     try:
         array = np.asarray(values, float)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {values!r:.80}") from error
+        raise InvalidBearing(f"{name} must be numbers, got {shown(values)}") from error
     good = array > 0.0 if low is None else array >= low
     if not (np.isfinite(array) & good).all():
         least = "above zero" if low is None else f"from {low:g} up"
         least = "" if low == -math.inf else f" {least}"
-        raise InvalidBearing(f"{name} must be finite numbers{least}, got {values!r:.80}")
+        raise InvalidBearing(f"{name} must be finite numbers{least}, got {shown(values)}")
     return array

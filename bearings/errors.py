@@ -13,6 +13,15 @@ from functools import cached_property
 from typing import Any
 
 
+def shown(value: object, most: int = 60) -> str:
+    """A value as messages quote it: on one line of ``most`` characters."""
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:  # an integer of more digits than Python writes
+        text = f"a very large {type(value).__name__}"
+    return text if len(text) <= most else text[: most - 3] + "..."
+
+
 class BearingError(Exception):
     """Root of every error raised on purpose by ``bearings``."""
 

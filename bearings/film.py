@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array, Flags
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.ring.motion import contact_motion
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ class Film:
         return np.asarray(self.least / np.hypot(ball_roughness, race_roughness))
 
 
+@checked
 def hamrock_dowson(
     load: ArrayLike,
     entrainment: ArrayLike,
@@ -71,6 +73,7 @@ def hamrock_dowson(
     return np.where(some, least, 0.0), np.where(some, central, 0.0)
 
 
+@checked
 def inlet_heating(
     pressure: ArrayLike, modulus: float, loading: ArrayLike, slip: ArrayLike = 0.0
 ) -> Array:
@@ -83,6 +86,7 @@ def inlet_heating(
     return np.asarray(np.maximum(top, 0.0) / (1.0 + 0.213 * (1.0 + 2.23 * s**0.83) * heat**0.64))
 
 
+@checked
 def film(
     state: BearingState,
     lubricant: Lubricant,
@@ -104,7 +108,7 @@ def film(
     InvalidBearing : a factor outside 0 to 1
     """
     if not 0.0 < starvation <= 1.0:
-        raise InvalidBearing(f"starvation must lie above 0 up to 1, got {starvation!r}")
+        raise InvalidBearing(f"starvation must lie above 0 up to 1, got {shown(starvation)}")
     g, grooves = state.operation.geometry, state.operation.grooves
     compliance = grooves.ball_material.contact_compliance + grooves.ring_material.contact_compliance
     modulus = 2.0 / compliance

@@ -10,7 +10,8 @@ import re
 from bisect import bisect_left
 from typing import NamedTuple
 
-from bearings.errors import InvalidBearing
+from bearings.arguments import checked
+from bearings.errors import InvalidBearing, shown
 
 SIZES = (10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 180.0, 250.0)  # [mm], over … up to and including
 _IT = {  # µm, by size
@@ -64,6 +65,7 @@ class Interference(NamedTuple):
         return Interference(least, most, mean, (low - smoothing, high - smoothing))
 
 
+@checked
 def limits(tolerance: str, diameter: float) -> tuple[float, float]:
     """Lower and upper deviation [m] of a class such as ``"k5"`` (shaft) or ``"H6"`` (hole).
 
@@ -81,8 +83,8 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
     letter, grade = (word[1], int(word[2])) if word else ("", 0)
     if letter not in (*_SHAFTS, *_HOLES) or grade not in _IT:
         raise InvalidBearing(
-            f"unknown tolerance class {tolerance!r}: a letter of {', '.join(_SHAFTS)} (shafts) or "
-            f"{', '.join(_HOLES)} (holes) and a grade from 3 to 7, such as k5 or H6"
+            f"unknown tolerance class {shown(tolerance)}: a letter of {', '.join(_SHAFTS)} "
+            f"(shafts) or {', '.join(_HOLES)} (holes) and a grade from 3 to 7, such as k5 or H6"
         )
     row, width = _size(diameter), _IT[grade][_size(diameter)]
     if letter in ("k", "K") and grade < 4:
@@ -109,23 +111,26 @@ def _deviations(letter: str, grade: int, row: int, width: int) -> tuple[float, f
     return _BELOW[letter.lower()][row], _BELOW[letter.lower()][row] + width
 
 
+@checked
 def bearing_bore(diameter: float, grade: str = "normal") -> tuple[float, float]:
     """Lower and upper deviation of a bearing's bore [m], class ``"normal"`` or ``"P4"``."""
     if grade not in _BORE:
-        raise InvalidBearing(f"unknown class of a bearing {grade!r}: {', '.join(_BORE)}")
+        raise InvalidBearing(f"unknown class of a bearing {shown(grade)}: {', '.join(_BORE)}")
     return -_BORE[grade][_size(diameter)] * 1e-6, 0.0
 
 
+@checked
 def bearing_outside(diameter: float, grade: str = "P4") -> tuple[float, float]:
     """Lower and upper deviation of a bearing's outside diameter [m], class ``"P4"``."""
     if grade not in _OUTSIDE:
-        raise InvalidBearing(f"unknown class of a bearing {grade!r}: {', '.join(_OUTSIDE)}")
+        raise InvalidBearing(f"unknown class of a bearing {shown(grade)}: {', '.join(_OUTSIDE)}")
     size, table = diameter * 1e3, _OUTSIDE[grade]
     if not 18.0 < size <= 250.0:
         raise InvalidBearing(f"outside diameters are tabled from 18 to 250 mm: got {size:g} mm")
     return -next(value for most, value in table.items() if size <= most + 1e-9) * 1e-6, 0.0
 
 
+@checked
 def interference(shaft: tuple[float, float], bore: tuple[float, float]) -> Interference:
     """Of a shaft in a bore of the same nominal diameter, by the deviations of both [m]."""
     (s1, s2), (b1, b2) = shaft, bore
@@ -134,12 +139,14 @@ def interference(shaft: tuple[float, float], bore: tuple[float, float]) -> Inter
     return Interference(s1 - b2, s2 - b1, middle, (middle - half, middle + half))
 
 
+@checked
 def one_third(shaft: tuple[float, float], bore: tuple[float, float]) -> float:
     """Probable interference after NKE [m]: a third of each tolerance from the go side."""
     (s1, s2), (b1, b2) = shaft, bore
     return (s2 - _THIRD * (s2 - s1)) - (b1 + _THIRD * (b2 - b1))
 
 
+@checked
 def smoothing(shaft_roughness: float, bore_roughness: float, rule: str = "DIN 7190") -> float:
     """Interference lost to the roughness of both surfaces [m], on the diameter.
 
@@ -148,7 +155,7 @@ def smoothing(shaft_roughness: float, bore_roughness: float, rule: str = "DIN 71
     """
     factors = {"DIN 7190": 0.8, "NKE": 0.4}
     if rule not in factors:
-        raise InvalidBearing(f"unknown rule of smoothing {rule!r}: {', '.join(factors)}")
+        raise InvalidBearing(f"unknown rule of smoothing {shown(rule)}: {', '.join(factors)}")
     return factors[rule] * (shaft_roughness + bore_roughness)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from bearings.arrays import Array, Flags
 from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
-from bearings.errors import InvalidBearing, NoEquilibrium
+from bearings.errors import InvalidBearing, NoEquilibrium, shown
 from bearings.geometry import acting, geometry, groove_origin
 from bearings.ring.assembly import full_assembly
 from bearings.ring.equilibrium import one_by_one
@@ -63,7 +63,7 @@ class Follower:
     ) -> None:
         for given, kind in ((bearing, BallBearing), (law, Law)):
             if not isinstance(given, kind):
-                raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
+                raise InvalidBearing(f"a follower takes a {kind.__name__}, got {shown(given)}")
         static = finite("static_growth", static_growth, single=True)
         total = static if growth is None else finite("growth", growth, single=True)
         self._bearing = bearing

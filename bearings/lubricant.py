@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import check_fields, checked
 from bearings.arrays import Array
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 
 KELVIN = 273.15
 _SHIFT = 0.7  # mm²/s, of ASTM D341
@@ -38,10 +39,11 @@ class Lubricant:
     conductivity: float = 0.14
 
     def __post_init__(self) -> None:
+        check_fields(self)
         for name in ("viscosity_40", "viscosity_100", "density", "pressure_viscosity"):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
-                raise InvalidBearing(f"lubricant: {name} must be positive, got {value!r}")
+                raise InvalidBearing(f"lubricant: {name} must be positive, got {shown(value)}")
         if not self.viscosity_100 < self.viscosity_40:
             raise InvalidBearing(
                 f"lubricant: viscosity_100 {self.viscosity_100 * 1e6:g} mm²/s must be below "
@@ -53,16 +55,19 @@ class Lubricant:
                 f"{self.viscosity_100 * 1e6:g} mm²/s: is the unit right?"
             )
 
+    @checked
     def kinematic(self, celsius: ArrayLike) -> Array:
         """ν [m²/s] at a temperature [°C] after ASTM D341: log log(ν + 0.7) linear in log T."""
         slope, level = self._line()
         kelvin = np.asarray(celsius, float) + KELVIN
         return np.asarray(1e-6 * (10.0**10.0 ** (level - slope * np.log10(kelvin)) - _SHIFT))
 
+    @checked
     def dynamic(self, celsius: ArrayLike) -> Array:
         """η = ρ ν [Pa·s] at a temperature [°C]."""
         return np.asarray(self.density * self.kinematic(celsius))
 
+    @checked
     def thinning(self, celsius: ArrayLike) -> Array:
         """−d ln η/dT [1/K] at a temperature [°C]."""
         step = 0.01

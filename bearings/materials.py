@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from numbers import Real
+from typing import NoReturn
 
-from bearings.errors import InvalidBearing
+from bearings.arguments import finite
+from bearings.errors import InvalidBearing, shown
 
 RANGES = {"young_modulus": (1.0, 1e20), "density": (1e-12, 1e12)}  # [Pa], [kg/m³]
 LARGEST_EXPANSION = 1e-3  # [1/K], either way
@@ -37,29 +37,23 @@ class Material:
 
     def __post_init__(self) -> None:
         for key in ("young_modulus", "density", "poisson_ratio", "thermal_expansion"):
-            value = getattr(self, key)
-            if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
-                raise InvalidBearing(f"material {self.name}: {key} must be a number, got {value!r}")
+            if not finite(getattr(self, key)):
+                self._refuse(key, "be a number")
         for key, (low, high) in RANGES.items():
             value = getattr(self, key)
             if value <= 0.0:
-                raise InvalidBearing(f"material {self.name}: {key} must be positive, got {value!r}")
+                self._refuse(key, "be positive")
             if not low <= value <= high:
-                raise InvalidBearing(
-                    f"material {self.name}: {key} must lie between {low:g} and {high:g}, "
-                    f"got {value!r}"
-                )
+                self._refuse(key, f"lie between {low:g} and {high:g}")
         if not -1.0 < self.poisson_ratio < 0.5:
-            raise InvalidBearing(
-                f"material {self.name}: poisson_ratio must lie between -1 and 0.5, "
-                f"got {self.poisson_ratio!r}"
-            )
-
+            self._refuse("poisson_ratio", "lie between -1 and 0.5")
         if abs(self.thermal_expansion) > LARGEST_EXPANSION:
-            raise InvalidBearing(
-                f"material {self.name}: thermal_expansion must lie within "
-                f"±{LARGEST_EXPANSION:g}, got {self.thermal_expansion!r}"
-            )
+            self._refuse("thermal_expansion", f"lie within ±{LARGEST_EXPANSION:g}")
+
+    def _refuse(self, key: str, rule: str) -> NoReturn:
+        raise InvalidBearing(
+            f"material {str(self.name)[:60]}: {key} must {rule}, got {shown(getattr(self, key))}"
+        )
 
     @property
     def shear_modulus(self) -> float:

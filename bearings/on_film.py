@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.ball.balance import condensed, turning_balance
 from bearings.ball.law import STANDARD, Law
@@ -55,6 +56,7 @@ class OnFilm:
     stiffness: Array
 
 
+@checked
 def on_film(  # noqa: PLR0913 - all of it describes one question
     bearing: BallBearing,
     lubricant: Lubricant,
@@ -118,6 +120,7 @@ def _grown(state: BearingState, films: Film) -> tuple[Array, Array]:
     return np.where(known, radial, 0.0), np.where(known, axial, 0.0)
 
 
+@checked
 def softened(state: BearingState, films: Film) -> Array:
     """Tangent (…, 5, 5) of a state whose contacts have their films in series, at constant speed.
 

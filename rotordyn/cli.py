@@ -9,10 +9,10 @@ import signal
 import sys
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import rotordyn
 from bearings.errors import BearingError
@@ -108,31 +108,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rotordyn {rotordyn.__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    run = commands.add_parser("run", help="solve a case and write its results", epilog=EXIT_CODES)
-    run.add_argument("case", metavar="CASE", help=CASE)
-    run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
-    run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
-    run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
-    run.add_argument("--no-figures", action="store_true", help="write numbers and tables alone")
-    run.add_argument(
-        "--format", metavar="NAME,…", help="of figures: png (300 dpi, as without this), pdf, svg"
-    )
-    run.add_argument(
-        "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
-    )
-    run.add_argument(
-        "--interval",
-        action="store_true",
-        help="also the range of every result over what is uncertain of the case",
-    )
-    run.add_argument(
-        "--report", action="store_true", help="also write report.html, a page to hand on"
-    )
-    run.add_argument("--quiet", action="store_true", help="print nothing but errors")
-    run.add_argument(
-        "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
-    )
-    run.set_defaults(command=_run)
+    _add_run(commands)
     sweep = commands.add_parser(
         "sweep", help="solve a case at many points of what is varied in it", epilog=EXIT_CODES
     )
@@ -176,6 +152,38 @@ def _parser() -> argparse.ArgumentParser:
     schema.add_argument("file", metavar="FILE", nargs="?", default="case", help=FILE)
     schema.set_defaults(command=_schema)
     return parser
+
+
+def _add_run(commands: Any) -> None:
+    run = commands.add_parser("run", help="solve a case and write its results", epilog=EXIT_CODES)
+    run.add_argument("case", metavar="CASE", help=CASE)
+    run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
+    run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
+    run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
+    run.add_argument("--no-figures", action="store_true", help="write numbers and tables alone")
+    run.add_argument(
+        "--format", metavar="NAME,…", help="of figures: png (300 dpi, as without this), pdf, svg"
+    )
+    run.add_argument(
+        "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
+    )
+    run.add_argument(
+        "--interval",
+        action="store_true",
+        help="also the range of every result over what is uncertain of the case",
+    )
+    run.add_argument(
+        "--report", action="store_true", help="also write report.html, a page to hand on"
+    )
+    run.add_argument(
+        "--longest", type=float, metavar="S", help="seconds that it may take by estimate (120)"
+    )
+    run.add_argument("--yes", action="store_true", help="however long and large it is")
+    run.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    run.add_argument(
+        "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
+    )
+    run.set_defaults(command=_run)
 
 
 def _check(arguments: argparse.Namespace) -> int:
@@ -263,15 +271,16 @@ def _run(arguments: argparse.Namespace) -> int:
         def progress(name: str) -> None:  # speeds: how far the analysis before them is
             update(description=name, advance=0 if name.endswith(" speeds") else 1)
 
-        delivery = deliver(
-            case,
-            target,
-            progress,
-            figures=not arguments.no_figures,
-            formats=formats,
-            report=arguments.report,
-            solve=partial(run, interval=arguments.interval),
-        )
+        with _limited(arguments):
+            delivery = deliver(
+                case,
+                target,
+                progress,
+                figures=not arguments.no_figures,
+                formats=formats,
+                report=arguments.report,
+                solve=partial(run, interval=arguments.interval),
+            )
     if not arguments.quiet:
         _say(delivery.summary)
         _say(f"results in {delivery.folder}")
@@ -284,8 +293,22 @@ def _run(arguments: argparse.Namespace) -> int:
         _say(delivery.plan)
     if delivery.unsolved:
         _complain(f"not solved: {delivery.unsolved[0]}")
+        if "interrupted" in delivery.unsolved[0]:
+            return 130
         return 3 if arguments.strict else 0
     return 0
+
+
+def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
+    """What a run may take, unless the user has said yes to more."""
+    from rotordyn.allowance import LONGEST, within
+
+    if arguments.yes:
+        return nullcontext()
+    seconds = LONGEST if arguments.longest is None else arguments.longest
+    if not seconds > 0.0:
+        raise InvalidInput(f"--longest {seconds:g}: allowed are seconds above 0")
+    return within(seconds)
 
 
 def _sweep(arguments: argparse.Namespace) -> int:

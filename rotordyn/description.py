@@ -79,7 +79,7 @@ class Description:
 
     def _called(self) -> str:
         name, kind = getattr(self, "name", ""), type(self).__name__
-        return f"{kind} {name}" if isinstance(name, str) and name else kind
+        return f"{kind} {name:.60}" if isinstance(name, str) and name else kind
 
 
 def require(description: Description, faults: Faults) -> None:

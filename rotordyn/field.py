@@ -16,6 +16,7 @@ from functools import cache
 from numbers import Integral, Real
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
+from bearings import errors
 from rotordyn.errors import InvalidInput
 from rotordyn.measures import meaning_of, measured_fields
 from rotordyn.quantity import Choice, Key, Quantity, Words
@@ -214,7 +215,8 @@ def _row(inner: tuple[Any, ...]) -> Check:
     checks = [check_of(member) for member in inner if member is not ...]
 
     def row(value: Any) -> tuple[Any, ...]:
-        if isinstance(value, str | bytes | Mapping) or not isinstance(value, Iterable):
+        scalar = getattr(value, "ndim", 1) == 0  # of numpy, which calls it iterable
+        if scalar or isinstance(value, str | bytes | Mapping) or not isinstance(value, Iterable):
             raise Refused(_kind_wanted(value, "a tuple"))
         items = tuple(value)
         if not endless and len(items) != len(checks):
@@ -247,7 +249,10 @@ def _number(value: Any) -> float:
         raise Refused(_kind_wanted(value, "a number in SI units"))
     if value != value:
         raise Refused("not a number: given nan; allowed: a number in SI units")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise Refused(f"too large: given {shown(value)}; allowed: up to 1e308") from None
 
 
 def _finite(value: Any) -> float:
@@ -295,8 +300,7 @@ def shown(value: object) -> str:
     """A value as quoted in a message, cut to a readable length."""
     if is_dataclass(value) and not isinstance(value, type):
         return f"a {type(value).__name__}"
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 40 else text[:37] + "..."
+    return errors.shown(value, 40)
 
 
 def descriptions(annotation: Any) -> Iterator[type]:

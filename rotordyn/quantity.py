@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated
 
+from bearings import errors
 from rotordyn import units
 from rotordyn.errors import InvalidInput
 
-NAME = re.compile(r"[^\W\d][\w \-]*")
+NAME = re.compile(r"[^\W\d][\w \-]{0,199}")
 
 
 @dataclass(frozen=True)
@@ -129,11 +130,11 @@ class Choice:
 
     def refusal(self, value: object, given: str = "") -> str:
         """Why ``value``, written as ``given``, is not taken; empty where it is."""
-        if any(value == word and type(value) is type(word) for word in self.allowed):
+        if any(type(value) is type(word) and value == word for word in self.allowed):
             return ""
         words = [str(word) or '""' for word in self.allowed]
         hint = suggestion(value, words)
-        shown = given or repr(value)
+        shown = given or errors.shown(value)
         return f"not one of its choices: given {shown}; allowed: {', '.join(words)}{hint}"
 
     def read(self, given: object) -> object:
@@ -181,7 +182,7 @@ class Named:
         parts = value.split(".", 1) if self.dotted else [value]
         if all(NAME.fullmatch(part) for part in parts) or (self.optional and not value):
             return ""
-        shown = given or repr(value)
+        shown = given or errors.shown(value)
         if self.dotted:
             return f"no name of a point: given {shown}; allowed: POINT, or ROTOR.POINT"
         return f"not a name: given {shown}; allowed: a letter, then letters, digits, _, -"
@@ -220,11 +221,14 @@ class Words:
 
     def refusal(self, value: object, given: str = "") -> str:
         """Why ``value``, written as ``given``, is not taken; empty where it is."""
-        if value == self.silent or any(value == meant for _, meant in self.values):
+        known = (self.silent, *(meant for _, meant in self.values))
+        if isinstance(value, str | int | float | tuple | None) and value in known:
             return ""
         words = ", ".join(word for word, _ in self.values)
         hint = suggestion(value, [word for word, _ in self.values])
-        return f"not one of its choices: given {given or repr(value)}; allowed: {words}{hint}"
+        return (
+            f"not one of its choices: given {given or errors.shown(value)}; allowed: {words}{hint}"
+        )
 
     def read(self, given: object) -> object:
         """The value that a word stands for; raises InvalidInput."""

@@ -113,9 +113,11 @@ def parse(given: object, kind: str) -> float:
     ``kind`` is a key of ``KINDS``. Raises InvalidInput with a sentence that names what was given
     and what is allowed: no number, no unit, an unknown one, one of another kind, not finite.
     """
+    if str(kind) not in KINDS:
+        raise InvalidInput(f"no kind of quantity: given {shown(kind)}; allowed: {', '.join(KINDS)}")
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         raise InvalidInput(f"expected {kind}: given {shown(given)}; {_allowed(kind)}")
-    match = _NUMBER.fullmatch(str(given))
+    match = _NUMBER.fullmatch(written(given))
     if match is None:
         raise InvalidInput(f"not a finite number: given {shown(given)}; {_allowed(kind)}")
     mantissa, exponent, text = match.groups()
@@ -258,6 +260,14 @@ def _hint(text: str, kind: str) -> str:
     return f" (did you mean {units[close[0]]}?)" if close else ""
 
 
+def written(given: object) -> str:
+    """A value as text, which Python refuses for integers of thousands of digits."""
+    try:
+        return given if isinstance(given, str) else " ".join(str(given).split())
+    except ValueError:
+        return "a very large number"
+
+
 def shown(given: object) -> str:
     """A value as quoted in a message, cut to a readable length."""
     if given is None:
@@ -266,5 +276,5 @@ def shown(given: object) -> str:
         return "a mapping"
     if isinstance(given, list | tuple):
         return "a list"
-    text = str(given).lower() if isinstance(given, bool) else str(given)
+    text = str(given).lower() if isinstance(given, bool) else written(given)
     return f"'{text if len(text) <= 40 else text[:37] + '...'}'"

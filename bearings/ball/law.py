@@ -5,10 +5,10 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
-from numbers import Real
 from typing import NamedTuple
 
-from bearings.errors import InvalidBearing
+from bearings.arguments import finite
+from bearings.errors import InvalidBearing, shown
 
 # The numbers of hypotheses and sharings in compiled code are their places here.
 KINEMATICS = ("hybrid", "outer", "inner", "geometric")
@@ -58,8 +58,10 @@ class Law:
         mu: object = self.friction
         if mu is None:
             return
-        if isinstance(mu, bool) or not isinstance(mu, Real) or not 1e-6 <= float(mu) <= 1e6:
-            raise InvalidBearing(f"friction must be a number from 1e-6 to 1e6 or None, got {mu!r}")
+        if not (finite(mu) and 1e-6 <= mu <= 1e6):
+            raise InvalidBearing(
+                f"friction must be a number from 1e-6 to 1e6 or None, got {shown(mu)}"
+            )
 
     @property
     def numbers(self) -> LawNumbers:
@@ -85,7 +87,7 @@ def check_name(what: str, name: object, known: Iterable[str]) -> None:
         return
     close = difflib.get_close_matches(str(name), known, n=1)
     hint = f" (did you mean {close[0]!r}?)" if close else ""
-    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {shown(name)}{hint}")
 
 
 STANDARD = Law()

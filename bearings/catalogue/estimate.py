@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.catalogue.consistency import refuse_contradictions
 from bearings.catalogue.pair import axial_law, pair_values
@@ -124,6 +125,7 @@ class EstimatedBearing(AngularContactBallBearing):
         return Insides(**values, contact_angle=float(self.contact_angle))
 
 
+@checked
 def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
     *,
     bore: float,

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import NamedTuple
 
+from bearings.arguments import check_fields
 from bearings.bearing import (
     BALL_DIAMETER,
     BALLS,
@@ -81,6 +82,7 @@ class Catalogue:
     outer_conformity: float | None = measured(CONFORMITY, None)
 
     def __post_init__(self) -> None:
+        check_fields(self)
         for fault in self.faults():
             raise InvalidBearing(fault)
 
@@ -100,7 +102,7 @@ class Catalogue:
             good = all(v is None or (math.isfinite(v) and v > 0.0) for v in values)
             if not good or (name == "preloads" and None in values):
                 yield f"{name} must be positive numbers [{unit}], got {list(values)}"
-            elif name != "preloads" and values and len(values) != len(self.preloads):
+            elif name != "preloads" and len(values) and len(values) != len(self.preloads):
                 yield (
                     f"{name} must be one for each of preloads: given {len(values)} for "
                     f"{len(self.preloads)}"

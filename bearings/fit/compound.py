@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bearings.arrays import Array, Flags
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.fit.cylinder import (
     AXIAL_CONDITIONS,
     Cylinder,
@@ -161,7 +161,7 @@ def _checked(
 ) -> tuple[tuple[Cylinder, ...], Array]:
     stack, overlap = tuple(bodies), np.atleast_1d(np.asarray(interference, float))
     if axial not in AXIAL_CONDITIONS:
-        raise InvalidBearing(f"axial must be one of {AXIAL_CONDITIONS}, got {axial!r}")
+        raise InvalidBearing(f"axial must be one of {AXIAL_CONDITIONS}, got {shown(axial)}")
     if not stack:
         raise InvalidBearing("a stack needs at least one cylinder")
     if overlap.shape != (len(stack) - 1,) or not np.isfinite(overlap).all():

@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from bearings.arguments import checked, finite
 from bearings.arrays import Array, Flags
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.ring.motion import contact_motion
 from bearings.ring.truncation import half_axes
 
@@ -63,6 +64,7 @@ class Contacts(NamedTuple):
     creep: Array
 
 
+@checked
 def sliding(state: BearingState, friction: float) -> Sliding:
     """Power lost by sliding in every contact, ``friction`` μ of the lubricated contact.
 
@@ -70,8 +72,8 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     ------
     InvalidBearing : a friction that is not positive
     """
-    if not (np.isfinite(friction) and friction > 0.0):
-        raise InvalidBearing(f"friction of a contact must be positive, got {friction!r}")
+    if not (finite(friction) and friction > 0.0):
+        raise InvalidBearing(f"friction of a contact must be positive, got {shown(friction)}")
     g, alike = state.operation.geometry, bool(state.operation.axial.all())
     split, few = len(g.inner_grooves), slice(1) if alike else slice(None)
     load = np.asarray(state.contact_load)[..., few, :]
@@ -116,6 +118,7 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     )
 
 
+@checked
 def spin_moment(state: BearingState, friction: float) -> Array:
     """Ms = 3/8 μ Q a E(1 − b²/a²) of every contact (…, balls, contacts) [N·m], exact for Coulomb
     friction under Hertz' pressure that spin alone drives."""

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.life.rating import is_thrust, nominal_angle, static_rating
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ _Y0 = np.array(  # contact angle [deg], Y0 of ISO 76
 )
 
 
+@checked
 def viscous_moment(
     pitch_diameter: ArrayLike, viscosity: ArrayLike, speed: ArrayLike, oil_factor: float
 ) -> Array:
@@ -41,7 +43,7 @@ def viscous_moment(
     InvalidBearing : a factor that is not positive
     """
     if not oil_factor > 0.0:
-        raise InvalidBearing(f"oil_factor must be positive, got {oil_factor!r}")
+        raise InvalidBearing(f"oil_factor must be positive, got {shown(oil_factor)}")
     rpm = np.abs(np.asarray(speed, float)) * 30.0 / np.pi
     product = np.asarray(viscosity, float) * 1e6 * rpm
     size = (np.asarray(pitch_diameter, float) * 1e3) ** 3
@@ -50,6 +52,7 @@ def viscous_moment(
     return np.asarray(1e-3 * np.where(product >= _SLOW, fast, slow))
 
 
+@checked
 def load_moment(state: BearingState, static_rating_: float | None = None) -> Array:
     """M1 = f1 P1 dm [N·m], f1 = z (P0/C0)^y, of the load on the ring (…).
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from bearings.arrays import Array, Flags, Words
 from bearings.ball.law import STANDARD, Law
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.heat.temperature import (
     Conductances,
     Surroundings,
@@ -90,7 +90,7 @@ def heated(
     given = (np.atleast_1d(np.asarray(each, float)) for each in (speed, preload))
     omega, force = np.broadcast_arrays(*given)
     if not (force > 0.0).all():
-        raise InvalidBearing(f"preload must be positive, got {preload!r}")
+        raise InvalidBearing(f"preload must be positive, got {shown(preload)}")
     hold = _held(bearing, mounting, force)
     last: BearingState | None = None
 
@@ -124,7 +124,9 @@ def speed_limit(
     InvalidBearing : as of ``heated``; a fastest speed that is not above the slowest one
     """
     if not (np.asarray(fastest) > np.asarray(slowest)).all():
-        raise InvalidBearing(f"fastest must be a speed above {slowest!r} rad/s, got {fastest!r}")
+        raise InvalidBearing(
+            f"fastest must be a speed above {shown(slowest)} rad/s, got {shown(fastest)}"
+        )
     force = np.atleast_1d(np.asarray(preload, float))
 
     def settles(speed: Array) -> Flags:

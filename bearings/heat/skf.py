@@ -11,8 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 
 FASTEST = 0.8e6  # n·dm [rpm·mm]
 REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oil-air": 6e-8}
@@ -53,7 +54,7 @@ def starvation(
 ) -> Array:
     """φrs = exp(−Krs ν n (d + D) (KZ/(2 (D − d)))^0.5); ``supply`` a word of ``REPLENISHMENT``."""
     if supply not in REPLENISHMENT:
-        raise InvalidBearing(f"unknown supply {supply!r}: {', '.join(REPLENISHMENT)}")
+        raise InvalidBearing(f"unknown supply {shown(supply)}: {', '.join(REPLENISHMENT)}")
     flow = _rpm(speed) * np.asarray(viscosity, float) * 1e6 * (bore + outside) * 1e3
     shape = np.sqrt(geometry / (2.0 * (outside - bore) * 1e3))
     return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * shape))
@@ -65,6 +66,7 @@ def rolling_moment(factor: ArrayLike, viscosity: ArrayLike, speed: ArrayLike) ->
     return np.asarray(1e-3 * np.asarray(factor, float) * product**0.6)
 
 
+@checked
 def skf_moment(
     *,
     radial: ArrayLike,

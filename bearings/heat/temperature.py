@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from bearings.arguments import checked
 from bearings.arrays import Array, Flags, Words
 from bearings.errors import InvalidBearing
 
@@ -177,6 +178,7 @@ def parts(lost: Losses) -> Array:
     return np.stack([lost.inner, lost.outer, lost.viscous], axis=-1)
 
 
+@checked
 def thermal_growth(bearing: BallBearing, temperature: Array) -> Array:
     """Radial growth (…) of inner against outer groove [m] at ``temperature`` (…, 3) of balls, inner
     and outer ring [°C], the balls' own in it: a bearing of one material that warms evenly keeps its

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array, Flags
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.heat.ellipse import sliding
 from bearings.heat.moments import load_moment, viscous_moment
 
@@ -43,6 +44,7 @@ class Losses:
         return self.inner + self.outer + self.viscous
 
 
+@checked
 def losses(
     state: BearingState,
     lubricant: Lubricant,
@@ -68,7 +70,7 @@ def losses(
     InvalidBearing : an unknown model, factors that are not positive
     """
     if model not in MODELS:
-        raise InvalidBearing(f"unknown model of losses {model!r}: {', '.join(MODELS)}")
+        raise InvalidBearing(f"unknown model of losses {shown(model)}: {', '.join(MODELS)}")
     speed, g = np.asarray(state.speed), state.operation.geometry
     viscosity = lubricant.kinematic(temperature)
     viscous = viscous_moment(g.pitch_diameter, viscosity, speed, oil_factor) * speed

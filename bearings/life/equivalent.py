@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 
 # 15°: i Fa/C0, e and Y of ISO 281; X 0.44 (SNFA's and GMN's catalogues print the same).
 _SHALLOW = np.array(
@@ -32,13 +33,15 @@ _STEEP |= {35: (0.95, 0.37, 0.66), 40: (1.14, 0.35, 0.57), 45: (1.34, 0.33, 0.50
 _STATIC = {5: 0.52, 10: 0.50, 15: 0.46, 20: 0.42, 25: 0.38, 30: 0.33, 35: 0.29, 40: 0.26, 45: 0.22}
 
 
+@checked
 def pair_rating(single: float, rows: int) -> float:
     """C of ``rows`` alike bearings that share the load, i^0.7 C1 [N]; catalogues print C1."""
     if rows < 1:
-        raise InvalidBearing(f"rows must be at least 1, got {rows!r}")
+        raise InvalidBearing(f"rows must be at least 1, got {shown(rows)}")
     return float(rows**0.7 * single)
 
 
+@checked
 def dynamic_load(
     radial: ArrayLike, axial: ArrayLike, contact_angle: float, axial_over_static: ArrayLike = 0.0
 ) -> Array:
@@ -67,6 +70,7 @@ def dynamic_load(
     return np.asarray(np.where(fa > e * fr, x * fr + y * fa, fr))
 
 
+@checked
 def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float) -> Array:
     """P0 = max(0.5 Fr + Y0 Fa, Fr) of a single-row angular-contact bearing [N].
 
@@ -79,6 +83,7 @@ def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float)
     return np.asarray(np.maximum(0.5 * fr + _STATIC[degrees] * fa, fr))
 
 
+@checked
 def basic_life(rating: ArrayLike, load: ArrayLike) -> Array:
     """L10 = (C/P)³ million revolutions, in revolutions."""
     with np.errstate(divide="ignore"):

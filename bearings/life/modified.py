@@ -11,8 +11,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
 MOST = 50.0  # a_ISO
@@ -23,6 +24,7 @@ _SLOPE = 10.0 / 9.0
 _BALLS_PER_LIMIT = 22.0  # C0/Cu of ball bearings
 
 
+@checked
 def reliability_factor(reliability: float) -> float:
     """a1 of 90, 95, 96, 97, 98 or 99 % (ISO 281:2007; GMN prints the same).
 
@@ -37,6 +39,7 @@ def reliability_factor(reliability: float) -> float:
     return _RELIABILITY[key]
 
 
+@checked
 def temperature_factor(celsius: float) -> float:
     """Factor on C at a bearing temperature [°C], from 1 at 150 to 0.22 at 300 °C.
 
@@ -49,6 +52,7 @@ def temperature_factor(celsius: float) -> float:
     return float(np.interp(celsius, [t for t, _ in _HOT], [factor for _, factor in _HOT]))
 
 
+@checked
 def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Array:
     """ν1 [m²/s] that a bearing needs at ``speed`` [rad/s]; infinite at rest.
 
@@ -60,17 +64,20 @@ def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Array:
         return np.asarray(1e-6 * np.where(rpm < 1000.0, slow, 4500.0 * (rpm * size) ** -0.5))
 
 
+@checked
 def viscosity_ratio(viscosity: ArrayLike, speed: ArrayLike, pitch_diameter: float) -> Array:
     """κ = ν/ν1 of a kinematic ``viscosity`` [m²/s] at work; 0 at rest."""
     return np.asarray(np.asarray(viscosity, float) / reference_viscosity(speed, pitch_diameter))
 
 
+@checked
 def fatigue_load_limit(static_rating: float, pitch_diameter: float) -> float:
     """Cu of a ball bearing [N]: C0/22, above a pitch diameter of 100 mm times (0.1/dm)^0.5."""
     size = 1.0 if pitch_diameter <= 0.1 else math.sqrt(0.1 / pitch_diameter)
     return static_rating / _BALLS_PER_LIMIT * size
 
 
+@checked
 def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: ArrayLike) -> Array:
     """a_ISO of a radial ball bearing, at most 50; NaN below κ = 0.1, where it is not defined.
 
@@ -85,7 +92,9 @@ def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: Arra
     InvalidBearing : a contamination factor outside 0 to 1
     """
     if not 0.0 <= contamination <= 1.0:
-        raise InvalidBearing(f"the contamination factor eC lies from 0 to 1, got {contamination!r}")
+        raise InvalidBearing(
+            f"the contamination factor eC lies from 0 to 1, got {shown(contamination)}"
+        )
     k, p = np.broadcast_arrays(np.asarray(kappa, float), np.asarray(load, float))
     used = np.clip(k, LOWEST_KAPPA, HIGHEST_KAPPA)
     first = np.where(used < _KAPPA[0][0], 0, np.where(used < _KAPPA[1][0], 1, 2))
@@ -99,6 +108,7 @@ def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: Arra
     return np.asarray(np.where(known, factor, np.nan))
 
 
+@checked
 def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
     """Life under a spectrum of loads, 1/Σ(q/L) along ``axis``; Palmgren and Miner.
 
@@ -112,11 +122,12 @@ def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
     lives = np.moveaxis(np.asarray(life, float), axis, -1)
     q = np.asarray(share, float)
     if (q < 0.0).any() or not q.sum() > 0.0:
-        raise InvalidBearing(f"shares of a load spectrum must not be negative, got {share!r}")
+        raise InvalidBearing(f"shares of a load spectrum must not be negative, got {shown(share)}")
     with np.errstate(divide="ignore"):
         return np.asarray(q.sum() / (q / lives).sum(axis=-1))
 
 
+@checked
 def set_life(life: ArrayLike, axis: int = -1) -> Array:
     """Life until the first bearing of a set fails, (Σ L^(−10/9))^(−9/10) along ``axis``.
 

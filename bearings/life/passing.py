@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.life.rating import nominal_angle
 from bearings.ring.motion import ball_motion
@@ -34,6 +35,7 @@ class Frequencies(NamedTuple):
     spread: Array
 
 
+@checked
 def frequencies(state: BearingState) -> Frequencies:
     """Of the balls that the inner race drives, mean over these; NaN where it drives none."""
     motion, driven = ball_motion(state), np.asarray(state.inner_load) > 0.0
@@ -52,6 +54,7 @@ def frequencies(state: BearingState) -> Frequencies:
     return Frequencies(cage, balls * cage, balls * (1.0 - cage), mean(motion.rotation), spread)
 
 
+@checked
 def nominal_frequencies(bearing: BallBearing, contact_angle: float | None = None) -> Frequencies:
     """With equal angles on both races: the nominal one, or ``contact_angle`` [rad]."""
     alpha = nominal_angle(bearing.grooves) if contact_angle is None else contact_angle

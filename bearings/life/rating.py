@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from bearings.errors import InvalidBearing
+from bearings.arguments import checked
+from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
 from bearings.grooves import Grooves
 
@@ -45,6 +46,7 @@ def race_ratio(grooves: Grooves, share: float = RADIAL_SHARE) -> float:
     return front * _ratio(_gamma(grooves), grooves.inner_conformity, grooves.outer_conformity)
 
 
+@checked
 def rating_factor(bearing: BallBearing | Grooves) -> float:
     """fc of ISO 281 [N, mm] from the bearing's grooves, without the 1.3 of modern steel."""
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
@@ -95,6 +97,7 @@ def _grown(ball_diameter: Any) -> Any:
     return np.where(ball_diameter > LARGE_BALL, 3.647 * size**1.4, size**1.8)
 
 
+@checked
 def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     """Basic dynamic load rating C of ISO 281 from the grooves [N].
 
@@ -109,6 +112,7 @@ def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     return whole * math.cos(alpha) ** 0.7
 
 
+@checked
 def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESSURE) -> float:
     """Basic static load rating C0 of ISO 76 from the grooves [N].
 
@@ -121,7 +125,7 @@ def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESS
     InvalidBearing : a pressure that is not positive
     """
     if not pressure > 0.0:
-        raise InvalidBearing(f"pressure of a static rating must be positive, got {pressure!r}")
+        raise InvalidBearing(f"pressure of a static rating must be positive, got {shown(pressure)}")
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
     alpha, g = nominal_angle(grooves), geometry(grooves)
     ball = min(

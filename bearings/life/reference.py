@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from bearings.arguments import checked, finite
 from bearings.arrays import Array, Words
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.life.rating import (
     EXPONENT,
     REFERENCE_SHARE,
@@ -56,6 +57,7 @@ class ReferenceLife:
     dynamic_rating: float
 
 
+@checked
 def ball_ratings(
     bearing: BallBearing | Grooves, dynamic_rating_: float | None = None
 ) -> tuple[float, float]:
@@ -79,6 +81,7 @@ def ball_ratings(
     )
 
 
+@checked
 def life_of(
     state: BearingState, dynamic_rating: float | None = None, *, rotating: str = "inner"
 ) -> ReferenceLife:
@@ -96,7 +99,9 @@ def life_of(
     InvalidBearing : a rating that is not positive, an unknown word
     """
     if rotating not in ROTATING:
-        raise InvalidBearing(f"rotating must be one of {', '.join(ROTATING)}, got {rotating!r}")
+        raise InvalidBearing(
+            f"rotating must be one of {', '.join(ROTATING)}, got {shown(rotating)}"
+        )
     grooves = state.operation.grooves
     rating = _rating(grooves, dynamic_rating)
     split = len(grooves.inner_offsets)
@@ -124,6 +129,7 @@ def life_of(
     )
 
 
+@checked
 def reference_life(
     state: BearingState, dynamic_rating: float | None = None, *, rotating: str = "inner"
 ) -> Array:
@@ -132,6 +138,7 @@ def reference_life(
     return life_of(state, dynamic_rating, rotating=rotating).revolutions
 
 
+@checked
 def static_safety(state: BearingState, pressure: float = STATIC_PRESSURE) -> Array:
     """S0 = (``pressure`` [Pa] over the largest contact pressure)³ of a state (…); infinite without
     load."""
@@ -148,6 +155,6 @@ def _mean(load: Array, power: float) -> Array:
 def _rating(grooves: Grooves, given: float | None) -> float:
     if given is None:
         return dynamic_rating(grooves)
-    if not (np.isfinite(given) and given > 0.0):
-        raise InvalidBearing(f"dynamic_rating must be positive, got {given!r}")
+    if not (finite(given) and given > 0.0):
+        raise InvalidBearing(f"dynamic_rating must be positive, got {shown(given)}")
     return float(given)

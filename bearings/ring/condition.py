@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import checked
 from bearings.arrays import Array, Flags, Index, Words
 from bearings.errors import NoEquilibrium
 from bearings.geometry import STEEP
@@ -50,6 +51,7 @@ def _remedy(state: BearingState) -> str:
     return ", ".join(ways[:-1]) + f" or {ways[-1]}"
 
 
+@checked
 def condition(state: BearingState) -> Words:
     """What there is to say about each state (…), ``""`` where all balls carry as they should.
 

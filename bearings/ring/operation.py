@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
-from bearings.errors import InvalidBearing
+from bearings.errors import InvalidBearing, shown
 from bearings.geometry import Geometry, acting, geometry
 from bearings.grooves import Grooves
 
@@ -142,7 +142,7 @@ def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Arr
     if array.ndim < 1 or array.shape[-1] != 5:
         raise InvalidBearing(f"{name} must have shape (…, 5), got {array.shape}")
     if np.isinf(array).any() or (np.isnan(array).any() and not mixed):
-        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+        raise InvalidBearing(f"{name} must be finite, got {shown(value)}")
     return array
 
 
@@ -155,9 +155,9 @@ def finite(name: str, value: ArrayLike, *, single: bool = False) -> Array:
     """
     array = _numbers(name, value)
     if not np.isfinite(array).all():
-        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+        raise InvalidBearing(f"{name} must be finite, got {shown(value)}")
     if single and array.size != 1:
-        raise InvalidBearing(f"{name} must be one number, got {value!r}")
+        raise InvalidBearing(f"{name} must be one number, got {shown(value)}")
     return array.reshape(1) if single else array
 
 
@@ -181,9 +181,9 @@ def _numbers(name: str, value: ArrayLike) -> Array:
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}") from error
+        raise InvalidBearing(f"{name} must be numbers, got {shown(value)}") from error
     if _truths(value):
-        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}")
+        raise InvalidBearing(f"{name} must be numbers, got {shown(value)}")
     size = np.abs(array)
     if ((size > LARGEST[name]) & (size < np.inf)).any():
         raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")

@@ -78,13 +78,13 @@ class BearingState:
         ------
         InvalidBearing : an unknown method
         """
+        check_name("stiffness method", method, ("complete", "frozen", "difference"))
         if method == "complete":
             return self.complete_stiffness
         if method == "difference":
             raise InvalidBearing(
                 "differences solve the bearing again: use bearings.stiffness(state, 'difference')"
             )
-        check_name("stiffness method", method, ("complete", "frozen"))
         from bearings.ring.tangents import frozen_stiffness  # the balance of balls, rarely needed
 
         return frozen_stiffness(self)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.ring.assembly import full_assembly
@@ -23,6 +24,7 @@ COUPLED = np.array(  # x alone, y with θz, z with θy
 )
 
 
+@checked
 def stiffness(state: BearingState, method: str = "complete") -> Array:
     """Tangent K = ∂load/∂displacement of a state (…, 5, 5) by one of three methods.
 

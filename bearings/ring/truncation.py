@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bearings.arguments import checked
 from bearings.arrays import Array, Flags
 from bearings.contact.hertz import HertzContact
 from bearings.geometry import geometry
@@ -69,6 +70,7 @@ class Truncation:
         return np.minimum(sum(s**2 * (3.0 - 2.0 * s) for s in ends), 1.0)
 
 
+@checked
 def truncation(state: BearingState) -> Truncation:
     """How contact ellipses lie on their grooves, and how much of them grooves cut off.
 

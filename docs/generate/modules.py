@@ -13,8 +13,20 @@ from docs.generate.places import ROOT, THEORY
 ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
-# Array types, what a case specifies and how a result is reported need no theory.
-PLAIN = {"arrays", "spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff", "page"}
+# Array types, checks, what a case specifies and how a result is reported need no theory.
+PLAIN = {
+    "arguments",
+    "arrays",
+    "spec",
+    "result",
+    "known",
+    "summary",
+    "tables",
+    "meshes",
+    "gltf",
+    "uff",
+    "page",
+}
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 

@@ -33,7 +33,7 @@ class Answers:
 
     ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
     saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
-    that changes how the results read. Sentences.
+    that changes how the results read. Sentences. ``interrupted``: the analysis that was not ended.
     """
 
     results: dict[str, Result]
@@ -44,6 +44,7 @@ class Answers:
     tolerances: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    interrupted: str = ""
 
 
 def answer_spindle(
@@ -64,6 +65,7 @@ def answer_spindle(
     ------
     NoSolution : no speed has a physical solution
     """
+    from rotordyn.allowance import limited
     from rotordyn.numerics.threads import linear_algebra_alone
     from rotordyn.scene.plan import reasons, spared
     from rotordyn.scene.scene import Scene
@@ -81,13 +83,20 @@ def answer_spindle(
         checks=checks,
     )
     results: dict[str, Result] = {}
+    interrupted = ""
     with linear_algebra_alone():
         scene.require_solution()
         for name, spec in analyses.items():
             progress(name)
             scene.progress = partial(_part, progress, name)
             solve = partial(analysis(name).solve, scene, spec)
-            results[name] = scene.timed(f"answer {name}", solve)
+            try:
+                results[name] = scene.timed(f"answer {name}", solve)
+            except KeyboardInterrupt:
+                if not (results and limited()):
+                    raise
+                interrupted = name
+                break
         return Answers(
             results,
             seconds=scene.clock.seconds,
@@ -97,6 +106,7 @@ def answer_spindle(
             tolerances=scene.tolerances,
             warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
             notes=scene.notes,
+            interrupted=interrupted,
         )
 
 

@@ -205,7 +205,7 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
     for changes in override:
         apply(changes, root, reader.faults)
     kind = root.child("kind")
-    if kind is not None and kind.value not in KINDS:
+    if kind is not None and kind.value not in tuple(KINDS):
         for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
             reader.faults.at(root, ("kind",), why)
         return None

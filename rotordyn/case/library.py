@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from bearings.errors import shown
 from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
@@ -56,9 +57,9 @@ def find_case(reference: str | Path) -> Path:
         return path
     message = (
         f"no such file, and no case of that name; allowed: {', '.join(names)}, or the path of a "
-        f"file{suggestion(text, names)}"
+        f"file{suggestion(text[:200], names)}"
     )
-    raise InvalidInput([Fault(text, 0, 0, "", message)])
+    raise InvalidInput([Fault(text if len(text) <= 200 else f"{text[:197]}...", 0, 0, "", message)])
 
 
 def is_path(reference: str) -> bool:
@@ -80,7 +81,7 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     file = f"{reference}.yaml"
     hint = f" (did you mean {file}?)" if os.path.exists(beside.parent / file) else ""
     raise UnknownModel(
-        f"unknown model: given '{reference}'; allowed: {_few(names)}, or the path of a file"
+        f"unknown model: given {shown(reference)}; allowed: {_few(names)}, or the path of a file"
         + (hint or suggestion(reference, names))
     )
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
 
 from bearings.bearing import BallBearing
+from bearings.errors import shown
 from bearings.materials import Material
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case import expand
@@ -66,7 +67,7 @@ def model(kind: str, reference: str | Path) -> Model:
 
 def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
     if not isinstance(reference, str | os.PathLike):
-        raise InvalidInput(f"a model is called by its name or path: got {reference!r}")
+        raise InvalidInput(f"a model is called by its name or path: got {shown(reference)}")
     reader = expand.Reader(Faults())
     try:
         root = reader.document(find(kind, str(reference), Path("here")))

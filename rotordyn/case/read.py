@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from bearings.errors import shown
 from rotordyn.case.case import Case
 from rotordyn.case.faults import Faults
 from rotordyn.errors import Fault, InvalidInput
@@ -36,7 +37,7 @@ def load(path: str | Path) -> Case:
     from rotordyn.case.variants import tools_compared, variant_trees
 
     if not isinstance(path, str | os.PathLike):
-        raise InvalidInput(f"load takes the path of a case file, or a name: got {path!r}")
+        raise InvalidInput(f"load takes the path of a case file, or a name: got {shown(path)}")
     file = find_case(path if isinstance(path, str) else Path(path))
     reader = Reader(Faults())
     root = reader.document(file)

@@ -12,6 +12,7 @@ from dataclasses import is_dataclass
 from typing import Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
+from bearings.errors import shown
 from bearings.kinds import DEFAULT, KINDS, kind_class
 from bearings.materials import Material
 from rotordyn import units
@@ -85,7 +86,7 @@ def json_schema(file: str) -> Shape:
     """
     if file not in FILES:
         allowed = f"allowed: {', '.join(FILES)}{suggestion(file, FILES)}"
-        raise InvalidInput(f"unknown kind of file: {file!r}; {allowed}")
+        raise InvalidInput(f"unknown kind of file: {shown(file)}; {allowed}")
     shapes: dict[str, Shape] = {}
     root = shapes[_defined(FILES[file], shapes)]
     return {

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bearings.errors import shown
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.library import KINDS, cases_root, known, known_cases, models_root
@@ -53,7 +54,7 @@ def known_kind(kind: object) -> str:
     if isinstance(kind, str) and kind in KINDS:
         return kind
     hint = suggestion(kind, KINDS)
-    raise InvalidInput(f"unknown kind of model: {kind!r}; allowed: {', '.join(KINDS)}{hint}")
+    raise InvalidInput(f"unknown kind of model: {shown(kind)}; allowed: {', '.join(KINDS)}{hint}")
 
 
 def _shipped(kind: str, path: Path) -> Shipped:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from bearings.errors import shown
 from rotordyn.case.library import cases_root, models_root
 from rotordyn.errors import InvalidInput
 
@@ -21,7 +22,7 @@ def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
     """
     name = name.removesuffix(".yaml")
     if not _NAME.fullmatch(name):
-        raise InvalidInput(f"not a name: {name!r}; allowed: letters, digits, _ and -")
+        raise InvalidInput(f"not a name: {shown(name)}; allowed: letters, digits, _ and -")
     case, spindle = folder / f"{name}.yaml", folder / f"{name}_spindle.yaml"
     for path in (case, spindle):
         if path.exists():

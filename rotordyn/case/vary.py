@@ -16,6 +16,7 @@ from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")
+LONGEST = 1000  # characters of a path
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +66,8 @@ def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
 def _change(path: object, value: object) -> _Change:
     if not isinstance(path, str) or not all(path.split(".")):
         raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'conditions.rotor'")
+    if len(path) > LONGEST:
+        raise InvalidInput(f"{path[:40]}...: a path longer than {LONGEST} characters")
     return _Change(value, path, tuple(path.split(".")))
 
 

@@ -45,6 +45,7 @@ _CONE = np.array(
 _FACTOR = np.array(
     [0.5 * (math.factorial(n) / math.factorial(2 * n)) ** 2 / (2 * n + 1) for n in _DEGREES]
 )
+SLOWEST = 1e-6  # rad/s
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +64,8 @@ class Fineness:
 
     @property
     def band(self) -> float:
-        """The highest frequency asked for [rad/s]."""
-        return 2.0 * math.pi * self.frequency
+        """The highest frequency asked for [rad/s], or the least one whose squares are numbers."""
+        return max(2.0 * math.pi * self.frequency, SLOWEST)
 
     @property
     def cutoff(self) -> float:

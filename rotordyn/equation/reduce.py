@@ -11,7 +11,8 @@ Theory: docs/theory/reduction.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -19,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_free_modes
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.threads import linear_algebra_alone
 
@@ -88,9 +90,14 @@ def reduce(
     ------
     InvalidInput : M or K is not definite, or the vectors asked for do not fit into memory
     """
+    with _solvable(), linear_algebra_alone():  # that of scipy may have been loaded just now
+        return _reduced(mass, stiffness, rigid, ports, cutoff, couplings)
+
+
+@contextmanager
+def _solvable() -> Iterator[None]:
     try:
-        with linear_algebra_alone():  # that of scipy may have been loaded just now
-            return _reduced(mass, stiffness, rigid, ports, cutoff, couplings)
+        yield
     except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
@@ -121,6 +128,7 @@ def _reduced(
             f"{below} modes and {ports.shape[1]} loads of a body of {size} DOF do not fit into "
             "memory; ask for lower frequencies or less accuracy, or join sections that are alike"
         )
+    require_free_modes(size, below + least if large else None)
     if not large:
         mass, stiffness = (m.toarray() if hasattr(m, "toarray") else m for m in (mass, stiffness))
     body = _Body.held(mass, stiffness, rigid)
@@ -155,6 +163,13 @@ def enriched(
     The step answers what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where the
     coarser model errs by δ, this one errs by δ².
     """
+    with _solvable():
+        return _enriched(mass, stiffness, rigid, known, couplings)
+
+
+def _enriched(
+    mass: Matrix, stiffness: Matrix, rigid: Array, known: Array, couplings: Sequence[Coupling]
+) -> Basis:
     body = _Body.held(mass, stiffness, rigid)
     known = known - body.rigid @ (body.pushed.T @ known)
     pushed, pulled = mass @ known, stiffness @ known
@@ -165,7 +180,7 @@ def enriched(
         lacking.append(each.matrix @ swung)
     motions = np.hstack([known, body.displaced(np.hstack(lacking))])
     energy = motions.T @ (stiffness @ motions)
-    scale = (energy.diagonal() + TINY) ** -0.5
+    scale = (np.maximum(energy.diagonal(), 0.0) + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * energy * scale)
     new = share > NEW
     values, elastic = body.normalised(motions @ (scale[:, None] * turn[:, new] / share[new] ** 0.5))

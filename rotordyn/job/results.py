@@ -12,12 +12,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from bearings.arguments import typed
+from bearings.errors import shown
 from rotordyn.analyses.registry import analysis
 from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
-from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.job.solving import restricted, solve, solve_variants, unsolved
 from rotordyn.markup import preformatted, table
 
 if TYPE_CHECKING:
@@ -187,6 +189,7 @@ class Results(Mapping[str, "xr.Dataset"]):
         apart = [name for each in self.pictures() for name in each.names]
         return tuple(sorted([*self.drawings(), *apart]))
 
+    @typed(InvalidInput)
     def plot(self, name: str = "") -> Figure:
         """Draw the figure ``name`` of ``figures``, such as ``"campbell"``.
 
@@ -207,7 +210,7 @@ class Results(Mapping[str, "xr.Dataset"]):
             if name in each.names:
                 with each as running:
                     return running.figure(name)
-        wanted = f"no figure {name}" if name else "plot takes the name of a figure"
+        wanted = f"no figure {name:.60}" if name else "plot takes the name of a figure"
         raise InvalidInput(f"{wanted}: there are {', '.join(self.figures) or 'none'}")
 
     def drawings(self) -> dict[str, Callable[[], Figure]]:
@@ -404,7 +407,7 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
     NoSolution : no speed of the case, or of any of its variants, has a physical solution
     """
     if not isinstance(case, Case):
-        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {case!r}")
+        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {shown(case)}")
     begin = time.perf_counter()
     lost: tuple[str, ...] = ()
     if case.variants:
@@ -412,7 +415,11 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
         parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
         lost = tuple(solved.failed.values())
     else:
-        parts = {"": (case, solve(case, progress))}
+        answers = solve(case, progress)
+        if answers.interrupted:
+            case = restricted(case, tuple(answers.results))
+            lost = (f"interrupted in {answers.interrupted}, before that was solved",)
+        parts = {"": (case, answers)}
     seconds = {"solve, all stages": time.perf_counter() - begin}
     return SolvedResults(Solution(case, parts, lost, seconds))
 

@@ -49,15 +49,25 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     ------
     NoSolution : no variant has a physical solution at any speed
     """
+    from rotordyn.allowance import limited
     from rotordyn.scene.stage import Memo
 
     solved = VariantAnswers({})
     memo = Memo()
     for name, variant in case.variants.items():
         try:
-            solved.answers[name] = solve(variant, partial(_part, progress, name), memo)
+            answers = solve(variant, partial(_part, progress, name), memo)
+            if answers.interrupted:
+                raise KeyboardInterrupt
+            solved.answers[name] = answers
         except NoSolution as error:
             solved.failed[name] = f"variant {name}: {error}"
+        except KeyboardInterrupt:
+            if not (solved.answers and limited()):
+                raise
+            left = [*case.variants][[*case.variants].index(name) :]
+            solved.failed.update({each: f"variant {each}: interrupted before" for each in left})
+            break
     if not solved.answers:
         raise NoSolution("; ".join(solved.failed.values()))
     return solved
@@ -77,7 +87,7 @@ def restricted(case: Case, only: tuple[str, ...]) -> Case:
     unknown = [name for name in only if name not in case.analyses]
     if unknown:
         known = ", ".join(case.analyses)
-        raise InvalidInput(f"--only {','.join(unknown)}: this case has the analyses {known}")
+        raise InvalidInput(f"--only {','.join(unknown):.200}: this case has the analyses {known}")
     return replace(
         case,
         analyses={n: s for n, s in case.analyses.items() if n in only},

@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from bearings.arguments import typed
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from rotordyn.results.interval import Interval
 
 
+@typed(InvalidInput)
 def open(folder: str | Path) -> Results:
     """Results of the folder that ``rotordyn run`` or ``Results.save`` has written.
 

@@ -127,7 +127,7 @@ class BearingSet(Description):
             yield ("bearings",), f"from front to rear they are {order}: name them in this order"
             return
         signs = "".join("+" if seat.thrust > 0 else "-" for seat in there)
-        if signs not in patterns(self.set):
+        if self.set in SETS and signs not in patterns(self.set):
             wanted = " or ".join(patterns(self.set))
             yield (
                 ("set",),

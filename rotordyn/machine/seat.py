@@ -61,7 +61,7 @@ class BearingSeat(Description):
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self._known_bearing
-        if given == 0 and type(given) is int and bearing is not None:
+        if type(given) is int and given == 0 and bearing is not None:
             object.__setattr__(self, "thrust", int(bearing.both_ways))
         Description.__post_init__(self)
 

@@ -101,7 +101,9 @@ def read_record(folder: Path) -> dict[str, Any]:
     except (OSError, ValueError):
         record = None
     if not isinstance(record, dict) or MARKER not in record:
-        raise InvalidInput(f"{folder} is no results folder: it holds no {RECORD} of rotordyn")
+        raise InvalidInput(
+            f"{str(folder)[:300]} is no results folder: it holds no {RECORD} of rotordyn"
+        )
     if record[MARKER] != FORMAT:
         written = record.get("versions", {}).get("rotordyn", "another version")
         raise InvalidInput(

@@ -121,7 +121,9 @@ def _warm(setting: Setting) -> Faults:
     spindle, temperatures = setting.spindle, setting.conditions.temperatures
     for index, seat in enumerate(spindle.seats):
         bearing: object = seat.bearing
-        if seat.fits is None or not isinstance(bearing, BallBearing) or [*seat.fits._faults()]:
+        if seat.fits is None or not isinstance(bearing, BallBearing):
+            continue
+        if not seat.fits.taken or [*seat.fits._faults()]:
             continue
         from rotordyn.preload.growth import static_growth
 

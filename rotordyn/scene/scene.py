@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_matrices, require_modes
 from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
@@ -237,6 +238,8 @@ class Scene(Statics):
         state = State(*(each[chosen] for each in self.state[:3]))
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
+        size = sum(component.size for component in self.subsystems[k])
+        require_matrices(f"{self.name_of(k)} system", len(state.speed), size)
         solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
@@ -252,7 +255,13 @@ class Scene(Statics):
             return self.systems[k].at(rows)
         key = k, b"" if rows is None else rows.tobytes()
         if key not in self._at_rows:
-            solve = partial(free_motions, self.linear(k, rows), self._ceiling)
+            linear = self.linear(k, rows)
+            require_modes(
+                f"{self.name_of(k)} modes",
+                len(linear.speed) if "bending" in linear.motions else 1,
+                linear.size // 2 if linear.isotropic else linear.size,
+            )
+            solve = partial(free_motions, linear, self._ceiling)
             self._at_rows[key] = self.timed(f"{self.name_of(k)} modes", solve)
         return self._at_rows[key]
 

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
+from rotordyn.allowance import require_time
+
 T = TypeVar("T")
 Inputs = tuple[Any, ...]
 
@@ -44,6 +46,7 @@ class Clock:
 
     def timed(self, name: str, work: Callable[[], T]) -> T:
         """Run ``work`` and add its own seconds to ``name``."""
+        require_time(name)
         begin = time.perf_counter()
         self.asked.setdefault(name, self._running[-1][0] if self._running else "")
         self._running.append((name, 0.0))

@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.errors import shown
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion
 from rotordyn.state.laws import Law, Power, RestBall, deflection, table
@@ -248,7 +249,7 @@ def _number(
     limits = [f"at least {least:g}"] if least > -math.inf else []
     limits += [f"above {above:g}"] if above > -math.inf else []
     limits += [f"at most {most:g}"] if most < math.inf else []
-    _refuse(at, f"given {value!r}; allowed: a finite number {' and '.join(limits)}".rstrip())
+    _refuse(at, f"given {shown(value)}; allowed: a finite number {' and '.join(limits)}".rstrip())
     return math.nan
 
 
@@ -257,13 +258,13 @@ def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, w
         known = list(allowed)
         listed = ", ".join(known) or "none, there are none"
         hint = suggestion(value, known) if isinstance(value, str) else ""
-        _refuse(at, f"unknown {what}: given {value!r}; allowed: {listed}{hint}")
+        _refuse(at, f"unknown {what}: given {shown(value)}; allowed: {listed}{hint}")
     return str(value)
 
 
 def _keys(given: object, allowed: str, at: str) -> None:
     if not isinstance(given, Mapping):
-        _refuse(at, f"given {given!r}; allowed: a mapping with the keys {allowed}")
+        _refuse(at, f"given {shown(given)}; allowed: a mapping with the keys {allowed}")
     else:
         for key in given:
             _known(key, allowed.split(), at, "key")
@@ -272,7 +273,7 @@ def _keys(given: object, allowed: str, at: str) -> None:
 def _list(given: Plain, key: str) -> list[Any]:
     value = given.get(key) or []
     if not isinstance(value, list | tuple):
-        _refuse(key, f"given {value!r}; allowed: a list")
+        _refuse(key, f"given {shown(value)}; allowed: a list")
     return list(value)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import os
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from bearings.arguments import typed
 from rotordyn.errors import InvalidInput
 from rotordyn.page.blocks import Block, Chart, Control, Printed, Table, Text, sections
 from rotordyn.page.html import Page, html
@@ -47,6 +49,7 @@ class Held(NamedTuple):
     origin: list[tuple[str, str]]
 
 
+@typed(InvalidInput)
 def write_report(folder: str | Path, path: str | Path) -> Path:
     """Write the results in ``folder``, of a run or a study, as one self-contained HTML page.
 
@@ -57,7 +60,7 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
     InvalidInput : no results folder, half of one, one of another version; no file can be written
     """
     folder, path = Path(folder), Path(path)
-    if not any((folder / name).exists() for name in (STUDY, POINTS)):
+    if not any(os.path.exists(folder / name) for name in (STUDY, POINTS)):
         from rotordyn.job import open as opened
 
         return opened(folder).report(path)

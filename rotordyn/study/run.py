@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from bearings.arguments import typed
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
 from rotordyn.job import results as job
 from rotordyn.job.results import SolvedResults
 
 
+@typed(InvalidInput, besides=["case"])
 def run(
     case: Case, progress: Progress = lambda name: None, *, interval: bool = False
 ) -> SolvedResults:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import typed
 from rotordyn.case.asked import Asked, certain, within_case
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
@@ -57,6 +58,7 @@ def _column(
     return [slope, relative, slope * (np.nan if over is None else over.width)]
 
 
+@typed(InvalidInput, besides=["case"])
 def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -> xr.Dataset:
     """Derivatives of every headline number of ``case`` by the numbers at dotted ``paths``.
 
@@ -80,6 +82,9 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
         raise InvalidInput(f"sensitivities take a case, as rotordyn.load gives it: {shown(case)}")
     if isinstance(paths, str):
         paths = [paths]
+    for path in paths:
+        if not isinstance(path, str):
+            raise InvalidInput(f"sensitivities: not a dotted path: given {shown(path)}")
     given: dict[str, Any] = dict(paths) if isinstance(paths, Mapping) else dict.fromkeys(paths)
     asked = within_case(certain(case), given)
     machines = Machines(lean(case))

@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bearings.arguments import typed
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
@@ -42,7 +43,7 @@ def study_of(
     """A study held against its case; see ``sweep``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a study takes a case, as rotordyn.load gives it; got {shown(case)}")
-    if analyses:
+    if len(analyses):
         case = restricted(case, tuple(analyses))
     for name in results:
         if name not in case.analyses:
@@ -54,6 +55,7 @@ def study_of(
     return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
 
 
+@typed(InvalidInput, besides=["case"])
 def sweep(  # noqa: PLR0913 - all of it describes one study
     case: Case,
     varied: Mapping[str, object],

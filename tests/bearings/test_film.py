@@ -131,7 +131,7 @@ def test_viscosity_of_a_known_oil() -> None:
     [
         ((5e-6, 32e-6), "swapped"),
         ((0.0, 5e-6), "viscosity_40 must be positive"),
-        ((32e-6, float("nan")), "viscosity_100 must be positive"),
+        ((32e-6, float("nan")), "viscosity_100 must be a number"),
         ((1e-6, 0.4e-6), "is the unit right"),
     ],
 )

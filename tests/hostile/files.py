@@ -41,7 +41,7 @@ def file(writer: Writer) -> Writer:
     return writer
 
 
-def _case(text: str) -> Writer:
+def case(text: str) -> Writer:
     return lambda folder: (folder / "case.yaml").write_text(text, encoding="utf-8") and None
 
 
@@ -170,7 +170,7 @@ def _machines() -> Iterator[tuple[str, str]]:
 
 
 for _name, _text in (*_texts(), *_titles(), *_values(), *_machines()):
-    FILES[_name] = _case(_text)
+    FILES[_name] = case(_text)
 
 MEASURED = SHAFT.replace(
     "analyses:\n",
@@ -183,12 +183,24 @@ MEASURED = SHAFT.replace(
 ).replace("one, x: 0 mm,", "one, x: 0 mm, damping: {yy: 100 N s/m, zz: 100 N s/m},")
 
 
-def _measured(name: str, content: bytes) -> Writer:
+def measured(name: str, content: bytes) -> Writer:
     def write(folder: Path) -> None:
         (folder / "case.yaml").write_text(MEASURED.replace("FILE", name), encoding="utf-8")
         (folder / name).write_bytes(content)
 
     return write
+
+
+UFF = (
+    "    -1\n    58\nname\nnone\n01-Jan-20 00:00:00\nnone\nnone\n"
+    "    4         0    1         0       NONE         1   2       NONE         1   2\n"
+    "{code:10d}{count:10d}         1  0.00000e+00  1.00000e+00  0.00000e+00\n"
+    "        18    0    0    0            Frequency                   Hz\n"
+    "         8    0    0    0         Displacement                    m\n"
+    "        13    0    0    0                Force                    N\n"
+    "         0    0    0    0                 NONE                 NONE\n"
+    "{data}\n    -1\n"
+)
 
 
 def _curves() -> Iterator[tuple[str, str, bytes]]:
@@ -210,22 +222,12 @@ def _curves() -> Iterator[tuple[str, str, bytes]]:
     yield "csv_latin", "m.csv", head + b"10,\xe9,1\n"
     yield "csv_utf16", "m.csv", (head + rows).decode().encode("utf-16")
     yield "csv_long_name", "n" * 240 + ".csv", head + rows
-    uff = (
-        "    -1\n    58\nname\nnone\n01-Jan-20 00:00:00\nnone\nnone\n"
-        "    4         0    1         0       NONE         1   2       NONE         1   2\n"
-        "{code:10d}{count:10d}         1  0.00000e+00  1.00000e+00  0.00000e+00\n"
-        "        18    0    0    0            Frequency                   Hz\n"
-        "         8    0    0    0         Displacement                    m\n"
-        "        13    0    0    0                Force                    N\n"
-        "         0    0    0    0                 NONE                 NONE\n"
-        "{data}\n    -1\n"
-    )
     for name, count in (("zero", 0), ("negative", -5), ("huge", 999_999_999), ("more", 400)):
-        text = uff.format(code=5, count=count, data="  1.0e-8 1.0e-9" * 3)
+        text = UFF.format(code=5, count=count, data="  1.0e-8 1.0e-9" * 3)
         yield f"uff_{name}_count", "m.uff", text.encode()
-    yield "uff_words", "m.uff", uff.format(code=5, count=3, data="x y z").encode()
-    yield "uff_code", "m.uff", uff.format(code=77, count=3, data="1 2 3").encode()
-    yield "uff_cut", "m.uff", uff[:200].encode()
+    yield "uff_words", "m.uff", UFF.format(code=5, count=3, data="x y z").encode()
+    yield "uff_code", "m.uff", UFF.format(code=77, count=3, data="1 2 3").encode()
+    yield "uff_cut", "m.uff", UFF[:200].encode()
     yield (
         "uff_binary",
         "m.uff",
@@ -236,12 +238,12 @@ def _curves() -> Iterator[tuple[str, str, bytes]]:
 
 
 for _name, _path, _content in _curves():
-    FILES[_name] = _measured(_path, _content)
+    FILES[_name] = measured(_path, _content)
 
 HOUSED = SHAFT.replace("  points:", "  housings: [{name: h, model: MODEL}]\n  points:")
 
 
-def _housed(reference: str, files: dict[str, bytes]) -> Writer:
+def housed(reference: str, files: dict[str, bytes]) -> Writer:
     def write(folder: Path) -> None:
         (folder / "case.yaml").write_text(HOUSED.replace("MODEL", reference), encoding="utf-8")
         for name, content in files.items():
@@ -250,7 +252,7 @@ def _housed(reference: str, files: dict[str, bytes]) -> Writer:
     return write
 
 
-def _npz(members: dict[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> bytes:
+def npz(members: dict[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> bytes:
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", method) as archive:
         for name, content in members.items():
@@ -258,42 +260,42 @@ def _npz(members: dict[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> bytes
     return held.getvalue()
 
 
-def _npy(array: np.ndarray) -> bytes:  # type: ignore[type-arg]
+def npy(array: np.ndarray) -> bytes:  # type: ignore[type-arg]
     held = io.BytesIO()
     np.save(held, array, allow_pickle=True)
     return held.getvalue()
 
 
-def _header(shape: str, kind: str = "<f8") -> bytes:
+def header(shape: str, kind: str = "<f8") -> bytes:
     text = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}"
     text += " " * (63 - (len(text) + 10) % 64) + "\n"
     return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text.encode()
 
 
 def _archives() -> Iterator[tuple[str, dict[str, bytes]]]:
-    two = _npy(np.eye(2))
-    good = {"mass.npy": two, "stiffness.npy": two, "places.npy": _npy(np.array(["one.y", "two.y"]))}
-    yield "npz_terabytes", {**good, "mass.npy": _header("(1000000000000,)") + b"\0" * 80}
-    yield "npz_negative", {**good, "mass.npy": _header("(-1, 2)") + b"\0" * 80}
-    yield "npz_pickle", {**good, "places.npy": _npy(np.array([{"a": 1}], dtype=object))}
-    yield "npz_inflates", {**good, "mass.npy": _header("(20000, 20000)") + b"\0" * 300_000_000}
-    yield "npz_nan", {**good, "mass.npy": _npy(np.full((2, 2), np.nan))}
-    yield "npz_huge", {**good, "stiffness.npy": _npy(np.full((2, 2), 1e308))}
-    yield "npz_words", {**good, "mass.npy": _npy(np.array([["a", "b"], ["c", "d"]]))}
+    two = npy(np.eye(2))
+    good = {"mass.npy": two, "stiffness.npy": two, "places.npy": npy(np.array(["one.y", "two.y"]))}
+    yield "npz_terabytes", {**good, "mass.npy": header("(1000000000000,)") + b"\0" * 80}
+    yield "npz_negative", {**good, "mass.npy": header("(-1, 2)") + b"\0" * 80}
+    yield "npz_pickle", {**good, "places.npy": npy(np.array([{"a": 1}], dtype=object))}
+    yield "npz_inflates", {**good, "mass.npy": header("(20000, 20000)") + b"\0" * 300_000_000}
+    yield "npz_nan", {**good, "mass.npy": npy(np.full((2, 2), np.nan))}
+    yield "npz_huge", {**good, "stiffness.npy": npy(np.full((2, 2), 1e308))}
+    yield "npz_words", {**good, "mass.npy": npy(np.array([["a", "b"], ["c", "d"]]))}
     yield "npz_missing", {"mass.npy": two}
     yield "npz_dots", {**good, "../evil.npy": two}
     yield "npz_cut_header", {**good, "mass.npy": b"\x93NUMPY\x01\x00\xff\xff{"}
-    yield "npz_shape_words", {**good, "mass.npy": _header("('a', __import__('os'))")}
+    yield "npz_shape_words", {**good, "mass.npy": header("('a', __import__('os'))")}
 
 
 for _name, _members in _archives():
-    FILES[_name] = lambda folder, m=_members: _housed("m.npz", {"m.npz": _npz(m)})(folder)
-FILES["npz_broken"] = _housed("m.npz", {"m.npz": _npz({"mass.npy": _npy(np.eye(300))})[:-400]})
-FILES["npz_garbled"] = _housed(
+    FILES[_name] = lambda folder, m=_members: housed("m.npz", {"m.npz": npz(m)})(folder)
+FILES["npz_broken"] = housed("m.npz", {"m.npz": npz({"mass.npy": npy(np.eye(300))})[:-400]})
+FILES["npz_garbled"] = housed(
     "m.npz",
-    {"m.npz": bytes(b ^ (k % 7 == 3) for k, b in enumerate(_npz({"mass.npy": _npy(np.eye(40))})))},
+    {"m.npz": bytes(b ^ (k % 7 == 3) for k, b in enumerate(npz({"mass.npy": npy(np.eye(40))})))},
 )
-FILES["npz_text"] = _housed("m.npz", {"m.npz": b"hello"})
+FILES["npz_text"] = housed("m.npz", {"m.npz": b"hello"})
 
 
 def _markets() -> Iterator[tuple[str, bytes]]:
@@ -313,7 +315,7 @@ def _markets() -> Iterator[tuple[str, bytes]]:
 
 
 for _name, _content in _markets():
-    FILES[_name] = _housed(
+    FILES[_name] = housed(
         "{mass: m.mtx, stiffness: k.mtx, places: [one.y, two.y]}",
         {
             "m.mtx": _content,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import pickle
+import re
 import resource
 import signal
 import sys
@@ -12,10 +13,12 @@ import traceback
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 SECONDS, MEGABYTES = 5.0, 500.0
 LINES, COLUMNS = 32, 1000  # of what is said of a fault
 CODES = (0, 2, 3)
+_NAN = re.compile(r"(?<![\w.])[-+]?(nan|inf)(?![\w.])", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,7 @@ class Verdict:
     said: str
     seconds: float
     megabytes: float
+    most: float = SECONDS
 
     @property
     def faults(self) -> list[str]:
@@ -36,7 +40,7 @@ class Verdict:
             f"exit code {self.code}": self.code not in CODES,
             "a traceback": "Traceback" in self.said,
             "a warning of a library": "Warning:" in self.said,
-            f"{self.seconds:.1f} s": self.seconds > SECONDS,
+            f"{self.seconds:.1f} s": self.seconds > self.most,
             f"{self.megabytes:.0f} MB": self.megabytes > MEGABYTES,
             f"{len(lines)} lines": len(lines) > LINES,
             f"a line of {max(map(len, lines), default=0)} characters": any(
@@ -47,26 +51,26 @@ class Verdict:
         return [fault for fault, present in found.items() if present]
 
 
-def judged(work: Callable[[], int], most: float = 4.0 * SECONDS) -> Verdict:
+def judged(work: Callable[[], int], allowed: float = SECONDS) -> Verdict:
     """``work``, which returns an exit code, done in a fork of this process.
 
-    It is killed after ``most`` seconds of processor time, and gets no more memory than four times
-    what is allowed.
+    It is killed after four times the ``allowed`` seconds of processor time, and gets no more memory
+    than four times what is allowed.
     """
     out, report = os.pipe()
     process = os.fork()
     if process == 0:
         os.close(out)
-        _work(work, report, most)
+        _work(work, report, 4.0 * allowed)
     os.close(report)
     with os.fdopen(out, "rb") as pipe:
         raw = pipe.read()
     _, status, used = os.wait4(process, 0)
     seconds = used.ru_utime + used.ru_stime
     if os.WIFSIGNALED(status) or not raw:
-        return Verdict(-1, f"killed by signal {os.WTERMSIG(status)}", seconds, 0.0)
+        return Verdict(-1, f"killed by signal {os.WTERMSIG(status)}", seconds, 0.0, allowed)
     code, said, megabytes = pickle.loads(raw)
-    return Verdict(code, said, seconds, megabytes)
+    return Verdict(code, said, seconds, megabytes, allowed)
 
 
 def _work(work: Callable[[], int], report: int, most: float) -> None:
@@ -94,20 +98,36 @@ def _megabytes() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3
 
 
-def command(*words: object) -> Callable[[], int]:
-    """``rotordyn`` with these words, as something to judge."""
+def command(*words: object, then: Callable[[], str] = str) -> Callable[[], int]:
+    """``rotordyn`` with these words, as something to judge; ``then``: what is wrong with what it
+    left, in a word."""
 
     def work() -> int:
         from rotordyn.cli import main
 
-        return main([str(word) for word in words])
+        code = main([str(word) for word in words])
+        if why := then():
+            print(why, file=sys.stderr)  # noqa: T201
+            return 1
+        return code
 
     return work
 
 
+def words_of_nan(folder: Path) -> str:
+    """What the summary in a results folder says that is no number; empty where it says none.
+
+    Tables have nan where there is nothing, and inf of a peak that nothing limits.
+    """
+    path = folder / "summary.txt"
+    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else ():
+        if found := _NAN.search(line):
+            return f"{path.name}: {found[0]} in {line[:200]!r}"
+    return ""
+
+
 def loaded() -> None:
     """Import what runs need, once for all forks; their time and memory are then their own."""
-    from pathlib import Path
     from tempfile import TemporaryDirectory
 
     from rotordyn.cli import main

@@ -19,3 +19,15 @@ def _loaded() -> None:
 def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
     assert mutant(path, 0) == mutant(path, 0)
     assert judged(command("check", written(path, 0, tmp_path))).faults == []
+
+
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [
+        ("cases/grinding_spindle_fits.yaml", 16),  # of a fit, an unknown word
+        ("cases/preload_concepts.yaml", 16),  # a set of no name
+        ("models/bearings/thrust_50x78x22.yaml", 59),  # a kind that is a mapping
+    ],
+)
+def test_mutants_that_were_no_sentence_once(name: str, number: int, tmp_path: Path) -> None:
+    assert judged(command("check", written(ROOT / name, number, tmp_path))).faults == []

@@ -310,3 +310,33 @@ def test_killed_runs_leave_a_whole_folder_and_no_leftovers(
     assert held(target) == held(whole)
     assert main([*argv, "--no-figures"]) == 0
     assert os.listdir(tmp_path) == ["out"]
+
+
+def test_an_interrupted_run_keeps_what_is_finished(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
+    path.write_text(FRF, encoding="utf-8")
+    monkeypatch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+    assert main(["run", str(path), "-o", str(target), "--no-figures", "--quiet"]) == 130
+    assert "interrupted in frf, before that was solved" in capsys.readouterr().err
+    assert list(rotordyn.open(target)) == ["campbell"]
+    with pytest.raises(KeyboardInterrupt):
+        rotordyn.run(rotordyn.load(path))
+
+
+def test_what_takes_longer_than_allowed_is_refused_before_it_begins(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
+    path.write_text(FRF.replace("62 Hz", "1000000 Hz"), encoding="utf-8")
+    argv = ["run", str(path), "-o", str(target), "--no-figures", "--quiet"]
+    assert main([*argv, "--longest", "2"]) == 2
+    said = capsys.readouterr().err
+    assert "DOF take about" in said
+    assert "allowed: 2 s for the whole run" in said
+    assert not target.exists()
+    assert main([*argv, "--longest", "-1"]) == 2

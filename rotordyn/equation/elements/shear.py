@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bearings.errors import shown
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
@@ -51,8 +52,10 @@ def shear_coefficient(
     if isinstance(choice, str):
         if choice not in FORMULAS:
             known = ", ".join([*FORMULAS, RIGID])
-            raise InvalidInput(f"unknown shear coefficient {choice!r}: one of {known}, or a number")
+            raise InvalidInput(
+                f"unknown shear coefficient {shown(choice)}: one of {known}, or a number"
+            )
         return FORMULAS[choice](poisson_ratio, diameter_ratio)
     if not (math.isfinite(choice) and choice > 0.0):
-        raise InvalidInput(f"a shear coefficient must be positive, got {choice!r}")
+        raise InvalidInput(f"a shear coefficient must be positive, got {shown(choice)}")
     return np.full(shape, float(choice))

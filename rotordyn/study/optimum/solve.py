@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from bearings.arguments import typed
 from rotordyn.case.case import Case
 from rotordyn.case.study import MOST_TRIALS
 from rotordyn.case.vary import vary
@@ -160,6 +161,7 @@ def problem_of(
     return Problem(case, found, tuple(goals), tuple(limits))
 
 
+@typed(InvalidInput, besides=["case"])
 def optimise(
     case: Case,
     varied: Mapping[str, object],

@@ -1,0 +1,183 @@
+"""Arguments of public functions held against their annotations, before anything is computed.
+
+``float``, ``int``: one number; ``ArrayLike``, ``Array``: real numbers of any shape, NaN where there
+are none; ``str``, ``bool``; a class by its name. Numbers beyond any unit are refused: their powers
+would overflow.
+"""
+
+from __future__ import annotations
+
+import inspect
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
+from functools import wraps
+from itertools import chain
+from numbers import Integral, Rational, Real
+from typing import Any, ParamSpec, TypeGuard, TypeVar
+
+from bearings.errors import InvalidBearing, shown
+
+MOST = 1e50  # SI units
+P = ParamSpec("P")
+R = TypeVar("R")
+Check = Callable[[Any], bool]
+
+
+def checked(function: Callable[P, R]) -> Callable[P, R]:
+    """``function``, which raises InvalidBearing for arguments that its annotations exclude, that do
+    not fit one another in shape, or for which it has no finite value."""
+    call = typed(InvalidBearing)(function)
+
+    @wraps(function)
+    def guarded(*args: P.args, **kwargs: P.kwargs) -> R:
+        import numpy as np
+
+        try:
+            with np.errstate(over="raise", divide="raise", invalid="raise"):
+                return call(*args, **kwargs)
+        except InvalidBearing:
+            raise
+        except (ArithmeticError, ValueError, IndexError) as error:
+            raise InvalidBearing(f"{function.__name__}: {error}: see the arguments") from error
+
+    return guarded
+
+
+def typed(
+    refuse: Callable[[str], Exception], besides: Sequence[str] = ()
+) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """A function that raises what ``refuse`` makes of a sentence about an argument that its
+    annotations exclude; ``besides``: those that it looks at itself."""
+
+    def hold(function: Callable[P, R]) -> Callable[P, R]:
+        parameters = inspect.signature(function).parameters
+        tests = {name: _test(str(each.annotation)) for name, each in parameters.items()}
+        tests |= dict.fromkeys(besides, ("", ()))
+        order = tuple(tests)
+
+        @wraps(function)
+        def call(*args: P.args, **kwargs: P.kwargs) -> R:
+            for name, value in chain(zip(order, args, strict=False), kwargs.items()):
+                if name in tests and (why := _refusal(value, *tests[name])):
+                    raise refuse(f"{function.__name__}: {name} {why}")
+            return function(*args, **kwargs)
+
+        return call
+
+    return hold
+
+
+def check_fields(description: Any) -> None:
+    """Raise InvalidBearing for a field of a dataclass that its annotation excludes."""
+    for field in fields(description):
+        if why := _refusal(getattr(description, field.name), *_test(str(field.type))):
+            raise InvalidBearing(f"{type(description).__name__}: {field.name} {why}")
+
+
+def _refusal(value: object, words: str, tests: Sequence[Check]) -> str:
+    taken = not tests or any(test(value) for test in tests)
+    return "" if taken else f"must be {words}, got {shown(value)}"
+
+
+def _test(annotation: str) -> tuple[str, tuple[Check, ...]]:
+    """What an annotation takes, in words, and a test for each of its forms; none if it is open."""
+    forms = re.split(r" \| (?![^\[]*\])", annotation)
+    found = [_FORMS.get(form) or _class(form) for form in forms]
+    if None in found:
+        return "", ()
+    known = [each for each in found if each is not None]
+    return " or ".join(words for words, _ in known), tuple(test for _, test in known)
+
+
+def _class(form: str) -> tuple[str, Check] | None:
+    """A mapping, a list of instances, or an instance of a class of that name, whose module need not
+    be loaded."""
+    if form.startswith("Mapping["):
+        return "a mapping", lambda value: isinstance(value, Mapping)
+    if listed := re.fullmatch(r"(?:Sequence|Iterable)\[(\w+)\]", form):
+        one = _FORMS.get(listed[1]) or _class(listed[1])
+        if one is None:
+            return None
+        return f"a list, each {one[0]}", lambda value: _listed(value) and all(map(one[1], value))
+    if not re.fullmatch(r"[A-Z]\w+", form) or form == "Any":
+        return None
+    return f"a {form}", lambda value: any(each.__name__ == form for each in type(value).__mro__)
+
+
+def _listed(value: object) -> bool:
+    return isinstance(value, list | tuple | range | set | dict) or getattr(value, "ndim", 0) == 1
+
+
+def finite(value: object) -> TypeGuard[float]:
+    """A finite real number that a float can hold."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return False
+    try:
+        return math.isfinite(value)
+    except (OverflowError, ValueError):
+        return False
+
+
+def _number(value: Any) -> bool:
+    fraction = isinstance(value, Rational) and not isinstance(value, Integral)
+    if fraction or not finite(value):
+        return False
+    return value == 0.0 or 1.0 / MOST <= abs(float(value)) <= MOST
+
+
+def _flag(value: Any) -> bool:
+    return isinstance(value, bool) or type(value).__name__ == "bool"
+
+
+def _whole(value: Any) -> bool:
+    return isinstance(value, Integral) and finite(value) and abs(value) < 2**31
+
+
+def _numbers(value: Any) -> bool:
+    if type(value) is float:
+        return not abs(value) > MOST or math.isinf(value)
+    import numpy as np
+
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind not in "fiu" and not _all_numbers(array):
+            return False
+        size = np.abs(array.astype(float))
+    except (TypeError, ValueError, OverflowError):
+        return False
+    return not ((size > MOST) & (size < math.inf)).any()
+
+
+def _all_numbers(array: Any) -> bool:
+    return array.dtype == object and all(
+        each is None or (isinstance(each, Real) and not isinstance(each, bool))
+        for each in array.flat
+    )
+
+
+def _row(value: Any, absent: bool) -> bool:
+    listed = isinstance(value, list | tuple) or getattr(value, "ndim", 0) == 1
+    return listed and all(_number(each) or (absent and each is None) for each in value)
+
+
+def _pair(value: Any) -> bool:
+    return _row(value, absent=False) and len(value) == 2
+
+
+_FORMS: dict[str, tuple[str, Check]] = {
+    "float": ("a number", _number),
+    "int": ("a whole number", _whole),
+    "str": ("text", lambda value: isinstance(value, str)),
+    "bool": ("True or False", _flag),
+    "Progress": ("a function", callable),
+    "None": ("None", lambda value: value is None),
+    "ArrayLike": ("numbers", _numbers),
+    "Array": ("numbers", _numbers),
+    "tuple[float, float]": ("two numbers", _pair),
+    "Sequence[float]": ("numbers", lambda value: _row(value, absent=False)),
+    "Sequence[float | None]": ("numbers or None", lambda value: _row(value, absent=True)),
+    "tuple[float, ...]": ("numbers", lambda value: _row(value, absent=False)),
+    "tuple[float | None, ...]": ("numbers or None", lambda value: _row(value, absent=True)),
+}

@@ -1,0 +1,97 @@
+"""What a run may take: stages that would take longer or more memory are refused before they begin.
+
+Only where somebody asks for it, as the command line does. There Ctrl-C ends an analysis, and those
+before it are kept.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+from rotordyn.errors import InvalidInput
+
+LONGEST = 120.0  # s, by estimate
+MOST_BYTES = 4e9
+# Seconds on one processor of 2 GHz: eigenproblems of LAPACK, of general and of symmetric matrices,
+# for each cubed row; of ARPACK for each row and squared mode.
+GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
+ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
+MATRICES = 6  # stiffness, damping, and what their sums take
+REMEDY = "take fewer speeds, lower frequencies or fewer points, or say yes to that (--yes)"
+
+
+@dataclass(frozen=True, slots=True)
+class Allowance:
+    """Until when a run may go on, by the clock of ``time.perf_counter`` [s]."""
+
+    seconds: float
+    until: float
+
+
+_allowance: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
+
+
+@contextmanager
+def within(seconds: float) -> Iterator[None]:
+    """Runs inside may take so long by estimate, and ``MOST_BYTES``."""
+    token = _allowance.set(Allowance(seconds, time.perf_counter() + seconds))
+    try:
+        yield
+    finally:
+        _allowance.reset(token)
+
+
+def limited() -> bool:
+    """Whether runs are limited here."""
+    return _allowance.get() is not None
+
+
+def require_modes(name: str, speeds: int, size: int) -> None:
+    """Raise InvalidInput where eigenproblems of ``size`` coordinates at so many speeds take more
+    than is allowed."""
+    rows = 2 * size
+    seconds = GENERAL * float(rows) ** 3 * speeds
+    _require(
+        f"{name}: {speeds} eigenproblems of {rows} rows", seconds, 16.0 * ARRAYS * rows**2 * speeds
+    )
+
+
+def require_free_modes(size: int, count: int | None) -> None:
+    """The same of modes of a free body of ``size`` DOF, so many of them by Lanczos' method, or all
+    (None)."""
+    seconds = SYMMETRIC * float(size) ** 3 if count is None else SPARSE * float(count) ** 2 * size
+    many, wide = ("all", size) if count is None else (f"{count}", 3 * count)
+    what = f"reduction of a body: {many} modes of {size} DOF"
+    _require(what, seconds, 8.0 * ARRAYS * size * wide)
+
+
+def require_matrices(name: str, speeds: int, size: int) -> None:
+    """The same of matrices of ``size`` rows at so many speeds."""
+    what = f"{name}: matrices of {size} rows at {speeds} speeds"
+    _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
+
+
+def _require(what: str, seconds: float, memory: float) -> None:
+    allowance = _allowance.get()
+    if allowance is None:
+        return
+    left = allowance.until - time.perf_counter()
+    if seconds > left or memory > MOST_BYTES:
+        raise InvalidInput(
+            f"{what} take about {seconds:.3g} s and {memory / 1e9:.2g} GB; allowed: "
+            f"{allowance.seconds:g} s for the whole run, of which {max(left, 0.0):.0f} s are left, "
+            f"and {MOST_BYTES / 1e9:g} GB; {REMEDY}"
+        )
+
+
+def require_time(name: str) -> None:
+    """Raise InvalidInput where the time of the run is over before a stage begins."""
+    allowance = _allowance.get()
+    if allowance is not None and time.perf_counter() > allowance.until:
+        raise InvalidInput(
+            f"{name}: not begun, since {allowance.seconds:g} s for the whole run are over; {REMEDY}"
+        )

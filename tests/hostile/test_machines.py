@@ -1,0 +1,28 @@
+"""A share of the extreme machines; more of them: python -m tests.hostile --machines 1000."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.hostile.judged import command, judged, loaded, words_of_nan
+from tests.hostile.kills import kills
+from tests.hostile.machines import machine, written
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _loaded() -> None:
+    loaded()
+
+
+@pytest.mark.parametrize("number", [0, 26, 75, 203, 309, 400])
+def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) -> None:
+    assert machine(number) == machine(number)
+    case, out = written(number, tmp_path), tmp_path / "out"
+    words = ("run", case, "-o", out, "--no-figures", "--quiet", "--longest", 5)
+    assert judged(command(*words, then=lambda: words_of_nan(out)), 10.0).faults == []
+
+
+def test_killed_runs_leave_whole_results(tmp_path: Path) -> None:
+    assert kills(tmp_path, 5) == []
