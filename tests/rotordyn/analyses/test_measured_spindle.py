@@ -213,9 +213,10 @@ def test_a_band_that_ends_within_a_peak_is_refused(tested):
     machine = OnMeasured(loaded.analyses["frf"].measured_spindle, loaded.spindle)
     top = int(np.abs(machine.tip("y", machine.omega)).argmax())
     (tested / "short.csv").write_text("\n".join(rows[: top + 2]) + "\n", encoding="utf-8")
+    given = measured("short.csv", more="modes: 4, ")
     asked = (
         "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, radial: "
-        f"200 MPa, speeds: [9000 rpm], measured_spindle: {measured('short.csv', more='modes: 4, ')}}}\n"
+        f"200 MPa, speeds: [9000 rpm], measured_spindle: {given}}}\n"
     )
     with pytest.raises(InvalidInput, match=r"end at .* Hz, .* measure beyond the peak"):
         rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
