@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -216,16 +216,20 @@ def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
 
 
 def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
-    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state."""
-    force = scene.axial_force + step.axial_force
-    state = dynamic_preload(
-        scene.grounded, np.array([step.speed]), scene.law, force, scene.temperatures
+    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state; with
+    the loads of the conditions besides."""
+    given = scene.conditions
+    conditions = replace(
+        given,
+        axial_force=given.axial_force + step.axial_force,
+        loads=(*given.loads, *step.loads),
     )
-    if state.outcome[0]:
+    there = scene.at(np.array([step.speed])).under(conditions)
+    if there.outcome[0]:
         return np.full(len(rating), np.nan)
     lives = []
     for seat, (balls, column), load_rating in zip(
-        scene.spindle.seats, state.seat_states(), rating, strict=True
+        scene.spindle.seats, there.preload.seat_states(), rating, strict=True
     ):
         radial = step.radial.get(seat.name, 0.0)
         if radial > 0.0:
