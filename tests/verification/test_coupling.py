@@ -104,8 +104,8 @@ def test_inverse_coupling_closes_the_circle():
 
 
 def test_translations_at_two_points_of_a_blank_give_the_base():
-    """The responses of blank and base are found otherwise: at the tip of the whole blank, and behind
-    it, with the front part as a free body beside the rest."""
+    """The responses of both together are found otherwise: at the tip of the whole blank, and behind
+    it with the front part as a free body beside the rest."""
     front = [Section(0.03, 0.05, **STEEL)]
     rear = [Section(0.02, 0.05, **STEEL), Section(0.026, 0.063, **STEEL)]
     base = beam(OMEGA, SPINDLE).r11

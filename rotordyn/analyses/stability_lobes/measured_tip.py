@@ -17,7 +17,7 @@ from rotordyn.numerics.vector_fit import Fit, vector_fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-SAMPLES = 3000  # of the band, as many as resolve peaks of a ratio of 1e-3
+SAMPLES = 2000  # of the band, as many as resolve peaks of a damping ratio of 1e-3
 PAIRS = (2, 4, 6, 8, 10, 12, 16, 20, 26, 32)
 WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
 BEYOND = 1.2  # times the band, within which no mode may drive the tip
