@@ -20,6 +20,7 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
+    from rotordyn.scene.checks import Checks
     from rotordyn.scene.stage import Memo
 
 UNASKED_BAND = 1000.0  # Hz, where no question names a frequency
@@ -52,10 +53,12 @@ def answer_spindle(
     analyses: Mapping[str, Spec],
     progress: Progress,
     memo: Memo | None = None,
+    checks: Checks | None = None,
 ) -> Answers:
     """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
 
-    ``memo``: stages of like machines, of which those of the same inputs are taken over.
+    ``memo``: stages of like machines, of which those of the same inputs are taken over; ``checks``:
+    whether errors are looked for with a finer model, as they are by default.
 
     Raises
     ------
@@ -75,6 +78,7 @@ def answer_spindle(
         max_frequency=_highest(analyses, speeds[-1] * max(map(abs, spindle.ratios.values()))),
         ports=_ports(spindle, analyses),
         memo=memo,
+        checks=checks,
     )
     results: dict[str, Result] = {}
     with linear_algebra_alone():

@@ -12,6 +12,7 @@ from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
 if TYPE_CHECKING:
+    from rotordyn.scene.checks import Checks
     from rotordyn.scene.stage import Memo
 
 
@@ -23,14 +24,20 @@ class VariantAnswers:
     failed: dict[str, str] = field(default_factory=dict)
 
 
-def solve(case: Case, progress: Progress = lambda name: None, memo: Memo | None = None) -> Answers:
+def solve(
+    case: Case,
+    progress: Progress = lambda name: None,
+    memo: Memo | None = None,
+    checks: Checks | None = None,
+) -> Answers:
     """Answer every question of ``case`` with frozen results; its variants are left aside.
 
-    ``memo``: stages of cases solved before, for what they have in common.
+    ``memo``: stages of cases solved before, for what they have in common; ``checks``: whether
+    errors are looked for with a finer model, as they are by default.
     """
     if case.spindle is not None:
         arguments = (case.spindle, case.conditions, case.speeds, case.analyses)
-        return answer_spindle(*arguments, progress, memo)
+        return answer_spindle(*arguments, progress, memo, checks)
     assert case.bearing is not None, "a case has one of the two"
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 

@@ -48,8 +48,8 @@ def mode_errors(
 
     def solve(one: Scene) -> tuple[Modes, ModeErrors]:
         computed = modes(one)
-        if one.rigid:
-            none = np.zeros((len(one.usable), len(computed[0])))
+        if one.rigid or not one.checks.wanted:
+            none = np.full((len(one.usable), len(computed[0])), 0.0 if one.rigid else np.nan)
             return computed, ModeErrors(none, none, none, "")
         return computed, _compared(one, band, computed[0])
 

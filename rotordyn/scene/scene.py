@@ -24,6 +24,7 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.checks import Checks
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
@@ -40,8 +41,8 @@ class Scene(Statics):
 
     ``max_frequency`` [Hz]: highest frequency any analysis asks for; ``ports``: places, or stations
     [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
-    by which elements and reduction are finer than the accuracy asks for. ``progress`` is called
-    with how far a long analysis is.
+    by which elements and reduction are finer than the accuracy asks for. ``checks``: whether errors
+    are looked for with such a model. ``progress`` is called with how far a long analysis is.
     """
 
     def __init__(
@@ -54,8 +55,10 @@ class Scene(Statics):
         finer: int = 0,
         memo: Memo | None = None,
         clock: Clock | None = None,
+        checks: Checks | None = None,
     ) -> None:
         super().__init__(spindle, conditions, speed, memo, clock)
+        self.checks = checks or Checks()
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
         self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
@@ -69,7 +72,7 @@ class Scene(Statics):
     def under(self, conditions: Conditions) -> Scene:
         """The same machine at the same speeds under other conditions."""
         same = (self.speed, self.max_frequency, self.ports, self.finer)
-        other = Scene(self.spindle, conditions, *same, self.memo, self.clock)
+        other = Scene(self.spindle, conditions, *same, self.memo, self.clock, self.checks)
         other.top_speed = self.top_speed
         return other
 
@@ -82,7 +85,7 @@ class Scene(Statics):
 
     def _like(self, speed: Array, finer: int) -> Scene:
         same = (self.spindle, self.conditions, speed, self.max_frequency, self.ports)
-        other = Scene(*same, finer, self.memo, self.clock)
+        other = Scene(*same, finer, self.memo, self.clock, self.checks)
         # a model serves other speeds, but is as fine as the highest speed of the case asks
         other.top_speed, other.bodies = self.top_speed, self.bodies
         other.coarse = self.coarse

@@ -107,6 +107,7 @@ class Journal:
                 "sentence": outcome.sentence,
                 "warnings": outcome.warnings,
                 "seconds": outcome.seconds,
+                "error": outcome.error,
             }
         )
 
@@ -139,4 +140,5 @@ def _read(entry: dict[str, Any]) -> tuple[int, Outcome]:
     numbers = {name: (float(v), str(unit)) for name, (v, unit) in entry["numbers"].items()}
     number = int(entry["point"])
     said = (str(entry["sentence"]), tuple(entry["warnings"]), float(entry["seconds"]))
-    return number, Outcome(number, numbers, *said)
+    error = None if entry["error"] is None else float(entry["error"])
+    return number, Outcome(number, numbers, *said, error)

@@ -19,12 +19,10 @@ from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.job.solving import solve
 from rotordyn.job.values import Values, values_of
-from rotordyn.scene.stage import Memo
+from rotordyn.study.neighbours import Neighbours
 
 MOST_SPEEDS = 9
-LATEST = 2  # values of a stage kept beside the first
 
 
 def lean(case: Case) -> Case:
@@ -45,7 +43,7 @@ class Machines:
     case: Case
     solved: int = 0
     lost: list[str] = field(default_factory=list)
-    _memo: Memo = field(default_factory=Memo)
+    _neighbours: Neighbours = field(default_factory=Neighbours)
     _known: dict[str, Values] = field(default_factory=dict)
 
     def values(self, changes: Mapping[str, Any]) -> Values:
@@ -66,13 +64,10 @@ class Machines:
         self.solved += 1
         try:
             case = vary(self.case, changes)
-            found = values_of(case, solve(case, memo=self._memo).results)
+            return values_of(case, self._neighbours.solve(case)[0].results)
         except (InvalidInput, BearingError, NoSolution) as error:
             self.lost.append(str(error))
             return Values(sentence=str(error))
-        for held in self._memo.values.values():
-            del held[1:-LATEST]
-        return found
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
         """The same of many."""

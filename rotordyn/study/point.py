@@ -17,13 +17,12 @@ from rotordyn.analyses.registry import analysis, place
 from rotordyn.case.case import Case
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.job.solving import solve, unsolved
+from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
-from rotordyn.scene.stage import Memo
 from rotordyn.study.design import Design
+from rotordyn.study.neighbours import Neighbours
 
 SAVED = 0.25  # of the time of a point, by the compiled solver of bearings
-LATEST = 2  # values of a stage kept beside the first: of the points solved last
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -41,6 +40,7 @@ class Outcome:
 
     ``numbers``: value and unit, as printed, by the name of the number; ``sentence``: why there are
     none, or which speeds lack them; empty of a point that is solved. ``seconds``: to solve it.
+    ``error``: the largest one over what the accuracy allows, None where it was not looked for.
     ``results``: those that are kept whole, by the name of the analysis.
     """
 
@@ -49,15 +49,16 @@ class Outcome:
     sentence: str = ""
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
+    error: float | None = None
     results: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass
 class _Known:
-    """What a process has of the points it solved: stages, and seconds of the ``quickest``."""
+    """What a process has of the points it solved, and seconds of the ``quickest``."""
 
     study: Study
-    memo: Memo = field(default_factory=Memo)
+    neighbours: Neighbours = field(default_factory=Neighbours)
     quickest: float = math.inf
 
 
@@ -68,18 +69,16 @@ def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
     are many, the compiled solver of bearings is loaded for them.
     """
     known = _unpacked(packed)
-    study, memo, first = known.study, known.memo, not known.memo.values
+    first = known.neighbours.none
     begin = time.perf_counter()
     try:
-        found = outcome(study, number, memo)
+        found = outcome(known.study, number, known.neighbours)
     except (InvalidInput, BearingError, NoSolution) as error:
         found = Outcome(number, sentence=str(error))
-    for values in memo.values.values():
-        del values[1:-LATEST]
     seconds = time.perf_counter() - begin
     if not first:  # which is spent on imports
         known.quickest = min(known.quickest, seconds)
-        _expect(study.case, SAVED * known.quickest * points)
+        _expect(known.study.case, SAVED * known.quickest * points)
     return replace(found, seconds=seconds)
 
 
@@ -88,8 +87,8 @@ def _expect(case: Case, seconds: float) -> None:
         expect(seconds, geometry(grooves))
 
 
-def outcome(study: Study, number: int, memo: Memo | None = None) -> Outcome:
-    """A point solved.
+def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> Outcome:
+    """A point solved, after its neighbours.
 
     Raises
     ------
@@ -97,12 +96,14 @@ def outcome(study: Study, number: int, memo: Memo | None = None) -> Outcome:
     NoSolution : no speed has a solution
     """
     case = vary(study.case, study.design.point(number))
-    answers = solve(case, memo=memo)
+    neighbours = neighbours or Neighbours()
+    answers, error = neighbours.solve(case, checked=bool(study.results))
     return Outcome(
         number,
         numbers=dict(_numbers(case, answers.results)),
         sentence="; ".join(unsolved(answers.results)),
         warnings=(*answers.warnings, *result_warnings(answers.results)),
+        error=error,
         results={name: answers.results[name] for name in study.results},
     )
 

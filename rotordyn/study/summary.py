@@ -33,6 +33,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
     lines += [part for line in _sentences(outcomes) for part in wrapped(line)]
     lines += [part for line in _warnings(outcomes) for part in wrapped(line)]
+    lines += [part for line in _errors(outcomes) for part in wrapped(line)]
     rows = [*_ranges(design, outcomes)]
     if rows:
         head = ("", "lowest", "highest", "lowest at", "highest at")
@@ -70,6 +71,14 @@ def _warnings(outcomes: Outcomes) -> Iterator[str]:
         yield f"WARNING ({len(each)} points{more}): {each[0]}"
     if len(found) > MOST_SENTENCES:
         yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in points.csv"
+
+
+def _errors(outcomes: Outcomes) -> Iterator[str]:
+    """What finer models showed where they were asked."""
+    found = [row.error for row in outcomes.values() if row.error]
+    if found:
+        share = "more than" if max(found) > 1.0 else f"at most {100.0 * max(found):.0f} % of"
+        yield f"accuracy   errors by refinement, at {len(found)} points: {share} what it allows"
 
 
 def names(outcomes: Outcomes) -> dict[str, str]:

@@ -296,6 +296,8 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     error = np.zeros(len(spec.pairs))
     if scene.rigid or not len(frequency):
         return error
+    if not scene.checks.wanted:
+        return np.full_like(error, np.nan)
     for k, places in _by_system(scene, spec.pairs).items():
         pairs, at = [spec.pairs[place] for place in places], _judged(scene, k, frequency)
         error[places] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))

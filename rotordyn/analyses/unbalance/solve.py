@@ -262,6 +262,8 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
     """Largest change of the motion of each point by the finer model, over its peak (points,)."""
     if scene.rigid:
         return np.zeros(len(spec.points))
+    if not scene.checks.wanted:
+        return np.full(len(spec.points), np.nan)
 
     def values(one: Scene, rows: Rows) -> Complex:
         linear = one.linear(_bending_subsystem(one), rows)

@@ -16,14 +16,13 @@ from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.job.solving import solve, unsolved
+from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
 from rotordyn.results.kinds import Array, Flags
-from rotordyn.scene.stage import Memo
+from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum.wish import LARGEST, Goal, Limit
 from rotordyn.study.parameter import Parameter
 
-LATEST = 2  # values of a stage kept beside the first
 DIGITS = 10  # of a share: trials closer than that are one
 KEPT = -1e-9  # margin of a limit that counts as kept
 
@@ -118,26 +117,24 @@ class Trial:
 
 def solve_trial(packed: bytes, place: Place, places: int = 1) -> Trial:
     """Try a place of a pickled problem, in whatever process this is, one of so many."""
-    problem, memo = _unpacked(packed)
+    problem, neighbours = _unpacked(packed)
     begin = time.perf_counter()
     try:
-        found = trial(problem, place, memo)
+        found = trial(problem, place, neighbours)
     except (InvalidInput, BearingError, NoSolution) as error:
         found = Trial(place, sentence=str(error))
-    for values in memo.values.values():
-        del values[1:-LATEST]
     return replace(found, seconds=time.perf_counter() - begin)
 
 
-def trial(problem: Problem, place: Place, memo: Memo | None = None) -> Trial:
-    """A place solved and read.
+def trial(problem: Problem, place: Place, neighbours: Neighbours | None = None) -> Trial:
+    """A place solved and read, after its neighbours.
 
     Raises
     ------
     InvalidInput : its values contradict one another, or a goal or limit asks for what is not there
     NoSolution : no speed has a solution
     """
-    return _read(problem, place, vary(problem.case, problem.values(place)), memo)
+    return _read(problem, place, vary(problem.case, problem.values(place)), neighbours)
 
 
 def as_it_stands(problem: Problem) -> Trial:
@@ -145,9 +142,11 @@ def as_it_stands(problem: Problem) -> Trial:
     return _read(problem, (), problem.case)
 
 
-def _read(problem: Problem, place: Place, case: Case, memo: Memo | None = None) -> Trial:
+def _read(
+    problem: Problem, place: Place, case: Case, neighbours: Neighbours | None = None
+) -> Trial:
     """A case solved, and what goals and limits read of it."""
-    answers = solve(case, memo=memo)
+    answers, _ = (neighbours or Neighbours()).solve(case)
     goals = [(goal, goal.criterion.read(case, answers.results)) for goal in problem.goals]
     limits = [(limit, limit.criterion.read(case, answers.results)) for limit in problem.limits]
     margins = [limit.margin(reading) for limit, reading in limits]
@@ -163,5 +162,5 @@ def _read(problem: Problem, place: Place, case: Case, memo: Memo | None = None) 
 
 
 @lru_cache(maxsize=1)
-def _unpacked(packed: bytes) -> tuple[Problem, Memo]:
-    return pickle.loads(packed), Memo()
+def _unpacked(packed: bytes) -> tuple[Problem, Neighbours]:
+    return pickle.loads(packed), Neighbours()
