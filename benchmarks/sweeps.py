@@ -18,7 +18,8 @@ import rotordyn
 from benchmarks.precision import Machine
 from benchmarks.processes import ROOT
 from rotordyn.analyses.frf import solve as frf
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import exact_receptance
 

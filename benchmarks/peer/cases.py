@@ -8,7 +8,8 @@ from bearings.materials import Material
 from benchmarks.peer import machine
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.contract import Spec
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.case.case import Case
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle

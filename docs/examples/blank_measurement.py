@@ -14,12 +14,20 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rotordyn
-from rotordyn.analyses.coupling import Section, amplification, beam, couple, rotations, uncouple
+from rotordyn.analyses.coupling import (
+    Section,
+    amplification,
+    beam,
+    between_points,
+    couple,
+    uncouple,
+)
 from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.modal_fit import modal_fit
 from rotordyn.case.library import find_case
 
 BLANK, TOOL, SPACING = "hsk63_blank_60", "hsk63_end_mill_16", 0.03  # m from tip to inner
+HIGHEST = 3000.0  # Hz, to which the whole machine is computed
 
 
 def shaft(name, pieces=24):
@@ -40,7 +48,12 @@ pairs = ("tip.y / tip.y", "tip.y / inner.y", "inner.y / inner.y")
 records = [read_record(file, pair, None) for pair in pairs]
 omega = 2.0 * math.pi * np.array(records[0].frequency)
 measured = np.array([record.values for record in records]).T
-blank, tool = (beam(omega, shaft(name)) for name in (BLANK, TOOL))
+measured, omega = (each[omega <= 2.0 * math.pi * HIGHEST] for each in (measured, omega))
+cylinder, *rest = shaft(BLANK)
+pieces = (cylinder._replace(length=each) for each in (SPACING, cylinder.length - SPACING))
+front, behind = next(pieces), next(pieces)
+blank = between_points(beam(omega, [front]), beam(omega, [behind, *rest]))
+tool = beam(omega, shaft(TOOL))
 fit = modal_fit(omega, measured, modes=6)
 
 whole = rotordyn.load("mfw2310_tools").variants[TOOL]
@@ -55,7 +68,7 @@ for name, own in (
     ("coupled, as measured", measured),
     (f"coupled, six modes fitted (misfit {fit.misfit:.2%})", fit(omega)),
 ):
-    ends = rotations(own[:, 0], own[:, 1], SPACING, own[:, 2])
+    ends = own[:, [[0, 1], [1, 2]]]  # tip and inner point
     tip = couple(tool, uncouple(blank, ends))[:, 0, 0]
     off = np.median(np.abs(tip - exact) / np.abs(exact))
     larger = np.median(amplification(blank, ends))

@@ -26,6 +26,7 @@ def main() -> int:
     from docs.generate.precision import draw_precision
     from docs.generate.scaling_curves import draw_scaling
     from docs.generate.sweep_curves import draw_sweeps
+    from docs.generate.zero_order_curves import draw_zero_order
 
     steps = pages.PAGES | {
         "docs/figures/mfw2310_*.png": draw_figures,
@@ -34,6 +35,7 @@ def main() -> int:
         "docs/figures/debongnie_*.png": draw_debongnie,
         "docs/figures/scaling.png": draw_scaling,
         "docs/figures/sweeps.png": draw_sweeps,
+        "docs/figures/zero_order.png": draw_zero_order,
     }
     for name, work in steps.items():
         if asked.only in name:

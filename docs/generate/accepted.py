@@ -7,7 +7,7 @@ from dataclasses import is_dataclass
 from typing import Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
-from rotordyn.analyses.frf.spec import Pair, Port
+from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.case.case import ByName
 from rotordyn.case.keys import Range
 from rotordyn.case.schema import default_of, title

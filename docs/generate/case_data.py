@@ -195,7 +195,7 @@ def made_up_tap() -> str:
 
 def blank() -> str:
     """The table that stands for a test of a blank at two points, at rest."""
-    frequency = np.arange(100.0, 3000.1, 5.0)
+    frequency = np.arange(100.0, 5000.1, 5.0)
     ends = [Port(point, "y") for point in ("tip", "inner")]
     pairs = ((ends[0], ends[0]), (ends[0], ends[1]), (ends[1], ends[1]))
     case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")

@@ -10,7 +10,7 @@ from bearings.kinds import KINDS, kind_class
 from bearings.materials import Material
 from docs.generate.accepted import accepted, default
 from docs.generate.marked import table
-from rotordyn.analyses.frf.spec import Port
+from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
 from rotordyn.case.keys import Range, extra, keys_of

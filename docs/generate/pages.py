@@ -11,7 +11,7 @@ from docs.generate.bending import axial_force_spans, axial_force_table, formulat
 from docs.generate.choices import choice_table, linear_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
-from docs.generate.heat_rows import heat_table
+from docs.generate.heat_rows import heat_table, published_heat_table
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, omitted
 from docs.generate.marked import rewrite, table
@@ -66,7 +66,8 @@ def write_theory() -> None:
 
 def write_heat() -> None:
     """Friction by every model."""
-    rewrite(THEORY / "life.md", {"heat": heat_table()})
+    fresh = {"heat": heat_table(), "published-heat": published_heat_table()}
+    rewrite(THEORY / "life.md", fresh)
 
 
 def write_debongnie() -> None:

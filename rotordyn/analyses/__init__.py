@@ -14,8 +14,10 @@ if TYPE_CHECKING:
     from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
-    from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+    from rotordyn.analyses.frf.spec import FrfSpec
     from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+    from rotordyn.analyses.measured_response import MeasuredResponse, Port
+    from rotordyn.analyses.measured_spindle import MeasuredSpindle
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stability_lobes.spec import Interval, StabilityLobesSpec, Turning
@@ -48,9 +50,10 @@ _MODULE_OF = {
     "LoadStep": "rotordyn.analyses.life.spec",
     "Lubrication": "rotordyn.scene.lubrication",
     "MountedHeatFlow": "rotordyn.scene.heat_flow",
-    "MeasuredResponse": "rotordyn.analyses.frf.spec",
+    "MeasuredResponse": "rotordyn.analyses.measured_response",
+    "MeasuredSpindle": "rotordyn.analyses.measured_spindle",
     "PointLoad": "rotordyn.scene.loads",
-    "Port": "rotordyn.analyses.frf.spec",
+    "Port": "rotordyn.analyses.measured_response",
     "SpindleHeatFlow": "rotordyn.scene.heat_flow",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
     "Turning": "rotordyn.analyses.stability_lobes.spec",
@@ -75,6 +78,7 @@ __all__ = [
     "LoadStep",
     "Lubrication",
     "MeasuredResponse",
+    "MeasuredSpindle",
     "MountedHeatFlow",
     "PointLoad",
     "Port",

@@ -81,6 +81,26 @@ def amplification(tool: Ends, tip: Complex, joint: Complex | None = None) -> Arr
     return np.asarray(first * size * last / found)
 
 
+def between_points(front: Ends, rear: Ends) -> Ends:
+    """Receptances of a blank between the translations of two of its points and its joint, to be
+    taken off what was measured there by ``uncouple``: exact, without rotations.
+
+    front, rear : free bodies from the tip to the second point, and from there to the joint
+    """
+    across = front.r22 + rear.r11
+    by_tip, by_middle, by_joint = (
+        np.linalg.solve(across, each) for each in (front.r21, front.r22, rear.r12)
+    )
+    parts = (
+        (front.r11 - front.r12 @ by_tip, front.r12 - front.r12 @ by_middle, front.r12 @ by_joint),
+        (rear.r11 @ by_tip, rear.r11 @ by_middle, rear.r12 - rear.r11 @ by_joint),
+        (rear.r21 @ by_tip, rear.r21 @ by_middle, rear.r22 - rear.r21 @ by_joint),
+    )
+    whole = np.concatenate([np.concatenate(row, axis=2) for row in parts], axis=1)
+    points, joint = np.array([0, 2]), np.array([4, 5])
+    return Ends(*(whole[:, a[:, None], b] for a in (points, joint) for b in (points, joint)))
+
+
 def joint_flexibility(
     omega: Array,
     stiffness: float,

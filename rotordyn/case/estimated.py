@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
 from bearings.catalogue.printed import Catalogue
 from bearings.errors import InvalidBearing
 from bearings.kinds import DEFAULT, kind_class
+from bearings.materials import Material
 from rotordyn.case.keys import Printed, keys_of
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
@@ -46,6 +48,8 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
         for field in keys_of(model)
         if node.child(field.keys[0]) is not None
     }
+    if any(isinstance(v, Material) and math.isnan(v.young_modulus) for v in values.values()):
+        return None  # a material whose fault is reported already
     printed = values.pop("estimate") or Printed()
     values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
     taken = {field.name for field in fields(Catalogue)}

@@ -36,6 +36,9 @@ _MATERIALS_OF_SPINDLE = (
     ("rotors", "*", "discs", "*", "material"),
 )
 _WORKPIECES = (("analyses", "stability_lobes", "workpiece"),)
+_MEASURED_SPINDLES = tuple(
+    ("analyses", name, "measured_spindle") for name in ("frf", "stability_lobes")
+)
 _MATERIALS_OF_TOOL = (("material",), ("sections", "*", "material"))
 
 
@@ -186,6 +189,10 @@ def asked(root: Node, reader: Reader) -> None:
     """Fills in the models that analyses of a case name; one that cannot be read, whose fault is
     reported, by any, so that its absence is not reported as well."""
     _fill(root, _WORKPIECES, "workpieces", reader)
+    for place in _MEASURED_SPINDLES:
+        for holder in _matching(root, place):
+            if (blank := holder.child("blank")) is not None:
+                _set(holder, "blank", tool(blank, reader))
     for *way, key in _WORKPIECES:
         for holder in _matching(root, tuple(way)):
             given = holder.child(key)

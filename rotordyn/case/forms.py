@@ -8,13 +8,16 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import product
+from pathlib import Path
 from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
 from bearings.materials import Material
 from rotordyn import units
 from rotordyn.analyses.frf.records import read_record
-from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Pair, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import MeasuredResponse, Pair, Port
+from rotordyn.analyses.measured_spindle import MeasuredSpindle
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
@@ -33,6 +36,7 @@ from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Quantity, Sweep, suggestion
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
@@ -54,6 +58,11 @@ def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
     values = reading.fields(Material, node)
     numbers = [value for value in values.values() if isinstance(value, float)]
     return unknown(Material) if any(map(math.isnan, numbers)) else Material(**values)
+
+
+def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """A tool, its name or path resolved already, called as its file."""
+    return reading.description(Tool, node, others, name=Path(node.file).stem)
 
 
 def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -159,10 +168,24 @@ def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...])
                 listed.append(replace(matrix, value={"response": row, "excitation": column}))
         whole = pairs or matrix
         node.value["pairs"] = replace(whole, value=listed if listed else UNKNOWN)
-    for index, item in enumerate(_listed(exact(node, ("measured",)))):
+    _numbered(exact(node, ("measured",)))
+    return reading.description(FrfSpec, node)
+
+
+def measured_spindle(
+    reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
+) -> Any:
+    """A spindle by its measured responses."""
+    if isinstance(node.value, dict):
+        _numbered(exact(node, ("responses",)))
+    return reading.description(MeasuredSpindle, node, others)
+
+
+def _numbered(node: Node | None) -> None:
+    """Gives measured responses without a name their number."""
+    for index, item in enumerate(_listed(node)):
         if isinstance(item.value, dict):
             item.value.setdefault("name", replace(item, value=f"measured {index + 1}"))
-    return reading.description(FrfSpec, node)
 
 
 def _listed(node: Node | None) -> list[Node]:
@@ -239,8 +262,10 @@ FORMS: dict[type, Any] = {
     Port: port,
     Pair: pair,
     FrfSpec: frf,
+    MeasuredSpindle: measured_spindle,
     ByName: by_name,
     Material: material,
+    Tool: tool,
     BearingSeat: seat,
     BallBearing: bearing,
     Matrix: matrix,

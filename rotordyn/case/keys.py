@@ -14,7 +14,8 @@ from typing import Annotated, Any
 from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
 from bearings.materials import Material
-from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated

@@ -51,7 +51,7 @@ def read_spindle(reading: Reading, tree: Node, tool: Node | None) -> tuple[Spind
 
 def read_tool(reading: Reading, tree: Node) -> Tool:
     """The tool in ``tree``."""
-    made: Tool = reading.description(Tool, tree, name=Path(tree.file).stem)
+    made: Tool = reading.value(Tool, tree)
     return made
 
 

@@ -48,6 +48,8 @@ class Reading:
         forms = members(annotation)
         if len(forms) > 1:
             return self._one_of(annotation, forms, node)
+        if form := self._form(forms[0]):  # of what may be left out
+            return form(self, forms[0], node, ())
         return self._one(forms[0], node)
 
     def _one(self, annotation: Any, node: Node) -> Any:

@@ -16,7 +16,8 @@ from bearings.errors import shown
 from bearings.kinds import DEFAULT, KINDS, kind_class
 from bearings.materials import Material
 from rotordyn import units
-from rotordyn.analyses.frf.spec import FrfSpec, Pair, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case

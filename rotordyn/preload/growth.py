@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
+from rotordyn.machine.growth import QuadraticInSpeed
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Rises, Temperatures
@@ -226,18 +226,3 @@ def _outer_release(
 def _first_loose(states: States, speed: Array) -> tuple[float, ...]:
     loose = [row for rows, state in states for row in rows[~state.holds[:, 0]]]
     return (float(speed[min(loose)]),) if loose else ()
-
-
-def fitted_bodies(
-    spindle: Spindle, seat: BearingSeat, fit: InterferenceFit
-) -> tuple[Cylinder, Cylinder]:
-    """Shaft and inner ring as cylinders."""
-    from bearings.fit.cylinder import Cylinder
-
-    material, bearing = spindle.shaft.section_at(seat.x).material, seat.bearing
-    hole = spindle.shaft.diameters_at(seat.x)[1]
-    bore = fit.bore_diameter / 2.0
-    return (
-        Cylinder(hole / 2.0, bore, material),
-        Cylinder(bore, bearing.inner_raceway_radius, bearing.ring_material),
-    )

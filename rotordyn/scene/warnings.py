@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.preload.growth import released_fits
+from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import gripping, pressed, slipping
 from rotordyn.results.display import RPM
 from rotordyn.scene.stability import instability
@@ -36,6 +37,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"{speed * RPM.factor:.0f} rpm, from where on the ring grows without the {on}; raise "
             "its interference"
         )
+    yield from _yielding(scene)
     for sleeve in scene.spindle.sleeves:
         if sleeve.friction > 0.0:
             yield (
@@ -49,6 +51,20 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
+
+
+def _yielding(scene: Scene) -> Iterator[str]:
+    """Inner rings whose interference is too much for them."""
+    stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
+    for seat, column in zip(scene.spindle.seats, stress.T, strict=True):
+        if np.nanmax(column, initial=0.0) > YIELD:
+            row = int(np.nanargmax(column))
+            yield (
+                f"bearing {seat.name}: its inner ring yields under its fit, "
+                f"{column[row] / 1e6:.0f} MPa after Tresca at "
+                f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
+                "the interference"
+            )
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:

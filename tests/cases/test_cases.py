@@ -118,6 +118,7 @@ SOME = (  # as many as there are: NaN beyond the last, infinite without damping
     *("ball_temperature", "inner_temperature", "outer_temperature", "speed_limit"),  # if warm
     *("spectrum_life", "spectrum_set_life", "target", "ring_stress"),  # where asked for
     *("held_force", "held_mean"),  # where sleeves slide
+    *("measured_error", "measured"),  # of a tool on a measured spindle
     *("loss_share", "loss_azimuth", "ball_azimuth", "ball_inner_load", "ball_outer_load"),
     *("ball_inner_angle", "ball_outer_angle"),  # a bearing has fewer balls than another one
     *("fine_major_axis", "fine_minor_axis", "fine_force_amplitude"),  # apart where a stop closes

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.contract import Spec
-from rotordyn.analyses.frf.spec import Port
+from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.case.model import model

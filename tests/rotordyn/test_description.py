@@ -31,7 +31,7 @@ from rotordyn.analyses import (
     Unbalance,
     UnbalanceSpec,
 )
-from rotordyn.analyses.frf.spec import MeasuredResponse
+from rotordyn.analyses.measured_response import MeasuredResponse
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
     BearingSeat,

@@ -9,6 +9,7 @@ from rotordyn.analyses.coupling import (
     Ends,
     Section,
     beam,
+    between_points,
     couple,
     joint_flexibility,
     rotations,
@@ -100,6 +101,24 @@ def test_inverse_coupling_closes_the_circle():
         other = beam(OMEGA, HOLDER)
         tip, again = couple(other, base), couple(other, back)
         assert np.abs(again - tip).max() < 1e-10 * np.abs(tip).max()
+
+
+def test_translations_at_two_points_of_a_blank_give_the_base():
+    """The responses of both together are found otherwise: at the tip of the whole blank, and behind
+    it with the front part as a free body beside the rest."""
+    front = [Section(0.03, 0.05, **STEEL)]
+    rear = [Section(0.02, 0.05, **STEEL), Section(0.026, 0.063, **STEEL)]
+    base = beam(OMEGA, SPINDLE).r11
+    parts = [beam(OMEGA, each) for each in (front, rear)]
+    tip = couple(beam(OMEGA, front + rear), base)
+    held = couple(parts[1], base)
+    behind = np.linalg.inv(np.linalg.inv(parts[0].r22) + np.linalg.inv(held))
+    across = parts[0].r12 @ np.linalg.solve(parts[0].r22 + held, held)
+    first, cross, second = (each[:, 0, 0] for each in (tip, across, behind))
+    given = np.stack([np.stack([first, cross], -1), np.stack([cross, second], -1)], -2)
+    other = beam(OMEGA, HOLDER)
+    again, wanted = (couple(other, b) for b in (uncouple(between_points(*parts), given), base))
+    assert np.abs(again - wanted).max() < 1e-7 * np.abs(wanted).max()
 
 
 def test_two_planes_at_once():

@@ -22,6 +22,7 @@ from rotordyn.analyses.thermal_preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.panels import Shown
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
+from rotordyn.machine.growth import InterferenceFit
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
@@ -33,6 +34,7 @@ from rotordyn.preload.growth import (
     ring_growth,
     static_growth,
 )
+from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.preload.shortening import thermal_shifts
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
@@ -209,6 +211,26 @@ def test_a_ring_that_lets_go_grows_alone_and_is_named() -> None:
     assert ring_growth(machine, seat, top) - still == pytest.approx(alone, rel=1e-10)
     found = scene(machine, [0.0, first.speed / RPM * 1.1])
     assert any("lets go" in word and "grows without the shaft" in word for word in found.warnings)
+
+
+def test_an_inner_ring_that_yields_is_named() -> None:
+    """Fits by their classes on a hot shaft: hoop stress and pressure by Lamé's equations, of shaft
+    and ring of one material, rise with the temperature between them."""
+    machine, rest = spindle(), np.zeros(1)
+    stressed = [
+        ring_stress(machine, rest, Temperatures(shaft=20.0 + rise, inner_rings=20.0))[0, 0]
+        for rise in (0.0, 100.0)
+    ]
+    race, radius = bearing().inner_raceway_radius, BORE / 2
+    wall = (radius**2 + race**2) / (race**2 - radius**2)
+    hole = machine.shaft.diameters_at(0.05)[1] / 2
+    share = (race**2 - radius**2) * (radius**2 - hole**2) / (race**2 - hole**2) / radius**2
+    pressure = 0.5 * STEEL.young_modulus * 11.5e-6 * 100.0 * share
+    assert np.diff(stressed)[0] == pytest.approx(pressure * (wall + 1.0), rel=1e-9)
+    deep = (1.6e9 / np.diff(stressed)[0]) * 11.5e-6 * 100.0 * radius
+    tight = RingGrowth(static=0.0, centrifugal="computed", fit=InterferenceFit(BORE, deep))
+    own = scene(spindle(None, growth=tight), [0.0])
+    assert any("yields under its fit, 1600 MPa" in word for word in own.warnings)
 
 
 def _inner_growth(machine: Spindle, speed: float) -> float:

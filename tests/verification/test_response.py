@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from rotordyn.analyses.frf.solve import answer
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar

@@ -13,7 +13,8 @@ from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf import solve as frf
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.section_forces import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec, MeasuredResponse
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import as_quantity
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -25,12 +26,13 @@ def measured_fields(
     pairs: Sequence[str],
     computed: Callable[[int, Array], Complex],
     peaks: tuple[Array, Complex],
+    errors: Mapping[str, float] = {},
 ) -> dict[str, Any]:
     """The fields of a result about ``spec.measured``.
 
     ``computed``: responses (pairs, n) at one of the speeds and at frequencies (n,) [Hz]; of
     ``peaks``, frequency and value (speeds, pairs, resonances). The computed response is that at the
-    nearest speed of the case.
+    nearest speed of the case. ``errors``: relative ones by the name of the response.
     """
     count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
     axis = np.full((count, longest), np.nan)
@@ -63,15 +65,9 @@ def measured_fields(
         "measured_frequency": axis,
         "measured_response": response,
         "frac": frac,
+        "measured_error": np.array([errors.get(one.name, np.nan) for one in spec.measured]),
         **dict(zip(names, beside, strict=True)),
     }
-
-
-def as_quantity(one: MeasuredResponse, quantity: str) -> Complex:
-    """A measured response as another quantity, by the powers of iω between them."""
-    power = QUANTITIES.index(quantity) - QUANTITIES.index(one.quantity)
-    turn = 2j * math.pi * np.array(one.frequency)
-    return np.asarray((np.array(one.real) + 1j * np.array(one.imaginary)) * turn**power)
 
 
 def assurance(one: Complex, other: Complex) -> float:

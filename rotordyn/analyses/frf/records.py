@@ -12,7 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rotordyn.analyses.frf.spec import NO_RESPONSE, QUANTITIES
+from rotordyn.analyses.measured_response import NO_RESPONSE, QUANTITIES
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.results.display import response_unit

@@ -95,6 +95,9 @@ class FrequencyResponse:
         "measured", "peak", unit=AS_COMPUTED, label="amplitude of the computed peak"
     )
     frac: Array = quantity("measured", unit="1", label="FRAC of measured and computed response")
+    measured_error: Array = quantity(
+        "measured", unit="1", label="error of a coupled tip by noise, over its size"
+    )
 
     def highest(self, pair: int) -> tuple[int, int] | None:
         """Speed and resonance of the highest peak of a pair, None where there is none."""

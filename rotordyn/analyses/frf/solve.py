@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.frf.coupled import with_coupled
 from rotordyn.analyses.frf.measured import measured_fields
 from rotordyn.analyses.frf.orders import BEYOND, line_fields, lines_of
 from rotordyn.analyses.frf.peaks import Peaks, Poles, curve_at, joined, peaks_of, poles_of
@@ -20,7 +21,8 @@ from rotordyn.analyses.frf.result import (
     MobilityResult,
     TurningFrfResult,
 )
-from rotordyn.analyses.frf.spec import ORDERS_TURNED, QUANTITIES, FrfSpec, Port
+from rotordyn.analyses.frf.spec import ORDERS_TURNED, FrfSpec
+from rotordyn.analyses.measured_response import QUANTITIES, Port
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.plausibility import undamped
@@ -90,7 +92,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     values, peaks = rest.pop("values"), (rest["peak_frequency"], rest["peak_value"])
     rest |= line_fields(scene, spec, responses)
     computed = partial(_at_speed, scene, spec.pairs, power)
-    rest |= measured_fields(spec, scene.speed, frequency, names, computed, peaks)
+    laid, noise = with_coupled(spec, scene.spindle)
+    rest |= measured_fields(laid, scene.speed, frequency, names, computed, peaks, noise)
     return kind(
         speed=scene.speed,
         frequency=frequency,

@@ -7,85 +7,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Description, Faults, ascending, repeated
+from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, Pair, Port
+from rotordyn.analyses.measured_spindle import PLANES, MeasuredSpindle, at_front
+from rotordyn.description import Faults, ascending, repeated, within
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.housing import housed_motions
-from rotordyn.machine.matrix import Dof
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions
-from rotordyn.quantity import (
-    HIDDEN,
-    Choice,
-    EngineOrder,
-    Frequency,
-    Items,
-    Key,
-    Name,
-    PointName,
-    Speed,
-    Sweep,
-)
+from rotordyn.quantity import Choice, EngineOrder, Frequency, Items, Key, Speed, Sweep
 from rotordyn.scene.formulation import ROTATING, turned
 from rotordyn.scene.spec import Setting, Spec
 
-QUANTITIES = ("receptance", "mobility", "inertance")
 ORDERS_TURNED = (
     "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
     "or take formulation: inertial"
 )
-NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
 _SPOKEN: Mapping[str, str] = {"axial": "axial motion"}
-
-
-@dataclass(frozen=True, slots=True)
-class Port(Description):
-    """A point of the machine (of a further rotor: ``rotor.point``) and one of its directions."""
-
-    point: PointName
-    direction: Dof
-
-    def __str__(self) -> str:
-        return f"{self.point}.{self.direction}"
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """Marks a response and an excitation, which files write under these keys."""
-
-    response = "a point and one of x, y, z, thx, thy, thz"
-    excitation = "a point and the direction of its force or moment"
-
-
-@dataclass(frozen=True, slots=True)
-class MeasuredResponse(Description):
-    """A measured response to lay over the computed one, from UFF type 58 or a CSV table."""
-
-    name: Annotated[Name, Key(default=""), "in figures and summary; by default its number"]
-    response: Annotated[Port, "of a pair of the case, over which it is laid"]
-    excitation: Annotated[Port, "of a pair of the case, over which it is laid"]
-    frequency: Annotated[tuple[Frequency, ...], HIDDEN]
-    real: Annotated[tuple[float, ...], HIDDEN]
-    imaginary: Annotated[tuple[float, ...], HIDDEN]
-    speed: Annotated[Speed, "at which it was measured"] = 0.0
-    quantity: Annotated[str, Choice(QUANTITIES), HIDDEN] = QUANTITIES[0]
-
-    @property
-    def pair(self) -> str:
-        """As in results."""
-        return f"{self.response} / {self.excitation}"
-
-    def _faults(self) -> Faults:
-        counts = [len(self.frequency), len(self.real), len(self.imaginary)]
-        if len(set(counts)) > 1 or counts[0] < 2:
-            yield (
-                ("file",),
-                "frequency, real and imaginary: at least two values, as many in each: given "
-                f"{', '.join(map(str, counts))}",
-            )
-        for _, sentence in ascending("frequency", self.frequency):
-            yield ("file",), f"frequency: {sentence}"
-        if not any((*self.real, *self.imaginary)):
-            yield ("file",), NO_RESPONSE
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +53,11 @@ class FrfSpec(Spec):
         tuple[MeasuredResponse, ...],
         "measured ones laid over ([how](theory/receptances.md#measured-responses))",
     ] = ()
+    measured_spindle: Annotated[
+        MeasuredSpindle | None,
+        "with the tool of the case coupled to it, laid over the tip of the computed machine "
+        "([how](howto/measured_spindle.md))",
+    ] = None
     engine_orders: Annotated[
         tuple[EngineOrder, ...],
         "multiples of the speed of every rotor, whole or not, followed over speed",
@@ -133,7 +75,7 @@ class FrfSpec(Spec):
                     ("frequencies",),
                     "no frequencies: at least one is needed, or engine_orders",
                 )
-            for key in ("slices", "measured"):
+            for key in ("slices", "measured", "measured_spindle"):
                 if getattr(self, key):
                     yield (key,), "needs frequencies, which are not given"
         yield from ascending("engine_orders", self.engine_orders)
@@ -185,6 +127,31 @@ class FrfSpec(Spec):
             )
         if not misnamed(setting.spindle):
             yield from self._pairs(setting.spindle)
+            yield from self._coupled(setting)
+
+    def _coupled(self, setting: Setting) -> Faults:
+        """The measured spindle takes the tool of the case, whose tip is in a pair."""
+        if self.measured_spindle is None:
+            return
+        yield from within(("measured_spindle",), self.measured_spindle.faults_on(setting.spindle))
+        if not self.at_the_tip(setting.spindle):
+            yield (
+                ("measured_spindle",),
+                "no pair at the tip of the tool, over which it is laid: allowed: response and "
+                "excitation in y, or in z, of the point at its front end",
+            )
+
+    def at_the_tip(self, spindle: Spindle) -> tuple[tuple[Port, Port], ...]:
+        """Pairs over which the tool on a measured spindle is laid."""
+        front = spindle.places
+        return tuple(
+            pair
+            for pair in self.pairs
+            if pair[0] == pair[1]
+            and pair[0].direction in PLANES
+            and pair[0].point in front
+            and at_front(spindle, pair[0].point)
+        )
 
     def _pairs(self, spindle: Spindle) -> Faults:
         """Points exist; the ends of a pair are in one motion, or in motions that are coupled."""

@@ -17,6 +17,7 @@ from rotordyn.results.text import unbroken
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 MOST = 4  # responses listed
 SAME = 1e-6  # of a speed
+NOISY = 0.3  # of a response: so large an error by noise is warned of
 
 
 def summary(result: FrequencyResponse) -> list[str]:
@@ -97,7 +98,9 @@ def _line(result: FrequencyResponse, row: int) -> str:
     )
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
-    return f"{head}: FRAC {result.frac[row]:.3f}{compared}"
+    noise = result.measured_error[row]
+    known = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
+    return f"{head}: FRAC {result.frac[row]:.3f}{known}{compared}"
 
 
 def _why_not(result: FrequencyResponse, row: int) -> str:
@@ -114,6 +117,12 @@ def warnings(result: FrequencyResponse) -> list[str]:
         f"measured response {name} is not compared: {_why_not(result, row)}"
         for row, name in enumerate(result.measured)
         if not math.isfinite(result.frac[row])
+    ]
+    sentences += [
+        f"{name}: the noise of the measurement makes {noise:.0%} of it: take a shorter blank, more "
+        "averages, or fewer modes"
+        for name, noise in zip(result.measured, result.measured_error, strict=True)
+        if noise > NOISY
     ]
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:

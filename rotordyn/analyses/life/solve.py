@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -46,6 +46,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         blank: Any = {"U": "", "b": False}.get(values.dtype.kind, np.nan)
         return np.where(good[:, None], values, blank)
 
+    stressed = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
     fields = {name: joined(name) for name in columns[0]}
     lives = bearings.life.set_life(fields["life"], axis=1)
     spectrum = _spectrum(scene, spec, ratings[0])
@@ -57,7 +58,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         dynamic_rating=ratings[0],
         groove_rating=ratings[1],
         static_rating=ratings[2],
-        ring_stress=np.where(good[:, None], _ring_stress(state)[rows], np.nan),
+        ring_stress=np.where(good[:, None], stressed[rows], np.nan),
         set_life=lives,
         spectrum_life=spectrum,
         spectrum_set_life=float(bearings.life.set_life(spectrum)),
@@ -191,21 +192,6 @@ def _least(margin: Array) -> Array:
     return np.where(np.isfinite(least), least, np.nan)
 
 
-def _ring_stress(state: PreloadState) -> Array:
-    """Stress after Tresca, σθ + p at the bore of every fitted inner ring (speeds, seats) [Pa]."""
-    from bearings.fit.compound import compound
-    from rotordyn.preload.growth import fitted_bodies
-
-    stress = np.full((len(state.speed), len(state.spindle.seats)), np.nan)
-    for k, seat in enumerate(state.spindle.seats):
-        fit = seat.growth.fitted
-        if fit is not None:
-            bodies = fitted_bodies(state.spindle, seat, fit)
-            pressed = compound(bodies, [fit.interference], state.speed)
-            stress[:, k] = pressed.hoop_stress(fit.bore_diameter / 2.0) + pressed.pressure[:, 0]
-    return stress
-
-
 def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
     """Life of every bearing under the load spectrum [s], NaN without one (bearings,)."""
     if not spec.spectrum:
@@ -216,16 +202,20 @@ def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
 
 
 def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
-    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state."""
-    force = scene.axial_force + step.axial_force
-    state = dynamic_preload(
-        scene.grounded, np.array([step.speed]), scene.law, force, scene.temperatures
+    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state; with
+    the loads of the conditions besides."""
+    given = scene.conditions
+    conditions = replace(
+        given,
+        axial_force=given.axial_force + step.axial_force,
+        loads=(*given.loads, *step.loads),
     )
-    if state.outcome[0]:
+    there = scene.at(np.array([step.speed])).under(conditions)
+    if there.outcome[0]:
         return np.full(len(rating), np.nan)
     lives = []
     for seat, (balls, column), load_rating in zip(
-        scene.spindle.seats, state.seat_states(), rating, strict=True
+        scene.spindle.seats, there.preload.seat_states(), rating, strict=True
     ):
         radial = step.radial.get(seat.name, 0.0)
         if radial > 0.0:

@@ -17,8 +17,9 @@ from rotordyn.quantity import (
     Share,
     Speed,
 )
+from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
-from rotordyn.scene.spec import Setting, Spec
+from rotordyn.scene.spec import Setting, Spec, placed
 
 RELIABILITIES = (0.90, 0.95, 0.96, 0.97, 0.98, 0.99)
 _SUM = 1e-6  # by which shares may miss 1
@@ -33,6 +34,9 @@ class LoadStep(Description):
     axial_force: Annotated[
         Force, "on the front end of the shaft, towards +x, besides that of the conditions"
     ] = 0.0
+    loads: Annotated[
+        tuple[PointLoad, ...], "static loads on the shaft, besides those of the conditions"
+    ] = ()
     radial: Annotated[
         Mapping[Name, Preload],
         "radial load on bearings by name; they keep the axial load of their preload, untilted",
@@ -79,6 +83,7 @@ class LifeSpec(Spec):
         ]
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
+            yield from self._loads(setting, index, step)
         for path in places:
             if path[-1] not in names:
                 yield (
@@ -87,3 +92,13 @@ class LifeSpec(Spec):
                 )
         if setting.conditions.bearings == "static":
             yield (), "needs bearings at speed: given conditions.bearings: static"
+
+    def _loads(self, setting: Setting, index: int, step: LoadStep) -> Faults:
+        for place, load in enumerate(step.loads):
+            yield from placed(load.at, setting.spindle, ("spectrum", index, "loads", place, "at"))
+        if step.radial and (step.loads or setting.loaded):
+            yield (
+                ("spectrum", index, "radial"),
+                "given beside loads across the axis, from which radial loads of bearings follow: "
+                "allowed: loads of this step instead",
+            )

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limit import sampled_limit
+from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
@@ -38,7 +39,7 @@ NOT_MODES = (
 class Limits:
     """Of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
 
-    tip: Tip
+    tip: Tip | MeasuredTip
     rows: Rows
     speed: Array
     progress: Callable[[str], None] = lambda _: None
@@ -54,8 +55,9 @@ class Limits:
         spec = operation.spec
         if spec.method == METHODS[1] or spec.turning is not None:
             return self._mean(operation, change)
-        if self.tip.modes is None:
-            return self._sampled(operation, change)
+        if isinstance(self.tip, Tip) and self.tip.modes is None:
+            return self._sampled(self.tip, operation, change)
+        assert self.tip.modes is not None
         tops = self.tip.tops[self.rows] * change.highest
         own = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
@@ -72,18 +74,18 @@ class Limits:
                 self.progress(f"{len(every)} of {count} speeds")
         return every
 
-    def _sampled(self, operation: Operation, change: Change) -> list[Limit]:
+    def _sampled(self, tip: Tip, operation: Operation, change: Change) -> list[Limit]:
         if operation.spec.process_damping > 0.0 or change != UNCHANGED:
             what = "leave process_damping and interval out, or take method: zero-order"
             raise InvalidInput(NOT_MODES.format(what=what))
 
         def limit(row: int, speed: float) -> Limit:
-            one = self.tip.at(row)
-            process, top = operation.process(speed), float(self.tip.tops[row])
-            near = self.tip.about_poles(row)
+            one = tip.at(row)
+            process, top = operation.process(speed), float(tip.tops[row])
+            near = tip.about_poles(row)
             return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
 
-        self.tip.tops  # noqa: B018  solved once, before threads ask for it
+        tip.tops  # noqa: B018  solved once, before threads ask for it
         with ThreadPoolExecutor(processors()) as pool:
             return self._reported(pool.map(limit, self.rows.tolist(), self.speed.tolist()))
 
@@ -123,15 +125,17 @@ class Limits:
             return modes.changed(change).of(rows, top * change.highest).receptance
         if change != UNCHANGED:
             raise InvalidInput(NOT_MODES.format(what="leave interval out"))
-        return partial(self._summed, rows)
+        assert isinstance(self.tip, Tip)
+        return partial(_summed, self.tip, rows)
 
-    def _summed(self, rows: Rows, omega: Array) -> Complex:
-        if self.tip.count == 1:
-            flat = self.tip.receptance(omega.reshape(1, -1))
-            return flat.reshape(*omega.shape, 2, 2)
-        every = np.ones((self.tip.count, omega.shape[1]))
-        every[rows] = omega
-        return self.tip.receptance(every)[rows]
+
+def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
+    if tip.count == 1:
+        flat = tip.receptance(omega.reshape(1, -1))
+        return flat.reshape(*omega.shape, 2, 2)
+    every = np.ones((tip.count, omega.shape[1]))
+    every[rows] = omega
+    return tip.receptance(every)[rows]
 
 
 def _alike(period: Array) -> Iterator[slice]:

@@ -19,7 +19,8 @@ class StabilityLobesResult:
     """Limits at ``cutting_speed``, each with the receptance of the machine at that speed; infinite
     where no depth is unstable.
 
-    ``at_rest``: what the receptance of the machine at rest gives instead. ``least``, ``most``:
+    ``at_rest``: what the receptance of the machine at rest gives instead; ``measured``: that of the
+    tool on the measured spindle, NaN where none was. ``least``, ``most``:
     over the intervals of the case and all sources of the cutting coefficients. ``pocket``: maxima
     of the depth over speed, the deepest first.
     """
@@ -41,6 +42,12 @@ class StabilityLobesResult:
         "cutting_speed",
         unit="m",
         label="stable depth of cut by the receptance at rest",
+        printed=MILLIMETRE,
+    )
+    measured: Array = quantity(
+        "cutting_speed",
+        unit="m",
+        label="stable depth of cut on the measured spindle",
         printed=MILLIMETRE,
     )
     least: Array = quantity(

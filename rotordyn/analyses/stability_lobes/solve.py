@@ -7,8 +7,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.bands import band
 from rotordyn.analyses.stability_lobes.limits import Limits
+from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.pockets import pockets
@@ -44,6 +46,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     at_rest = _tip(scene.at(np.zeros(1)), spec)
     standing = Limits(at_rest, np.zeros_like(rows), usable, scene.progress)
     still = standing.of(operations[0])
+    measured = _on_measured(scene, spec, operations[0], usable)
 
     place = np.searchsorted(speeds, usable)
     depth = _spread(place, len(speeds), _depths(own))
@@ -64,6 +67,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         mode_damping=modes[:, 1],
         removal=removal,
         at_rest=_spread(place, len(speeds), _depths(still)),
+        measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),
         pocket=np.arange(1, len(deepest.place) + 1),
@@ -76,8 +80,23 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
 
 
 def _tip(scene: Scene, spec: StabilityLobesSpec) -> Tip:
-    feed = spec.turning.direction if spec.turning else spec.feed
-    return Tip(scene, spec.point, feed, spec.max_frequency)
+    return Tip(scene, spec.point, _feed(spec), spec.max_frequency)
+
+
+def _feed(spec: StabilityLobesSpec) -> float:
+    return spec.turning.direction if spec.turning else spec.feed
+
+
+def _on_measured(
+    scene: Scene, spec: StabilityLobesSpec, operation: Operation, speed: Array
+) -> Array:
+    """Limits of the tool on the measured spindle (s,) [m], NaN where none was measured."""
+    if spec.measured_spindle is None:
+        return np.full(len(speed), np.nan)
+    machine = OnMeasured(spec.measured_spindle, scene.spindle)
+    rows = np.zeros(len(speed), dtype=np.intp)
+    tip = MeasuredTip(machine, _feed(spec))
+    return _depths(Limits(tip, rows, speed, scene.progress).of(operation))
 
 
 def _depths(limits: list[Limit]) -> Array:

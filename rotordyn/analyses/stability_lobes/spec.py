@@ -6,13 +6,15 @@ import math
 from dataclasses import dataclass, field
 from typing import Annotated
 
+from rotordyn.analyses.measured_spindle import MeasuredSpindle, at_front
 from rotordyn.analyses.stability_lobes.workpiece import (
     CuttingCoefficient,
     RadialCoefficient,
     Workpiece,
 )
-from rotordyn.description import Description, Faults, ascending
+from rotordyn.description import Description, Faults, ascending, within
 from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
     Choice,
@@ -100,6 +102,11 @@ class StabilityLobesSpec(Spec):
     method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
         METHODS[0]
     )
+    measured_spindle: Annotated[
+        MeasuredSpindle | None,
+        "with the tool of the case coupled to it, beside the machine as computed "
+        "([how](howto/measured_spindle.md))",
+    ] = None
     max_frequency: Annotated[Frequency, "up to which the machine is modelled"] = 4000.0
     speeds: Annotated[
         tuple[TopSpeed, ...],
@@ -156,8 +163,10 @@ class StabilityLobesSpec(Spec):
 
     def faults_on(self, setting: Setting) -> Faults:
         if not misnamed(setting.spindle):
-            for sentence in unknown("point", self.point, [*setting.spindle.places]):
-                yield ("point",), sentence
+            unnamed = [*unknown("point", self.point, [*setting.spindle.places])]
+            yield from ((("point",), sentence) for sentence in unnamed)
+            if self.measured_spindle is not None and not unnamed:
+                yield from self._measured(self.measured_spindle, setting.spindle)
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
         known = [speed for speed in setting.speeds if speed == speed]
@@ -169,3 +178,12 @@ class StabilityLobesSpec(Spec):
                 )
         if known and not self.speeds and not max(known) > 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
+
+    def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
+        yield from within(("measured_spindle",), measured.faults_on(spindle))
+        if not at_front(spindle, self.point):
+            yield (
+                ("point",),
+                "coupling gives the tip of the tool: given {given}; allowed: the point at its "
+                "front end, or no measured_spindle",
+            )

@@ -40,7 +40,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
         )
     ]
     lines = [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
-    return lines + _at_rest(result)
+    return lines + _at_rest(result) + _measured(result)
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
@@ -67,6 +67,31 @@ def _at_rest(result: StabilityLobesResult) -> list[str]:
         f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm: {_depth(result.at_rest[row])} "
         f"in place of {_depth(result.depth[row])}"
     ]
+
+
+def _measured(result: StabilityLobesResult) -> list[str]:
+    """The least limit of the tool on the measured spindle, and where it differs most."""
+    if not np.isfinite(result.measured).any():
+        return []
+    row = int(np.nanargmin(result.measured))
+    line = (
+        f"measured   the tool on the measured spindle is stable up to "
+        f"{_depth(result.measured[row])}, limited at {_rpm(result, row)}"
+    )
+    with np.errstate(divide="ignore", invalid="ignore"):
+        moved = np.abs(np.log(result.measured / result.at_rest))
+    moved = np.where(np.isfinite(moved), moved, -1.0)
+    most = int(moved.argmax())
+    if moved[most] > 0.0:
+        line += (
+            f"; differs most from the machine as computed at rest at {_rpm(result, most)}: "
+            f"{_depth(result.measured[most])} in place of {_depth(result.at_rest[most])}"
+        )
+    return [line]
+
+
+def _rpm(result: StabilityLobesResult, row: int) -> str:
+    return f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm"
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:

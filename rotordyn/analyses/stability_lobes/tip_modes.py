@@ -18,16 +18,19 @@ TERMS = 12
 @dataclass(frozen=True, eq=False)
 class TipModes:
     """``pole`` (s, k) [rad/s], NaN where a speed has fewer; ``shape`` and ``participation``
-    (s, k, 2) in feed and normal, of which ``ModalTip`` says how they sum."""
+    (s, k, 2) in feed and normal, and ``constant`` (s, 2, 2) [m/N], None is 0, of which
+    ``ModalTip`` says how they sum."""
 
     pole: Complex
     shape: Complex
     participation: Complex
+    constant: Array | None = None
 
     def at(self, row: int) -> ModalTip:
         """Modes at one speed, given by its ``row``."""
         kept = np.isfinite(self.pole[row])
-        return ModalTip(self.pole[row, kept], self.shape[row, kept], self.participation[row, kept])
+        parts = self.pole[row, kept], self.shape[row, kept], self.participation[row, kept]
+        return ModalTip(*parts) if self.constant is None else ModalTip(*parts, self.constant[row])
 
     def changed(self, change: Change) -> TipModes:
         """With stiffness or damping changed as a whole."""
@@ -35,7 +38,8 @@ class TipModes:
             return self
         pole, larger = change.poles(np.where(np.isfinite(self.pole), self.pole, -1.0))
         pole = np.where(np.isfinite(self.pole), pole, self.pole)
-        return TipModes(pole, self.shape * larger[..., None], self.participation)
+        constant = None if self.constant is None else self.constant / change.stiffness
+        return TipModes(pole, self.shape * larger[..., None], self.participation, constant)
 
     def of(self, rows: NDArray[np.intp], top: float) -> TipSums:
         """Sums at some of the speeds, for frequencies up to ``top`` [rad/s]."""
@@ -52,6 +56,8 @@ class TipModes:
             far = far / pole[..., None]
             sign = (1.0, 1.0, -1.0, -1.0)[power % 4]  # of iⁿ
             tail[power] = -2.0 * sign * far.sum(axis=1).real
+        if self.constant is not None:
+            tail[0] += self.constant[rows].reshape(-1, 4)
         own = np.where(near[..., None], residue, 0.0)
         return TipSums(
             np.take_along_axis(pole, order, axis=1),

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.frf.spec import Port
+from rotordyn.analyses.measured_response import Port
 from rotordyn.equation.mesh import station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import coupled_motions

@@ -110,6 +110,13 @@ def test_faults_have_their_place(tmp_path: Path, change: tuple[str, str], senten
         rotordyn.model("bearings", written(tmp_path, text))
 
 
+def test_an_unknown_material_is_the_only_fault(tmp_path: Path) -> None:
+    text = BEARING.replace("ball_material: bearing_steel", "ball_material: no_steel")
+    with pytest.raises(InvalidInput, match="unknown model: given 'no_steel'") as refusal:
+        rotordyn.model("bearings", written(tmp_path, text))
+    assert "nan" not in str(refusal.value)
+
+
 def test_schema_asks_for_an_estimate_or_for_balls() -> None:
     schema = json_schema("bearing")["$defs"]["AngularContactBallBearing"]
     first, second = (each["required"] for each in schema["anyOf"])

@@ -20,7 +20,8 @@ from rotordyn.analyses.frf.result import (
     InertanceResult,
     MobilityResult,
 )
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.stiffness.result import StiffnessResult

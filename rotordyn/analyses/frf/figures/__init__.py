@@ -95,4 +95,5 @@ def _measured(curve: Curve, result: Any, pair: int, index: int) -> Iterator[Curv
         inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
         size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
         words = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
-        yield curve._replace(x=x[inside], y=size, series=words, backdrop=True)
+        alike = bool(np.isnan(result.measured_error[row]))  # what is coupled hangs on the tool
+        yield curve._replace(x=x[inside], y=size, series=words, backdrop=alike)

@@ -45,7 +45,8 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     lower = add_axes(figure, (15.0, 11.0, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
     rpm = result.cutting_speed * RPM.factor
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
-    top = _height([depth, rest])
+    tested = result.measured * MILLIMETRE.factor
+    top = _height([depth, rest, tested])
     drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
     lines = len(rpm) >= LEAST_SPEEDS
     if lines:
@@ -56,6 +57,10 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     still = np.clip(np.nan_to_num(rest, posinf=2.0 * top), 0.0, 2.0 * top)
     look = {"ls": "--"} if lines else {"ls": "", "marker": "x", "ms": 3.5}
     upper.plot(rpm, still, color=GREY, lw=1.0, label="by the receptance at rest", **look)
+    if np.isfinite(tested).any():
+        look = {"ls": ":"} if lines else {"ls": "", "marker": "+", "ms": 4.5}
+        shown = np.clip(np.nan_to_num(tested, posinf=2.0 * top), 0.0, 2.0 * top)
+        upper.plot(rpm, shown, color=BLACK, lw=1.0, label="on the measured spindle", **look)
     flips = np.array(result.loss) == FLIP
     if flips.any():
         shown = np.where(flips, drawn, np.nan)

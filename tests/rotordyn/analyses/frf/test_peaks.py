@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.solve import answer
-from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.frf.summary import summary, warnings
 from rotordyn.analyses.frf.uff import write_uff
+from rotordyn.analyses.measured_response import QUANTITIES
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from rotordyn.analyses.frf.solve import answer
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions

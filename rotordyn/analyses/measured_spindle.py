@@ -1,0 +1,159 @@
+"""A spindle that is known by receptances measured at a blank, or at its nose (SI)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.analyses.measured_response import MeasuredResponse
+from rotordyn.description import Description, Faults
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import SLACK
+from rotordyn.machine.tool import Tool
+from rotordyn.quantity import Items, LossFactor, Whole
+
+NOSE = 0.0  # station of the nose face [m]
+PLANES = ("y", "z")
+NEEDED = "the responses at two points in one direction, front / front, front / behind and "
+NEEDED += "behind / behind, of which the front one is at the tip of the blank, or at the nose"
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredSpindle(Description):
+    """A spindle by receptances across its axis, measured at rest at two points of a blank or of
+    the nose; the tool of the case is coupled to it."""
+
+    responses: Annotated[
+        tuple[MeasuredResponse, ...],
+        Items(),
+        "at the front point, between it and one behind, at that one; in y, or in y and z",
+    ]
+    modes: Annotated[
+        Annotated[int, Whole(1, 60)] | None,
+        "fitted to the responses, which averages noise; by default as many as the noise leaves",
+    ] = None
+    blank: Annotated[
+        Tool | None,
+        "name or path of what was clamped into the nose for the measurement, and is taken off",
+    ] = None
+
+    loss_factor: Annotated[
+        LossFactor, "η of the stiffness of tool and blank, twice a damping ratio"
+    ] = 0.0
+
+    @property
+    def planes(self) -> tuple[str, ...]:
+        """Directions in which it was measured."""
+        known = {response.response.direction for response in self.responses}
+        return tuple(way for way in PLANES if way in known)
+
+    def of_plane(self, way: str) -> dict[tuple[str, str], MeasuredResponse]:
+        """Responses in a direction by the names of both points, in alphabetic order."""
+        return {self._ends(one): one for one in self.responses if one.response.direction == way}
+
+    @staticmethod
+    def _ends(one: MeasuredResponse) -> tuple[str, str]:
+        first, second = sorted((one.response.point, one.excitation.point))
+        return first, second
+
+    def _faults(self) -> Faults:
+        alike = [*self._directions()]
+        yield from alike
+        if alike or any(one.frequency[:1] == () for one in self.responses):
+            return
+        yield from self._samples()
+        if self.blank is not None:
+            yield from self._blank(self.blank)
+
+    def _directions(self) -> Faults:
+        for index, one in enumerate(self.responses):
+            way, other = one.response.direction, one.excitation.direction
+            if way != other or way not in PLANES:
+                yield (
+                    ("responses", index),
+                    f"coupling takes motion and force in one direction across the axis: given "
+                    f"'{one.pair}'; allowed: both in y, or both in z",
+                )
+
+    def _samples(self) -> Faults:
+        first = self.responses[0].frequency
+        for index, one in enumerate(self.responses):
+            if one.frequency != first:
+                yield (
+                    ("responses", index),
+                    "measured at other frequencies than the first response: allowed: the same",
+                )
+        if len(first) < 4 * (self.modes or 1) + 2:
+            most = max((len(first) - 2) // 4, 0)
+            yield (
+                ("modes",),
+                f"too many for {len(first)} frequencies: given {{given}}; allowed: up to {most}",
+            )
+
+    def _blank(self, blank: Tool) -> Faults:
+        yield from uncoupled(("blank",), blank.masses, blank.joints)
+        front = -sum(section.length for section in blank.sections)
+        yield from self._points(blank.points, front)
+
+    def _points(self, points: Mapping[str, float], front: float) -> Faults:
+        """Three responses in each plane, at points that exist, one of them in ``front`` [m]."""
+        for index, one in enumerate(self.responses):
+            for key, port in (("response", one.response), ("excitation", one.excitation)):
+                if port.point not in points:
+                    known = ", ".join(points) or "none"
+                    yield (
+                        ("responses", index, key),
+                        f"unknown point: given '{port.point}'; allowed: {known}",
+                    )
+                    return
+        for way in self.planes:
+            names = {name for pair in self.of_plane(way) for name in pair}
+            at = sorted((points[name], name) for name in names)
+            wanted = {(one, other) for _, one in at for _, other in at if one <= other}
+            given = {self._ends(one) for one in self.responses}
+            if len(at) != 2 or wanted - given or abs(at[0][0] - front) > SLACK:
+                listed = ", ".join(one.pair for one in self.responses)
+                yield ("responses",), f"given {listed}; allowed: {NEEDED}"
+                return
+
+    def faults_on(self, spindle: Spindle) -> Faults:
+        """What of the machine contradicts it."""
+        if not spindle.shaft.start < NOSE - SLACK:
+            yield (), "no tool to couple to it: give tool, or tools, of the case"
+            return
+        masses = tuple(mass for mass in spindle.masses if mass.x <= NOSE)
+        joints = tuple(joint for joint in spindle.joints if joint.x < NOSE - SLACK)
+        for _, sentence in uncoupled((), masses, joints):
+            yield (), sentence
+        if self.blank is None and not any(self._directions()):
+            yield from self._points(dict(spindle.points), NOSE)
+
+    def stations(self, spindle: Spindle) -> dict[str, float]:
+        """Where the named points are [m]."""
+        return dict(spindle.points if self.blank is None else self.blank.points)
+
+
+def uncoupled(
+    path: tuple[str, ...], masses: tuple[PointMass, ...], joints: tuple[Joint, ...]
+) -> Faults:
+    """What of a tool the coupling does not know."""
+    inner = [joint.name for joint in joints if joint.x < NOSE - SLACK]
+    if masses:
+        yield (
+            path,
+            f"coupling knows no point masses on a tool: given {len(masses)}; allowed: sections, "
+            "with mean_density, and a joint at x = 0",
+        )
+    if inner:
+        yield (
+            path,
+            f"coupling knows no joint within a tool: given {', '.join(inner)}; allowed: x = 0",
+        )
+
+
+def at_front(spindle: Spindle, point: str) -> bool:
+    """A point is at the front end of the shaft, where the tip of its tool is."""
+    return abs(spindle.place(point).x - spindle.shaft.start) <= SLACK and point in spindle.points

@@ -1,0 +1,177 @@
+"""The tip of a tool on a spindle that is known by measured receptances: a modal fit of these, the
+blank taken off, the tool coupled in its place.
+
+The tool is exact by Timoshenko's theory and at rest, as the spindle was when it was measured.
+
+Theory: docs/theory/coupling.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.coupling import (
+    Ends,
+    Section,
+    beam,
+    between_points,
+    couple,
+    joint_flexibility,
+    rotations,
+    uncouple,
+)
+from rotordyn.analyses.measured_response import QUANTITIES, as_quantity
+from rotordyn.analyses.measured_spindle import NOSE, MeasuredSpindle
+from rotordyn.analyses.modal_fit import ModalFit, modal_fit
+from rotordyn.machine import shaft
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import SLACK
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+CONE_PIECES = 24
+SMALL = 1e-6  # of a response: step of differences
+MOST_MODES = 24
+IN_VAIN = 4  # modes added without a better fit
+BETTER = 0.95  # of the misfit: a mode that lowers it by less fits noise
+
+
+class OnMeasured:
+    """Tip of the tool of ``spindle``, in front of its nose, on a measured one."""
+
+    def __init__(self, measured: MeasuredSpindle, spindle: Spindle) -> None:
+        self.measured, self.loss = measured, measured.loss_factor
+        self._tool = [
+            section
+            for section, end in zip(
+                spindle.shaft.sections, spindle.shaft.boundaries[1:], strict=True
+            )
+            if end <= NOSE + SLACK
+        ]
+        self._joint = _at_nose(spindle.joints)
+        at = measured.stations(spindle)
+        names = {port.point for one in measured.responses for port in (one.response,)}
+        names |= {one.excitation.point for one in measured.responses}
+        self._front, self._behind = sorted(names, key=lambda name: at[name])
+        self._spacing = at[self._behind] - at[self._front]
+
+    @cached_property
+    def omega(self) -> Array:
+        """Angular frequencies of the measurement [rad/s]."""
+        return 2.0 * math.pi * np.array(self.measured.responses[0].frequency)
+
+    @cached_property
+    def fits(self) -> dict[str, ModalFit]:
+        """Modes fitted to the three responses of every plane, front, across and behind."""
+        return {way: self._fit(way) for way in self.measured.planes}
+
+    def tip(self, way: str, omega: Array) -> Complex:
+        """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N]."""
+        return self._tip(self.fits[way](omega), *self._parts(omega))
+
+    def error(self, way: str, omega: Array) -> Array:
+        """Standard deviation of the same by the noise of the measurement (f,) [m/N].
+
+        The noise is the misfit of the modes, independent in every sample. What a fit averages is
+        not counted: at peaks its bias is as large.
+        """
+        fit, parts = self.fits[way], self._parts(omega)
+        values = fit(omega)
+        known = self._tip(values, *parts)
+        moved = np.zeros(len(omega))
+        for k in range(values.shape[1]):
+            changed = values.copy()
+            changed[:, k] *= 1.0 + SMALL
+            moved += np.abs((self._tip(changed, *parts) - known) / SMALL) ** 2
+        return np.asarray(fit.misfit * np.sqrt(moved))
+
+    def _fit(self, way: str) -> ModalFit:
+        named = self.measured.of_plane(way)
+        front, behind = self._front, self._behind
+        across = min(front, behind), max(front, behind)
+        wanted = (named[front, front], named[across], named[behind, behind])
+        values = np.array([as_quantity(one, QUANTITIES[0]) for one in wanted]).T
+        if self.measured.modes is not None:
+            return modal_fit(self.omega, values, self.measured.modes)
+        best, count = modal_fit(self.omega, values, 1), 1
+        most = min(MOST_MODES, (len(self.omega) - 2) // 4)
+        for modes in range(2, most + 1):
+            other = modal_fit(self.omega, values, modes)
+            if other.misfit < BETTER * best.misfit:
+                best, count = other, modes
+            elif modes - count == IN_VAIN:
+                break
+        return best
+
+    def _parts(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
+        """Blank with the flexibility of its joint to the nose, tool with that of its own."""
+        tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
+        if (blank := self.measured.blank) is None:
+            return None, np.zeros((len(omega), 2, 2), dtype=complex), *tool
+        parts = _split(_pieces(blank.sections, self.loss), self._spacing)
+        off = between_points(*(beam(omega, part) for part in parts))
+        return off, _flexibility(omega, _at_nose(blank.joints)), *tool
+
+    def _tip(
+        self, values: Complex, blank: Ends | None, held: Complex, tool: Ends, joint: Complex
+    ) -> Complex:
+        front, across, behind = values.T
+        if blank is None:
+            base = rotations(front, across, self._spacing, behind)
+        else:
+            rows = np.stack([front, across], -1), np.stack([across, behind], -1)
+            base = uncouple(blank, np.stack(rows, -2), held)
+        return couple(tool, base, joint)[:, 0, 0]
+
+
+def _at_nose(joints: Sequence[Joint]) -> Joint | None:
+    return next((joint for joint in joints if abs(joint.x - NOSE) <= SLACK), None)
+
+
+def _flexibility(omega: Array, joint: Joint | None) -> Complex:
+    if joint is None:
+        return np.zeros((len(omega), 2, 2), dtype=complex)
+    held = (joint.radial, joint.tilt, joint.radial_damping, joint.tilt_damping)
+    return joint_flexibility(omega, *held)
+
+
+def _split(sections: list[Section], at: float) -> tuple[list[Section], list[Section]]:
+    """Sections up to a distance ``at`` [m] from the tip, and those behind it."""
+    front, rear = [], []
+    for section in sections:
+        here = min(max(at, 0.0), section.length)
+        if here > SLACK:
+            front.append(section._replace(length=here))
+        if section.length - here > SLACK:
+            rear.append(section._replace(length=section.length - here))
+        at -= section.length
+    return front, rear
+
+
+def _pieces(sections: Sequence[shaft.Section], loss: float) -> list[Section]:
+    """Sections as cylinders, cones in pieces."""
+    found = []
+    for own in sections:
+        many = 1 if own.outer[0] == own.outer[1] and own.inner[0] == own.inner[1] else CONE_PIECES
+        made = own.material
+        for k in range(many):
+            at = (k + 0.5) / many
+            outer, inner = (one + (other - one) * at for one, other in (own.outer, own.inner))
+            found.append(
+                Section(
+                    own.length / many,
+                    outer,
+                    inner,
+                    made.young_modulus,
+                    own.density,
+                    made.poisson_ratio,
+                    loss,
+                )
+            )
+    return found

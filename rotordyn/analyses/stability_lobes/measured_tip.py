@@ -1,0 +1,101 @@
+"""The tip of a tool on a measured spindle as a sum of modes, alike at every speed of the cutter."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.on_measured import OnMeasured
+from rotordyn.analyses.stability_lobes.modal import ABOUT, of_residues
+from rotordyn.analyses.stability_lobes.tip_modes import TipModes
+from rotordyn.errors import InvalidInput
+from rotordyn.numerics.vector_fit import Fit, vector_fit
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+SAMPLES = 2000  # of the band, as many as resolve peaks of a damping ratio of 1e-3
+PAIRS = (2, 4, 6, 8, 10, 12, 16, 20, 26, 32)
+WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
+BEYOND = 1.2  # times the band, within which no mode may drive the tip
+STILL = 0.5  # of the largest receptance: a band that ends higher ends within a peak
+
+
+@dataclass(frozen=True)
+class MeasuredTip:
+    """``machine`` at rest; ``feed`` [rad] from z in the sense of rotation. What lies above the band
+    of the measurement acts as a spring."""
+
+    machine: OnMeasured
+    feed: float
+
+    @cached_property
+    def omega(self) -> Array:
+        """Samples of the band [rad/s]."""
+        return np.linspace(self.machine.omega[0], self.machine.omega[-1], SAMPLES)
+
+    @cached_property
+    def _fit(self) -> Fit:
+        """Modes of the tip in y and z.
+
+        Raises
+        ------
+        InvalidInput : a band that ends within a peak; a tip that is no sum of modes in it
+        """
+        known = {way: self.machine.tip(way, self.omega) for way in self.machine.fits}
+        first = next(iter(known.values()))
+        values = np.stack([known.get(way, first) for way in "yz"], axis=1)
+        size = np.abs(values).max(axis=1)
+        if size[-1] > STILL * size.max():
+            hertz = self.omega[-1] / 2.0 / math.pi
+            raise InvalidInput(
+                f"stability_lobes: the measured receptances end at {hertz:.5g} Hz, where the tip "
+                f"has {size[-1] / size.max():.0%} of its largest response: measure beyond the peak"
+            )
+        reach = np.linspace(0.0, BEYOND * self.omega[-1], SAMPLES)[1:]
+        for pairs in PAIRS:
+            fit = vector_fit(self.omega, values, pairs, 1.0 / size[:, None])
+            gain = fit(reach).imag.max()
+            if max(np.abs(fit.error).max(), gain) <= WITHIN * size.max():
+                return fit
+        raise InvalidInput(
+            "stability_lobes: the tip on the measured spindle is no sum of damped modes within "
+            f"{WITHIN:.0%}: give fewer modes of the measurement, or less loss_factor"
+        )
+
+    @cached_property
+    def modes(self) -> TipModes:
+        """Of its receptance in feed and normal."""
+        fit, turn = self._fit, self._turn
+        residue = np.einsum("ik,mk,jk->mij", turn, fit.residue, turn)
+        constant = np.einsum("ik,k,jk->ij", turn, fit.constant, turn)
+        tip = of_residues(fit.pole, residue, constant)
+        return TipModes(
+            tip.pole[None], tip.shape[None], tip.participation[None], tip.constant[None]
+        )
+
+    @property
+    def _turn(self) -> Array:
+        """Feed and normal by y and z."""
+        s, c = math.sin(self.feed), math.cos(self.feed)
+        return np.array([[-s, c], [c, s]])
+
+    @cached_property
+    def poles(self) -> Complex:
+        """Of modes in the band (1, k) [rad/s]."""
+        pole = self._fit.pole
+        return pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])][None]
+
+    @property
+    def tops(self) -> Array:
+        """The highest frequency that is known (1,) [rad/s]."""
+        return self.omega[-1:]
+
+    def about_poles(self, row: int) -> Array:
+        """Frequencies that resolve the peaks, ascending [rad/s]."""
+        pole = self.poles[row]
+        near = pole.imag[:, None] + np.abs(pole.real)[:, None] * ABOUT
+        return np.unique(near[(near > 0.0) & (near <= self.tops[0])])

@@ -1,0 +1,223 @@
+"""A tool on a spindle known by measured receptances: beside the whole machine, noise, faults."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.analyses.frf.uff import write_uff
+from rotordyn.analyses.on_measured import OnMeasured
+from rotordyn.case.archive import archived, restored
+from rotordyn.errors import InvalidInput, RotordynError
+from rotordyn.job.solving import solve
+
+MACHINE = """
+title: A shaft on springs
+spindle:
+  title: A shaft
+  shaft:
+    start: 0 mm
+    material: &steel {name: steel, young_modulus: 210 GPa, density: 7850 kg/m^3, poisson_ratio: 0.3}
+    sections: [{length: 300 mm, outer_diameter: 60 mm}]
+  supports:
+    - name: front
+      x: 40 mm
+      stiffness: {yy: 2e8 N/m, zz: 1.2e8 N/m}
+      damping: {yy: 4000 N s/m, zz: 3000 N s/m}
+    - name: rear
+      x: 250 mm
+      stiffness: {yy: 1e8 N/m, zz: 1e8 N/m}
+      damping: {yy: 3000 N s/m, zz: 3000 N s/m}
+tool:
+  material: *steel
+"""
+BLANK = """
+  sections: [{length: 40 mm, outer_diameter: 50 mm}, {length: 25 mm, outer_diameter: 60 mm}]
+  points: {tip: -65 mm, inner: -35 mm}
+"""
+TOOL = """
+  sections:
+    - {length: 50 mm, outer_diameter: 16 mm}
+    - {length: 40 mm, outer_diameter: 30 mm, rear_outer_diameter: 40 mm}
+    - {length: 25 mm, outer_diameter: 60 mm}
+  points: {tip: -115 mm, behind: -60 mm}
+"""
+BAND = "{from: 60 Hz, to: 4000 Hz, step: 10 Hz}"
+PAIRS = [("tip", "tip"), ("tip", "inner"), ("inner", "inner")]
+
+
+def pairs(way):
+    return [f"{{response: {one}.{way}, excitation: {other}.{way}}}" for one, other in PAIRS]
+
+
+@pytest.fixture(scope="module")
+def tested(tmp_path_factory):
+    """A folder with the responses of a blank, in both planes: the UFF file of a run, a table."""
+    folder = tmp_path_factory.mktemp("tested")
+    every = ", ".join(pairs("y") + pairs("z"))
+    asked = f"speeds: [0 rpm]\nanalyses:\n  frf: {{frequencies: {BAND}, pairs: [{every}]}}\n"
+    path = folder / "blank.yaml"
+    path.write_text(MACHINE + BLANK + asked, encoding="utf-8")
+    loaded = rotordyn.load(path)
+    known = solve(loaded).results["frf"]
+    write_uff(folder / "tap.uff", known, case="blank", places=loaded.spindle.places)
+    heads = ["frequency [Hz]"]
+    columns = [known.frequency]
+    rng = np.random.default_rng(20)
+    for k, name in enumerate(known.pair):
+        exact = known.receptance[0, k]
+        noise = rng.normal(size=(2, len(exact))) / np.sqrt(2.0)
+        noisy = exact * (1.0 + 0.01 * (noise[0] + 1j * noise[1]))
+        heads += [f"{name} real [m/N]", f"{name} imaginary [m/N]"]
+        columns += [noisy.real, noisy.imag]
+    rows = [", ".join(heads)]
+    rows += [", ".join(f"{value:.9g}" for value in row) for row in np.array(columns).T]
+    (folder / "noisy.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    (folder / "blank_tool.yaml").write_text(
+        f"material: {MACHINE.split('&steel ')[1].splitlines()[0]}\n"
+        + "\n".join(line[2:] for line in BLANK.splitlines()),
+        encoding="utf-8",
+    )
+    return folder
+
+
+def measured(file="tap.uff", ways="yz", more="", blank="blank: ./blank_tool.yaml, "):
+    listed = []
+    for k, text in enumerate(pairs("y") + pairs("z")):
+        if ("y" if k < 3 else "z") in ways:
+            record = f", record: {k + 1}" if file.endswith("uff") else ""
+            listed.append(f"{text[:-1]}, file: {file}{record}}}")
+    return f"{{{blank}{more}responses: [{', '.join(listed)}]}}"
+
+
+def case(folder, asked, tool=TOOL, speeds="[0 rpm]", machine=MACHINE):
+    path = folder / "case.yaml"
+    text = f"{machine}{tool}speeds: {speeds}\nanalyses:\n{asked}"
+    path.write_text(text, encoding="utf-8")
+    return rotordyn.load(path)
+
+
+def frf(given, way="y"):
+    pair = f"{{response: tip.{way}, excitation: tip.{way}}}"
+    return f"  frf: {{frequencies: {BAND}, pairs: [{pair}], measured_spindle: {given}}}\n"
+
+
+@pytest.mark.parametrize("way", ["y", "z"])
+def test_tool_on_the_measured_spindle_is_the_whole_machine(tested, way):
+    """By a UFF file without noise, in both planes; computed peaks lie between samples of 10 Hz."""
+    given = measured(more="modes: 6, ")
+    result = rotordyn.run(case(tested, frf(given, way)))["frf"]
+    assert result.frac.values[0] > 0.9999
+    known = np.isfinite(result.measured_peak.values[0])
+    assert known.sum() >= 2
+    ratio = (result.measured_peak.values / result.computed_peak.values)[0, known]
+    np.testing.assert_allclose(ratio, 1.0, atol=5e-3)
+
+
+def test_error_by_noise(tested):
+    """The estimated error beside that of the noise itself, which is known here; the number of modes
+    is found by the misfit."""
+    loaded = case(tested, frf(measured("noisy.csv")))
+    given = loaded.analyses["frf"].measured_spindle
+    noisy = OnMeasured(given, loaded.spindle)
+    exact = case(tested, frf(measured(more="modes: 6, "))).analyses["frf"].measured_spindle
+    still = OnMeasured(exact, loaded.spindle)
+    omega = noisy.omega
+    true = np.abs(noisy.tip("y", omega) - still.tip("y", omega))
+    assert 0.3 < np.linalg.norm(noisy.error("y", omega)) / np.linalg.norm(true) < 3.0
+    assert noisy.fits["y"].misfit == pytest.approx(0.01, rel=0.25)
+    result = rotordyn.run(loaded)
+    assert "uncertain by" in result.summary
+
+
+def test_limits_on_the_measured_spindle_are_those_of_the_machine_at_rest(tested):
+    asked = (
+        "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, "
+        "radial: 200 MPa, milling: up, immersion: 0.5, max_frequency: 5000 Hz, feed: 20 deg, "
+        "speeds: {from: 8000 rpm, to: 20000 rpm, count: COUNT}, method: METHOD, "
+        f"measured_spindle: {measured(more='modes: 6, ')}}}\n"
+    )
+    for method, count in (("zero-order", "7"), ("multi-frequency", "2")):
+        own = asked.replace("METHOD", method).replace("COUNT", count)
+        loaded = case(tested, own, speeds="[0 rpm, 20000 rpm]")
+        results = rotordyn.run(loaded)
+        result = results["stability_lobes"]
+        ratio = result.measured.values / result.at_rest.values
+        np.testing.assert_allclose(ratio, 1.0, atol=0.03)
+        assert "the tool on the measured spindle is stable up to" in results.summary
+
+
+def test_points_on_the_nose_need_no_blank(tested):
+    """A tool of 0.1 mm on the machine that has the blank for its nose."""
+    shaft = MACHINE.replace("  shaft:", "  points: {tip: 0 mm, inner: 30 mm}\n  shaft:")
+    nose = "  sections: [{length: 0.1 mm, outer_diameter: 50 mm}]\n  points: {top: -0.1 mm}\n"
+    asked = frf(measured(blank=""), "y").replace("tip.y", "top.y", 2)
+    machine = case(tested, asked, tool=nose, machine=shaft)
+    one = OnMeasured(machine.analyses["frf"].measured_spindle, machine.spindle)
+    given = one.measured.responses[0]
+    known = np.array(given.real) + 1j * np.array(given.imaginary)
+    off = np.linalg.norm(one.tip("y", one.omega) - known) / np.linalg.norm(known)
+    assert off < 0.1
+
+
+def test_it_is_kept_with_its_results(tested):
+    spec = case(tested, frf(measured())).analyses["frf"]
+    assert restored(json.loads(json.dumps(archived(spec)))) == spec
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        (
+            measured("noisy.csv", "y").replace("excitation: inner.y", "excitation: inner.z", 1),
+            "no column .* tip.y / inner.z|one direction across the axis",
+        ),
+        (
+            measured("tap.uff", "y").replace("excitation: inner.y", "excitation: inner.z", 1),
+            "one direction across the axis: given 'tip.y / inner.z'; allowed: both in y, or both",
+        ),
+        (measured("noisy.csv", "y", "modes: 99, "), "given '99'; allowed: 1 to 60"),
+        (measured(ways="y").replace("inner.y", "middle.y"), "unknown point: given 'middle'"),
+        (measured(blank="blank: blank_7, "), "unknown model: given 'blank_7'"),
+        (measured("none.csv"), "no such file"),
+        (
+            measured("noisy.csv", "y").split(", {response: inner")[0] + "]}",
+            "front / front, front / behind and behind / behind",
+        ),
+    ],
+)
+def test_faults(tested, given, sentence):
+    with pytest.raises(RotordynError, match=sentence):
+        case(tested, frf(given))
+
+
+@pytest.mark.parametrize(
+    ("tool", "sentence"),
+    [
+        ("  sections: [{length: 1 mm, outer_diameter: 9 mm}]\n  points: {tip: 0 mm}\n", "no pair"),
+        (TOOL + "  masses: [{name: m, x: -9 mm, mass: 1 kg}]\n", "no point masses on a tool"),
+        (TOOL + "  joints: [{name: j, x: -9 mm, radial: 1e8 N/m}]\n", "no joint within a tool"),
+    ],
+)
+def test_tools_that_are_not_coupled(tested, tool, sentence):
+    with pytest.raises(RotordynError, match=sentence):
+        case(tested, frf(measured()), tool=tool)
+
+
+def test_a_band_that_ends_within_a_peak_is_refused(tested):
+    """Rows up to the first peak of the tool alone."""
+    rows = (tested / "noisy.csv").read_text(encoding="utf-8").splitlines()
+    loaded = case(tested, frf(measured("noisy.csv", more="modes: 4, ")))
+    machine = OnMeasured(loaded.analyses["frf"].measured_spindle, loaded.spindle)
+    top = int(np.abs(machine.tip("y", machine.omega)).argmax())
+    (tested / "short.csv").write_text("\n".join(rows[: top + 2]) + "\n", encoding="utf-8")
+    given = measured("short.csv", more="modes: 4, ")
+    asked = (
+        "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, radial: "
+        f"200 MPa, speeds: [9000 rpm], measured_spindle: {given}}}\n"
+    )
+    with pytest.raises(InvalidInput, match=r"end at .* Hz, .* measure beyond the peak"):
+        rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
