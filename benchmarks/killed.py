@@ -26,6 +26,7 @@ from rotordyn.job.values import values_of
 CASE = "grinding_spindle"
 SPRINGS = "spindle.sleeves.rear.spring.preload", "spindle.sleeves.rear.spring.stiffness"
 ENDS = (800.0, 1600.0), (4e6, 16e6)
+UNITS = "N", "N/m"
 KILLS, COMPARED = 3, 50
 RPM = 12000.0
 
@@ -33,8 +34,8 @@ RPM = 12000.0
 def study(side: int) -> str:
     """The study's file."""
     spans = [
-        f"  {path}: {{from: {low}, to: {high}, points: {side}}}"
-        for path, (low, high) in zip(SPRINGS, ENDS, strict=True)
+        f"  {path}: {{from: {low} {unit}, to: {high} {unit}, points: {side}}}"
+        for path, unit, (low, high) in zip(SPRINGS, UNITS, ENDS, strict=True)
     ]
     head = ["title: killed three times", "case: one_speed.yaml", "vary:"]
     return "\n".join([*head, *spans, "analyses: [preload]", ""])
@@ -112,7 +113,7 @@ def main() -> None:
     arguments = parser.parse_args()
     found = measure(arguments.side, arguments.seed)
     print(found)  # noqa: T201
-    if arguments.side == 100:  # noqa: PLR2004
+    if arguments.side == 100:
         keep(killed=found)
 
 
