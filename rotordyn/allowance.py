@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from rotordyn.errors import InvalidInput
 
-LONGEST = 120.0  # s, by estimate
+LONGEST = 600.0  # s, by estimate
 MOST_BYTES = 4e9
 # Seconds on one processor of 2 GHz: eigenproblems of LAPACK, of general and of symmetric matrices,
 # for each cubed row; of ARPACK for each row and squared mode.

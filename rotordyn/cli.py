@@ -176,7 +176,7 @@ def _add_run(commands: Any) -> None:
         "--report", action="store_true", help="also write report.html, a page to hand on"
     )
     run.add_argument(
-        "--longest", type=float, metavar="S", help="seconds that it may take by estimate (120)"
+        "--longest", type=float, metavar="S", help="seconds that it may take by estimate (600)"
     )
     run.add_argument("--yes", action="store_true", help="however long and large it is")
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
