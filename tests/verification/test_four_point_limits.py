@@ -71,15 +71,19 @@ def test_two_contacts_make_an_angular_contact_bearing(kinematics: str, sharing: 
 
 
 @DRAWN
-def test_frozen_forces_make_a_symmetric_stiffness(drawing: Drawing) -> None:
-    """As far as balls are in balance, to 1e-11 of the largest load: contacts pressed by a hundredth
-    of that know their stiffness less well."""
+@pytest.mark.parametrize(("compiled", "within"), [(True, 1e-10), (False, 1e-8)])
+def test_frozen_forces_make_a_symmetric_stiffness(
+    drawing: Drawing, compiled: bool, within: float
+) -> None:
+    """As far as balls are in balance. The solver that is not compiled stops at 1e-11 of the largest
+    load: contacts pressed by a hundredth of that know their stiffness less well."""
     load, speed = mixed_loads(20, 1)
-    s = four_point(drawing).equilibrium(load=load, speed=speed, dynamics="frozen")
+    how = dict(dynamics="frozen", compiled=compiled)
+    s = four_point(drawing).equilibrium(load=load, speed=speed, **how)
     assert (s.outcome == "").all()
     k = s.stiffness("complete") / lever(drawing) / lever(drawing)[:, None]
     size = np.abs(k).max((1, 2), keepdims=True)
-    assert np.abs((k - k.swapaxes(1, 2)) / size).max() < 1e-8
+    assert np.abs((k - k.swapaxes(1, 2)) / size).max() < within
     assert np.linalg.eigvalsh(0.5 * (k + k.swapaxes(1, 2)) / size).min() > -1e-12
 
 
