@@ -47,8 +47,7 @@ def rod_matrices(length: Array, rigidity: Array, line_inertia: Array, *, degree:
         rise = np.concatenate([rise, bubbles(degree, xi)[2]], axis=-1)
     mass, stiffness = (line_inertia * weight * half), (rigidity * weight / half)
     return Rod(
-        mass=np.einsum("ep,pi,pj->eij", mass, shape, shape, optimize=True),
-        stiffness=np.einsum("ep,pi,pj->eij", stiffness, rise, rise, optimize=True),
+        mass=shape.T @ (mass[..., None] * shape), stiffness=rise.T @ (stiffness[..., None] * rise)
     )
 
 
