@@ -24,7 +24,9 @@ from rotordyn.figures.panels import Shown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.history import history
 from rotordyn.preload.state import dynamic_preload
-from tests.oracles.spindles import RPM, mfw2310, scene, with_sleeve
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.spec import Setting
+from tests.oracles.spindles import RPM, conditions, mfw2310, scene, with_sleeve
 
 LAW = Law("outer", "equal")
 FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
@@ -161,6 +163,13 @@ def test_every_branch_moves_one_way() -> None:
 def test_a_cycle_without_a_range_is_refused() -> None:
     with pytest.raises(InvalidInput, match="highest: no cycle: given"):
         AxialCycleSpec(lowest=100.0, highest=-100.0)
+
+
+def test_a_cycle_under_loads_across_the_axis_is_refused() -> None:
+    loads = (PointLoad(at="nose_face", Fy=10.0),)
+    setting = Setting(mfw2310(), conditions(loads=loads), (0.0,))
+    ((_, sentence),) = AxialCycleSpec().faults_on(setting)
+    assert sentence.startswith("a cycle of axial force takes the bearings under axial load alone")
 
 
 def test_cyclic_force_that_friction_holds() -> None:
