@@ -162,7 +162,15 @@ def _as_state(
     converged = np.array([word == "" for word in words])
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
-    return replace(state, network=network, net=net, outcome=words, lateral=lateral)
+    still = _by_seat(state.still, balance.bearings)
+    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+
+
+def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:
+    """The network at rest with a column for every seat, of ``bearings`` that stand for each."""
+    one = still.response
+    each = replace(one, load=one.load[:, list(bearings)], slope=one.slope[:, list(bearings)])
+    return replace(still, response=each)
 
 
 def _apart(joined: Arrangement) -> Arrangement:
