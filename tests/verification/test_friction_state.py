@@ -21,7 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.friction import operating_state
+from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
@@ -199,6 +199,28 @@ def test_a_history_in_its_order() -> None:
     assert [at.force for at in through] == [-100.0] * 3
     assert [at.force for at in after[1]] == [-100.0, 0.0, 0.0, 5.0]
     assert [at.warm for at in after[1]] == [False, False, True, True]
+
+
+def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
+    steps = (HistoryStep(speed=25.0), HistoryStep(speed=5.0), HistoryStep(run_up=True))
+    before, _, _ = moments(Past(steps), [10.0, 20.0, 30.0], 0.0)
+    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
+
+
+def test_friction_slides_sticks_and_turns() -> None:
+    """One sleeve of 10 N at four places: within the limit, beyond it, sliding on, sliding back."""
+    place, rows = np.zeros((4, 1)), np.ones((4, 1), dtype=bool)
+    stuck = np.array([[True], [True], [False], [False]])
+    force = np.array([[0.0], [0.0], [-10.0], [-10.0]])
+    here = Rubbing(np.array([10.0]), stuck, place, force, place)
+    position = np.array([[0.0], [0.0], [2e-6], [-2e-6]])
+    after = here.after(np.array([[9.0], [12.0], [10.0], [10.0]]), position, ~rows, ~rows)
+    assert after.stuck.ravel().tolist() == [True, False, False, True]
+    assert after.force.ravel()[1:3].tolist() == [-10.0, -10.0]
+    assert after.place[3, 0] == 0.0
+    left = here.after(np.zeros((4, 1)), position, rows, ~rows)
+    assert left.stuck.all(), "a sleeve that leaves its stop sticks there"
+    assert left.place == pytest.approx(position)
 
 
 def test_a_warm_spindle_may_run_up_cold() -> None:
