@@ -138,53 +138,6 @@ def test_growth_is_that_of_lames_rings_and_the_rotating_disc(rpm: float) -> None
     assert found == pytest.approx(inner - outer + balls, rel=1e-12, abs=1e-12 * abs(inner))
 
 
-@pytest.mark.parametrize("housing", ["", "K6", "G6"])
-def test_balls_expand_the_outer_ring(housing: str) -> None:
-    """Free, pressed into its housing, and with play: by the equations of two bodies at once, with
-    the pressure in the bore."""
-    fits = replace(FITS, housing=housing, taken="most", width=0.020, under_balls=True)
-    machine, omega = spindle(fits), 24000.0 * RPM
-    own = machine.seats[0].bearing
-    race, outside = own.outer_raceway_radius, OUTSIDE / 2
-    plain = spindle(replace(fits, under_balls=False))
-    with_balls, without = (
-        float(ring_growth(each, each.seats[0], np.array([omega]))[0]) for each in (machine, plain)
-    )
-    gamma = 9.525 / 90.0 * math.cos(math.radians(25.0))
-    mass = STEEL.density * math.pi / 6.0 * 9.525e-3**3
-    force = 24 * 0.5 * mass * 90e-3 * omega**2 * (0.5 * (1.0 - gamma)) ** 2
-    pressure = force / (2.0 * math.pi * race * 0.020)
-    depth = fits.depth("outer") if housing else -1.0
-    grown = [_bored(race, outside, 0.0825, depth, p) for p in (pressure, 0.0)]
-    assert without - with_balls == pytest.approx(grown[0] - grown[1], rel=1e-9)
-    assert 0.3e-6 < grown[0] - grown[1] < 6e-6
-
-
-def _bored(race: float, outside: float, around: float, depth: float, pressure: float) -> float:
-    """Growth of the race of a steel ring under ``pressure`` in a steel housing that it overlaps by
-    ``depth``, by A r + B/r in both bodies; alone where it does not reach it."""
-    e, nu = STEEL.young_modulus, STEEL.poisson_ratio
-
-    def stress(r: float) -> Array:
-        return e / (1 - nu**2) * np.array([1 + nu, -(1 - nu) / r**2])
-
-    alone = np.linalg.solve([stress(race), stress(outside)], [-pressure, 0.0])
-    if alone @ [outside, 1 / outside] + depth <= 0.0:
-        return float(alone @ [race, 1 / race])
-    none = np.zeros(2)
-    rows = [
-        np.concatenate([stress(race), none]),
-        np.concatenate([none, stress(around)]),
-        np.concatenate([stress(outside), -stress(outside)]),
-        np.concatenate([[-outside, -1 / outside], [outside, 1 / outside]]),
-    ]
-    scale = np.array([e, e, e, 1.0])
-    columns = np.array([1.0, outside**2, 1.0, outside**2])
-    right = np.array([-pressure, 0.0, 0.0, depth]) / scale
-    found = columns * np.linalg.solve(np.array(rows) / scale[:, None] * columns, right)
-    return float(found[:2] @ [race, 1 / race])
-
-
 def test_fits_are_those_of_the_tables() -> None:
     """k5 on a bore of P4, K6 around an outside of P4: deviations by hand [µm]."""
     assert FITS.inner.least == pytest.approx(2e-6)
