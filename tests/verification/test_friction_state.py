@@ -156,6 +156,11 @@ def test_lines_say_where_friction_stands() -> None:
     assert any(line.startswith("friction   front") and "0.0 → 80.9" in line for line in lines)
     (note,) = found.notes
     assert note.startswith("dry friction holds sleeve front: the state is the one after a run-up")
+    assert note.endswith("along the axis")
+    fast = scene(rubbing(), [0.0, 24000.0])
+    assert fast.preload.usable.all()
+    (stopped,) = fast.notes
+    assert stopped.endswith("only the sum of stop and friction force is determined")
     plain = scene(mfw2310(), [0.0])
     assert not plain.notes
     assert not any("friction " in line for line in summary(preload_answer(plain, PreloadSpec())))

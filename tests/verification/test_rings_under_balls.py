@@ -79,7 +79,5 @@ def _bored(race: float, outside: float, around: float, depth: float, pressure: f
 
 
 def test_how_wide_the_ring_is_must_be_known() -> None:
-    with pytest.raises(
-        InvalidInput, match="width: missing key: how far balls expand"
-    ):
+    with pytest.raises(InvalidInput, match="width: missing key: how far balls expand"):
         replace(FITS, under_balls=True)
