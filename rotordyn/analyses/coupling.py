@@ -21,6 +21,7 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LOST = 1e-11  # of a receptance: what is left of a difference is rounding
+NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
 SCALED = 8.0  # λL up to which a section is not split
 
 
@@ -48,16 +49,19 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     return np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
 
 
-def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None) -> Complex:
+def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: float = 0.0) -> Complex:
     """Receptance of the base at the joint (f, n, n), from that at the tip of a known blank on it.
 
     It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
-    held at its joint, and with a blank as soft as the whole. A short and stiff blank is best, and a
-    modal fit of what was measured comes first.
+    held at its joint, and with a blank as soft or as stiff as the whole. A short and stiff blank
+    is best, and a modal fit of what was measured comes first.
+
+    noise : standard deviation of the entries of ``tip`` over their size; 0 asks for rounding alone
 
     Raises
     ------
-    InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base
+    InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base, or so
+        little that ``noise`` leaves nothing of the base at half of the frequencies
     """
     _alike(tool, tip)
     change = tool.r11 - tip
@@ -67,18 +71,47 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None) -> Complex:
             "the tip of the blank does not respond to the base, whose receptance then stays "
             "unknown: take a shorter or stiffer blank"
         )
-    return np.asarray(tool.r21 @ np.linalg.solve(change, tool.r12) - tool.r22 - _joint(joint, tip))
+    base = np.asarray(tool.r21 @ np.linalg.solve(change, tool.r12) - tool.r22 - _joint(joint, tip))
+    if noise > 0.0:
+        _refuse_noise(noise, tool, tip, base)
+    return base
 
 
 def amplification(tool: Ends, tip: Complex, joint: Complex | None = None) -> Array:
-    """By how much an error of the tip, over its size, is larger in the base that ``uncouple``
-    gives, over the size of the base (f,): at 100 and above nothing of 1 % of noise is left."""
-    base = uncouple(tool, tip, joint)
+    """By how much the noise of the entries of the tip, over their size, is larger in the base that
+    ``uncouple`` gives, over its entries (f, n, n): at 100 nothing of 1 % of noise is left.
+
+    Standard deviations of small errors that are independent in every entry.
+    """
+    return _amplified(tool, tip, uncouple(tool, tip, joint))
+
+
+def _amplified(tool: Ends, tip: Complex, base: Complex) -> Array:
     left = tool.r21 @ np.linalg.inv(tool.r11 - tip)
     right = np.linalg.solve(tool.r11 - tip, tool.r12)
-    sizes = (np.linalg.norm(each, 2, axis=(1, 2)) for each in (left, tip, right, base))
-    first, size, last, found = sizes
-    return np.asarray(first * size * last / found)
+    before, error, after = (np.abs(each) ** 2 for each in (left, tip, right))
+    return np.asarray(np.sqrt(before @ error @ after) / np.abs(base))
+
+
+def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None:
+    """Refuse a blank behind which noise leaves nothing of the base at half of the frequencies.
+
+    Once the noise rules, what it is compared with consists of noise: shares stay about 1.
+    """
+    inverse = np.linalg.inv(tool.r11 - tip)
+    within = np.abs(np.linalg.eigvals(np.abs(inverse) @ np.abs(tip))).max(axis=1)
+    if noise * np.median(within) >= NOISE_ALONE:
+        raise InvalidInput(
+            "the blank is as stiff as the spindle, by which its responses change no more than by "
+            f"their noise of {noise:.2%}: take a shorter blank, or measure with less noise"
+        )
+    larger = np.diagonal(_amplified(tool, tip, base), axis1=1, axis2=2)
+    if noise * np.median(larger, axis=0).min() >= NOISE_ALONE:
+        raise InvalidInput(
+            f"the blank is so soft that its joint is known no better than by the {noise:.2%} of "
+            "noise of its responses, which hides the spindle: take a shorter or thicker blank, or "
+            "measure with less noise"
+        )
 
 
 def between_points(front: Ends, rear: Ends) -> Ends:
@@ -264,13 +297,22 @@ def rotations(
 
 
 def _joint(joint: Complex | None, like: Complex) -> Complex:
-    return np.zeros_like(like) if joint is None else np.broadcast_to(joint, like.shape)
+    if joint is None:
+        return np.zeros_like(like)
+    if np.shape(joint) not in (like.shape, like.shape[1:]):
+        raise InvalidInput(
+            f"joint: given shape {np.shape(joint)}; allowed: {like.shape}, or {like.shape[1:]}"
+        )
+    return np.broadcast_to(joint, like.shape)
 
 
 def _alike(tool: Ends, other: Complex) -> None:
-    for each in tool:
-        if each.shape != other.shape:
+    for each in (*tool, other):
+        if each.shape != other.shape or each.ndim != 3 or each.shape[1] != each.shape[2]:
             raise InvalidInput(
-                f"receptances of unlike size: given {each.shape} and {other.shape}; allowed: the "
-                "same frequencies, and the same directions at tip, joint and base"
+                f"receptances of unlike size: given {each.shape} and {other.shape}; allowed: "
+                "(f, n, n) for all, of the same frequencies and the same directions at tip, joint "
+                "and base"
             )
+        if not np.isfinite(each).all():
+            raise InvalidInput("a receptance is not a finite number: leave out its frequency")
