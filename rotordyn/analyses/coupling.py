@@ -16,12 +16,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import finite, typed
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LOST = 1e-11  # of a receptance: what is left of a difference is rounding
+SILENT = (
+    "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
+    "a shorter or stiffer blank"
+)
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
+LARGEST = 1e15  # SI units
 SCALED = 8.0  # λL up to which a section is not split
 
 
@@ -34,6 +40,7 @@ class Ends(NamedTuple):
     r22: Complex
 
 
+@typed(InvalidInput, besides=("base", "joint"))
 def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     """Receptance at the tip (f, n, n) of a tool on a base.
 
@@ -46,9 +53,18 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     """
     _alike(tool, base)
     across = tool.r22 + base + _joint(joint, base)
-    return np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+    try:
+        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+    except np.linalg.LinAlgError:
+        tip = np.full_like(base, np.nan)
+    if not np.isfinite(tip).all():
+        raise InvalidInput(
+            "tool and base resonate without damping at one of the frequencies: give damping"
+        )
+    return tip
 
 
+@typed(InvalidInput, besides=("tip", "joint"))
 def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: float = 0.0) -> Complex:
     """Receptance of the base at the joint (f, n, n), from that at the tip of a known blank on it.
 
@@ -67,11 +83,14 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
     change = tool.r11 - tip
     size = np.abs(tool.r11).max(axis=(1, 2)) + np.abs(tip).max(axis=(1, 2))
     if (np.abs(change).max(axis=(1, 2)) <= LOST * size).any():
-        raise InvalidInput(
-            "the tip of the blank does not respond to the base, whose receptance then stays "
-            "unknown: take a shorter or stiffer blank"
-        )
-    base = np.asarray(tool.r21 @ np.linalg.solve(change, tool.r12) - tool.r22 - _joint(joint, tip))
+        raise InvalidInput(SILENT)
+    try:
+        inverse = np.linalg.inv(change)
+    except np.linalg.LinAlgError:
+        raise InvalidInput(SILENT) from None
+    base = np.asarray(tool.r21 @ inverse @ tool.r12 - tool.r22 - _joint(joint, tip))
+    if not 0.0 <= noise < 1.0:
+        raise InvalidInput(f"noise: given {noise:.6g}; allowed: from 0 to below 1")
     if noise > 0.0:
         _refuse_noise(noise, tool, tip, base)
     return base
@@ -183,6 +202,8 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
     """
     if not sections:
         raise InvalidInput("no sections: at least one is needed")
+    for section in sections:
+        _real(section)
     if not (omega > 0.0).all():
         raise InvalidInput("frequencies: a free body has receptances above 0 Hz only")
     whole: Ends | None = None
@@ -192,6 +213,27 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
             whole = piece if whole is None else _joined(whole, piece)
     assert whole is not None
     return whole
+
+
+def _real(section: Section) -> None:
+    positive = (section.length, section.young, section.density, section.outer)
+    others = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
+    stiff = section.stiff_diameter or section.outer
+    known = all(map(finite, (*positive, *others, section.poisson)))
+    if (
+        not known
+        or min(positive) < 1.0 / LARGEST
+        or max(*positive, *others) > LARGEST
+        or not -1.0 < section.poisson <= 0.5
+        or 0.0 < section.area < 1.0 / LARGEST
+        or min(others) < 0.0
+        or section.inner >= stiff
+    ):
+        raise InvalidInput(
+            f"{section}: allowed: length, diameter, young and density above 0, poisson above −1 "
+            "to 0.5, an inner diameter from 0 to below the outer (and the stiff) one, others from "
+            "0, in SI units"
+        )
 
 
 def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
@@ -299,14 +341,18 @@ def rotations(
 def _joint(joint: Complex | None, like: Complex) -> Complex:
     if joint is None:
         return np.zeros_like(like)
-    if np.shape(joint) not in (like.shape, like.shape[1:]):
+    if np.shape(joint) not in (like.shape, like.shape[1:]) or not np.isfinite(joint).all():
         raise InvalidInput(
-            f"joint: given shape {np.shape(joint)}; allowed: {like.shape}, or {like.shape[1:]}"
+            f"joint: given shape {np.shape(joint)}; allowed: finite numbers of shape {like.shape} "
+            f"or {like.shape[1:]}"
         )
     return np.broadcast_to(joint, like.shape)
 
 
 def _alike(tool: Ends, other: Complex) -> None:
+    for each in (*tool, other):
+        if not isinstance(each, np.ndarray) or each.dtype.kind not in "fc":
+            raise InvalidInput("receptances: they must be arrays of complex numbers (f, n, n)")
     for each in (*tool, other):
         if each.shape != other.shape or each.ndim != 3 or each.shape[1] != each.shape[2]:
             raise InvalidInput(
@@ -314,5 +360,5 @@ def _alike(tool: Ends, other: Complex) -> None:
                 "(f, n, n) for all, of the same frequencies and the same directions at tip, joint "
                 "and base"
             )
-        if not np.isfinite(each).all():
-            raise InvalidInput("a receptance is not a finite number: leave out its frequency")
+        if not (np.abs(each) < LARGEST).all():
+            raise InvalidInput("a receptance is no finite number: leave out its frequency")
