@@ -351,7 +351,7 @@ def _joint(joint: Complex | None, like: Complex) -> Complex:
 
 def _alike(tool: Ends, other: Complex) -> None:
     for each in (*tool, other):
-        if not isinstance(each, np.ndarray) or each.dtype.kind not in "fc":
+        if getattr(each, "dtype", np.dtype(object)).kind not in "fc":
             raise InvalidInput("receptances: they must be arrays of complex numbers (f, n, n)")
     for each in (*tool, other):
         if each.shape != other.shape or each.ndim != 3 or each.shape[1] != each.shape[2]:
