@@ -177,13 +177,18 @@ class Statics(Staged):
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
-        return dynamic_preload(
+        given = (
             self.grounded,
             self.bearing_speed,
             self.law,
             self.axial_force,
             self.temperatures,
         )
+        if (oiled := self.conditions.films) is None:
+            return dynamic_preload(*given)
+        from rotordyn.preload.on_films import on_films
+
+        return on_films(lambda films: dynamic_preload(*given, films), oiled.oil, oiled.temperature)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -293,7 +298,7 @@ class Statics(Staged):
         """What the preload state follows from."""
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
-        warm = conditions.heat_flow
+        warm = conditions.heat_flow, conditions.films
         inputs = (self.spindle, self.law, *forces, warm, self._pushes, self.bearing_speed.tobytes())
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
@@ -310,7 +315,8 @@ class Statics(Staged):
             if left + section.length > front
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
-        acting = self.law, self.axial_force, self.conditions.temperatures
+        conditions = self.conditions
+        acting = self.law, self.axial_force, conditions.temperatures, conditions.films
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
@@ -36,6 +38,10 @@ def summary(result: PreloadResult) -> list[str]:
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")
+    if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
+        lines.append(
+            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
+        )
     return lines
 
 
