@@ -19,7 +19,7 @@ from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.free_motion import FreeMotions, free_motions
+from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
@@ -255,20 +255,26 @@ class Scene(Statics):
             self.systems[k] = self.system_at(k)
         return self.systems[k]
 
-    def system_at(self, k: int, rows: NDArray[np.intp] | None = None) -> FreeMotions:
-        """The same at some ``rows`` of the usable speeds alone."""
+    def system_at(
+        self, k: int, rows: NDArray[np.intp] | None = None, *, few: bool = False
+    ) -> FreeMotions:
+        """The same at some ``rows`` of the usable speeds alone; ``few``: for receptances at a few
+        frequencies, for which modes are not always solved for."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        key = k, b"" if rows is None else rows.tobytes()
+        every = rows is None or len(rows) == len(self.usable)
+        key = k, b"" if every or rows is None else rows.tobytes()
         if key not in self._at_rows:
-            linear = self.linear(k, rows)
+            linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
+            if few and not linear.isotropic and linear.loss is None:
+                return self.timed(name, partial(responding, linear))
             require_modes(
-                f"{self.name_of(k)} modes",
+                name,
                 len(linear.speed) if "bending" in linear.motions else 1,
                 linear.size // 2 if linear.isotropic else linear.size,
             )
             solve = partial(free_motions, linear, self._ceiling)
-            self._at_rows[key] = self.timed(f"{self.name_of(k)} modes", solve)
+            self._at_rows[key] = self.timed(name, solve)
         return self._at_rows[key]
 
     @property
