@@ -75,10 +75,20 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
             met += _snaps(before, state, share)
         elif part.ended is not None:
             known = part.ended.index if part.ended.kind == "halt" else None
-            state = turned(step, changed(step.network, before, part.ended), known)
+            after = _sided(step, changed(step.network, before, part.ended), part)
+            state = turned(step, after, known)
             met += events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
     raise _nothing(step, state, share)
+
+
+def _sided(step: Step, state: State, part: Part) -> State:
+    """The state with the slope that a bearing goes on with which was just loaded or unloaded."""
+    if part.ended is None or part.ended.kind not in ("load", "unload"):
+        return state
+    side = 1.0 if part.ended.kind == "load" else -1.0
+    at = step.beside(state.at, step.load(part.share), part.ended.index, side)
+    return replace(state, at=at)
 
 
 def _snaps(before: State, after: State, share: float) -> list[Event]:

@@ -7,7 +7,7 @@ other.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from rotordyn.state.laws import Blend, Law
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+EDGE = 1e-12  # m from the free deflection of a law
 SMALL = 1.0  # N: rounding is measured by at least that
 
 
@@ -149,6 +150,16 @@ class Step:
             load=each,
             slope=bearings.count * slope,
         )
+
+    def beside(self, at: Balance, load: Load, k: int, side: float) -> Balance:
+        """The same forces, with the slope of bearing ``k`` as it is just beside its free
+        deflection, ``side`` −1 unloaded or +1 loaded: a linear law has two there."""
+        bearings, law = self.network.bearings, load.laws[k]
+        slope = at.slope.copy()
+        slope[k] = bearings.count[k] * law(law.free + side * EDGE)[1]
+        row = bearings.row[k]
+        more = (slope[k] - at.slope[k]) * np.outer(row, row)
+        return replace(at, stiffness=at.stiffness + more, slope=slope)
 
     def rate(self, at: Balance) -> tuple[Array, Array]:
         """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],

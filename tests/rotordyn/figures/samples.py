@@ -206,6 +206,8 @@ def preload(count: int = 49) -> PreloadResult:
         position=position,
         spring_force=np.column_stack([574.0 - 6.2e6 * front, 528.0 - 5.49e6 * rear]),
         stop_force=np.column_stack([np.maximum(0.0, 900.0 * (s[:, 0] - 0.5625)), 0.0 * rear]),
+        friction_force=np.zeros((count, 2)),
+        friction_limit=np.zeros(2),
         stop_reached=np.column_stack([s[:, 0] >= 0.5625, np.zeros(count, bool)]),
         stop_speed=np.array([0.75 * TOP, np.nan]),
     )
