@@ -41,8 +41,7 @@ class PreloadState:
     the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
     or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
     across the axis, None without any; ``temperatures``: None where all are those of assembly;
-    ``films``: those that balls ride on, or None.
-    ``past``: what the spindle went through before.
+    ``films``: those that balls ride on, or None; ``past``: what the spindle went through before.
     """
 
     spindle: Spindle
@@ -249,9 +248,9 @@ def dynamic_preload(
     network = Network(joined, _springs(spindle, joined, still.position[0]))
     limit = _limits(joined, still.position[0])
     start = PreloadState(
-        spindle, axial_force, law, network, still, limit, still, (), temperatures=temperatures
+        spindle, axial_force, law, network, still, limit, still, (), None, temperatures, films
     )
-    return settled(replace(start, films=films), network)
+    return settled(start, network)
 
 
 def settled(state: PreloadState, network: Network, start: Array | None = None) -> PreloadState:

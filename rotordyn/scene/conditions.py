@@ -89,11 +89,6 @@ class Conditions(Description):
         "conductances by which the heat of every bearing leaves, instead of `temperatures`: these "
         "and the preload follow from it ([theory](theory/life.md#temperatures))",
     ] = None
-    films: Annotated[
-        Lubrication | None,
-        "oil on whose films the balls of every bearing ride: they let them grow and soften them "
-        "([theory](theory/life.md#films)); by default balls touch their races",
-    ] = None
     history: Annotated[
         tuple[HistoryStep, ...],
         "what happened from assembly on, step by step; dry friction of sleeves remembers it. By "
@@ -101,6 +96,11 @@ class Conditions(Description):
         "At each of them the temperatures and forces of the conditions follow in the end "
         "([how](theory/network.md#friction-in-all-analyses))",
     ] = ()
+    films: Annotated[
+        Lubrication | None,
+        "oil on whose films the balls of every bearing ride: they let them grow and soften them "
+        "([theory](theory/life.md#films)); by default balls touch their races",
+    ] = None
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4

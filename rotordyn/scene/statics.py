@@ -307,7 +307,7 @@ class Statics(Staged):
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         warm = conditions.heat_flow, conditions.films
-        acting = self.conditions.history, self._pushes, self.bearing_speed.tobytes()
+        acting = conditions.history, self._pushes, self.bearing_speed.tobytes()
         inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
@@ -325,8 +325,8 @@ class Statics(Staged):
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
         conditions = self.conditions
-        warm = conditions.temperatures, conditions.films
-        acting = self.law, self.axial_force, self.past, *warm
+        oiled = conditions.temperatures, conditions.films
+        acting = self.law, self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

@@ -38,15 +38,15 @@ def summary(result: PreloadResult) -> list[str]:
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")
-    if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
-        lines.append(
-            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
-        )
     for name, force, limit in zip(
         result.sleeve, result.friction_force.T, result.friction_limit, strict=True
     ):
         if limit > 0.0:
             lines.append(f"friction   {name}: {from_to(force, 1)} N, within ± {limit:.4g} N")
+    if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
+        lines.append(
+            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
+        )
     return lines
 
 
