@@ -45,7 +45,7 @@ GENERATED = OUTPUTS | {
     "docs/reference/keys.md": {*FILES_OF_KEYS},
     "docs/formulations.md": {"formulations"},
     "docs/theory/axial_force.md": {"axial-force", "axial-stiffening"},
-    "docs/theory/life.md": {"heat", "published-heat"},
+    "docs/theory/life.md": {"heat", "published-heat", "checked"},
     "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/howto/measured_spindle.md": {"coupled", "damping"},

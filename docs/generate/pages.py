@@ -12,6 +12,7 @@ from docs.generate.bending import axial_force_spans, axial_force_table, formulat
 from docs.generate.choices import choice_table, linear_table
 from docs.generate.coupled_rows import damping_table
 from docs.generate.debongnie_rows import error_table, law_table
+from docs.generate.engineer_rows import engineer_rows
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.heat_rows import heat_table, published_heat_table
 from docs.generate.keys import key_tables
@@ -74,8 +75,12 @@ def write_theory() -> None:
 
 
 def write_heat() -> None:
-    """Friction by every model."""
-    fresh = {"heat": heat_table(), "published-heat": published_heat_table()}
+    """Friction by every model, and published values beside ours."""
+    fresh = {
+        "heat": heat_table(),
+        "published-heat": published_heat_table(),
+        "checked": _accuracy(engineer_rows()),
+    }
     rewrite(THEORY / "life.md", fresh)
 
 

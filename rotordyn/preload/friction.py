@@ -18,7 +18,6 @@ from bearings.ball.law import Law
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.history import history
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.state import PreloadState, dynamic_preload, settled
 
@@ -47,6 +46,8 @@ def remembered(state: PreloadState) -> PreloadState:
     """The state with the friction that its history has left on the sleeves."""
     if not state.rubs.any():
         return state
+    from rotordyn.preload.history import history
+
     path = history(state, 0.0)
     force, position = np.zeros_like(state.net.position), state.net.position.copy()
     words = [""] * len(force)

@@ -45,14 +45,16 @@ class Films:
     without: Array
 
     def at(self, speed: Array) -> tuple[Array, Array]:
-        """Growth and shift at other speeds between the own ones (n, seats)."""
+        """Growth and shift at other speeds, on straight lines between the own ones and rest, where
+        there are none (n, seats)."""
         if np.array_equal(speed, self.speed):
             return self.growth, self.axial
-        between = (
-            np.stack([np.interp(speed, self.speed, column) for column in each.T], axis=1)
+        known = np.concatenate([[0.0], self.speed])
+        growth, axial = (
+            np.stack([np.interp(speed, known, [0.0, *column]) for column in each.T], axis=1)
             for each in (self.growth, self.axial)
         )
-        return next(between), next(between)
+        return growth, axial
 
     def of(self, state: BearingState) -> Film:
         """The films of a state."""

@@ -161,12 +161,13 @@ class PreloadState:
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
         one, contacts in series with them."""
-        from bearings.on_film import softened
         from bearings.ring.tangents import stiffness as tangent_of
 
         seats = self.seat_states()
         states = {state for state, _ in seats}
         if (films := self.films) is not None:
+            from bearings.on_film import softened
+
             stiffness = {state: softened(state, films.of(state)) for state in states}
         else:
             stiffness = {state: tangent_of(state, tangent) for state in states}
