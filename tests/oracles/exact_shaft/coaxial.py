@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from rotordyn.equation.elements.shear import shear_coefficient
 from rotordyn.equation.support import node_matrix
+from rotordyn.errors import NoSolution
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
@@ -206,6 +207,10 @@ def coaxial_poles(
 
     ``near``: poles close to these, beyond the band as well; they only save time, as the number of
     poles is counted.
+
+    Raises
+    ------
+    NoSolution : fewer or more poles are reached than are counted
     """
     box = box_around(-1j * near, 1.0, highest)
     reach = max(abs(box.low), abs(box.high))
@@ -215,6 +220,8 @@ def coaxial_poles(
         machine = coaxial_rotor(_of_cylinders(spindle, count), spin)
         equations = CoaxialShooting.of(machine.up_to(2.0 * reach if found else reach))
         found.append(_found(equations, box, _starts(found) if found else -1j * near, found))
+    if len({len(each) for each in found}) > 1:
+        raise NoSolution("not every pole of the exact shafts was reached")
     last = found[-1]
     if not conical:
         return 1j * last, np.abs(found[0] / last - 1.0)
