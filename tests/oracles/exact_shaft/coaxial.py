@@ -164,13 +164,13 @@ def coaxial_rotor(spindle: Spindle, spin: float) -> CoaxialRotor:
         own = slice(4 * place, 4 * place + 4)
         for body in part.lumped:
             real["mass"][node(body.x), own, own] += PLANES.take(lumped_element(body).mass)
-            turned = ratios[name] * body.polar_inertia
-            polar[node(body.x), own][[1, 3]] += (turned, -turned)
+            spun = ratios[name] * body.polar_inertia
+            polar[node(body.x), own][[1, 3]] += (spun, -spun)
     across = np.kron(np.eye(len(parts)), np.kron(TURNING, np.eye(2)))
     back = np.linalg.inv(across)
-    turned_terms = {name: across @ own @ back for name, own in real.items()}
-    turned_terms["polar"] = polar[:, :, None] * np.eye(width, dtype=complex)
-    return CoaxialRotor(x, rows[0].segments, NodeTerms(**turned_terms), spin, 2, rows)
+    turned = {name: (across @ own @ back).astype(complex) for name, own in real.items()}
+    terms = NodeTerms(**turned, polar=(polar[:, :, None] * np.eye(width)).astype(complex))
+    return CoaxialRotor(x, rows[0].segments, terms, spin, 2, rows)
 
 
 def _segments(part: Spindle, x: Array) -> Segments:
