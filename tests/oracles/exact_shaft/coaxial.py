@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from rotordyn.equation.elements.shear import shear_coefficient
 from rotordyn.equation.support import node_matrix
+from rotordyn.errors import NoSolution
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
@@ -163,13 +164,13 @@ def coaxial_rotor(spindle: Spindle, spin: float) -> CoaxialRotor:
         own = slice(4 * place, 4 * place + 4)
         for body in part.lumped:
             real["mass"][node(body.x), own, own] += PLANES.take(lumped_element(body).mass)
-            turned = ratios[name] * body.polar_inertia
-            polar[node(body.x), own][[1, 3]] += (turned, -turned)
+            spun = ratios[name] * body.polar_inertia
+            polar[node(body.x), own][[1, 3]] += (spun, -spun)
     across = np.kron(np.eye(len(parts)), np.kron(TURNING, np.eye(2)))
     back = np.linalg.inv(across)
-    turned_terms = {name: across @ own @ back for name, own in real.items()}
-    turned_terms["polar"] = polar[:, :, None] * np.eye(width, dtype=complex)
-    return CoaxialRotor(x, rows[0].segments, NodeTerms(**turned_terms), spin, 2, rows)
+    turned = {name: (across @ own @ back).astype(complex) for name, own in real.items()}
+    terms = NodeTerms(**turned, polar=(polar[:, :, None] * np.eye(width)).astype(complex))
+    return CoaxialRotor(x, rows[0].segments, terms, spin, 2, rows)
 
 
 def _segments(part: Spindle, x: Array) -> Segments:
@@ -206,6 +207,10 @@ def coaxial_poles(
 
     ``near``: poles close to these, beyond the band as well; they only save time, as the number of
     poles is counted.
+
+    Raises
+    ------
+    NoSolution : fewer or more poles are reached than are counted
     """
     box = box_around(-1j * near, 1.0, highest)
     reach = max(abs(box.low), abs(box.high))
@@ -215,6 +220,8 @@ def coaxial_poles(
         machine = coaxial_rotor(_of_cylinders(spindle, count), spin)
         equations = CoaxialShooting.of(machine.up_to(2.0 * reach if found else reach))
         found.append(_found(equations, box, _starts(found) if found else -1j * near, found))
+    if len({len(each) for each in found}) > 1:
+        raise NoSolution("not every pole of the exact shafts was reached")
     last = found[-1]
     if not conical:
         return 1j * last, np.abs(found[0] / last - 1.0)

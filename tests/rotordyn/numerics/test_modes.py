@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotordyn.numerics.modes import grows, modes, residual
+from rotordyn.numerics.modes import FEW, grows, modes, residual, unsolved
 
 OMEGA = np.array([0.0, 0.7, 3.0, 11.0, -4.0])
 
@@ -49,6 +49,19 @@ def test_receptance_equals_direct_solution(seed: int, size: int, kind: str) -> N
     for k, omega in enumerate(OMEGA):
         exact = direct(stiffness, damping, omega, out, into)
         assert np.abs(ours[..., k] - exact).max() < 1e-8 * max(1.0, np.abs(exact).max())
+
+
+@pytest.mark.parametrize("kind", ["plain", "gyroscopic", "complex"])
+def test_receptances_without_poles_are_those_of_the_modes(kind: str) -> None:
+    """More frequencies than are solved for at a time, and loads that several pairs share."""
+    stiffness, damping = system(5, 6, kind)
+    out, into = np.random.default_rng(6).normal(size=(2, 4, 6))
+    into[2] = into[0]
+    omega = np.linspace(-9.0, 9.0, 2 * FEW + 3)
+    expected = modes(stiffness, damping).receptance(omega, out, into)
+    found = unsolved(stiffness, damping)
+    assert found.pole.shape == (2, 0)
+    assert found.receptance(omega, out, into) == pytest.approx(expected, rel=1e-9, abs=1e-12)
 
 
 @settings(max_examples=40)
