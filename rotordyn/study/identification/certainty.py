@@ -155,10 +155,12 @@ def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
             f"the data do not tell {words}" + (" (each over its scale)" if len(order) > 1 else "")
         )
     correlation = sure.correlation
+    soft = np.abs(sure.directions)
+    named = [row > PART * row.max() for row in soft]
     for k, one in enumerate(unknowns):
         for j in range(k):
             rho = correlation[k, j]
-            if abs(rho) >= TIED:
+            if abs(rho) >= TIED and not any(row[j] and row[k] for row in named):
                 what = "difference" if rho > 0.0 else "sum"
                 sentences.append(
                     f"{unknowns[j].name} and {one.name} can hardly be told apart: ρ {rho:+.2f}, "

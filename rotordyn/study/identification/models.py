@@ -29,11 +29,12 @@ class Phase:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Model:
-    """A ``case`` with the ``unknowns`` that are sought of it."""
+    """A ``case`` with the ``unknowns`` that are sought of it, and what it ``holds`` by path."""
 
     name: str
     case: Case
     unknowns: tuple[Sought, ...]
+    holds: Mapping[str, Any] = field(default_factory=dict)
 
 
 def models(
@@ -83,4 +84,5 @@ def _model(
         raise InvalidInput(f"phase {name}: {min(held)} is sought and held: one of both")
     words = [f"{path.rsplit('.', 1)[-1]} {value}" for path, value in chosen.items()]
     label = ", ".join(part for part in (name, *words) if part) or "the case"
-    return Model(label, vary(case, {**phase.values, **chosen}), wanted)
+    holds = {**phase.values, **chosen}
+    return Model(label, vary(case, holds), wanted, holds)

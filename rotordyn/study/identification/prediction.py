@@ -20,7 +20,7 @@ from rotordyn.field import shown
 from rotordyn.study.identification.certainty import Certainty
 from rotordyn.study.identification.problem import STEP, Problem
 from rotordyn.study.identification.trial import Known
-from rotordyn.study.optimum.criterion import Criterion
+from rotordyn.study.optimum.criterion import Criterion, amount
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,7 @@ class Predicted:
     of: str
     where: Mapping[str, object] = field(default_factory=dict)
     name: str = ""
-    measured: float | None = None
+    measured: float | str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +85,12 @@ def numbers(
         for k, value in enumerate(reading.values.tolist()):
             words = each.name or (headings[k] if k < len(headings) else each.of)
             words = words if words not in found else f"{words} ({k + 1})"
-            found[words] = reading.unit, value, each.measured
+            found[words] = reading.unit, value, _known(each, reading.unit)
     return found
+
+
+def _known(of: Predicted, unit: str) -> float | None:
+    return None if of.measured is None else amount(of.measured, unit)
 
 
 def _headings(case: Case, results: Mapping[str, Any], of: Criterion) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -12,7 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arguments import typed
+from bearings.errors import BearingError
 from rotordyn.case.case import Case
+from rotordyn.case.identification import MINIMISED
+from rotordyn.case.varied import found_at
+from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.numerics.threads import processors
@@ -28,10 +33,11 @@ from rotordyn.study.identification.certainty import (
 from rotordyn.study.identification.criterion import Criterion
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model, Phase, models
-from rotordyn.study.identification.prediction import Predicted, Prediction, asked_of, predictions
+from rotordyn.study.identification.prediction import Predicted, Prediction, numbers, predictions
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.search import Fit
 from rotordyn.study.identification.started import Progress, Search, Searches, best_of, run
+from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import Unknown, sought
 from rotordyn.study.parameter import is_whole
 
@@ -43,18 +49,27 @@ Array = NDArray[np.float64]
 SURVIVES = 6.0  # difference of BIC up to which a model is kept
 INSUFFICIENT = "insufficient"
 UNDECIDED = "undecidable"
-MINIMISED = ("squares", "absolute")
 
 
 @dataclass(frozen=True, eq=False)
 class Explained:
     """One model at its best: ``fit``, how ``sure`` its values are, searches from all starts."""
 
-    name: str
+    model: Model
     problem: Problem
     fit: Fit
     sure: Certainty
     searches: tuple[Search, ...]
+
+    @property
+    def name(self) -> str:
+        """Of the model."""
+        return self.model.name
+
+    @property
+    def held(self) -> dict[str, Any]:
+        """What the model holds by path, as files write it."""
+        return {path: _written(self.problem.case, path) for path in self.model.holds}
 
     @property
     def information(self) -> float:
@@ -100,6 +115,11 @@ class Identification:
     predictions: tuple[Prediction, ...] = ()
     failed: Mapping[str, str] = field(default_factory=dict)
     stopped: bool = False
+
+    @property
+    def order(self) -> list[Explained]:
+        """Models in the order in which they were asked for."""
+        return sorted(self.models, key=lambda each: each.searches[0].number)
 
     @property
     def explained(self) -> Explained:
@@ -252,7 +272,9 @@ def asked(  # noqa: PLR0913 - see identify
     searches = Searches(every, tuple(measurements), starts, seed, minimise == MINIMISED[1])
     held = Criterion.of(criterion, searches.measurements)
     if predict:
-        asked_of(case, tuple(predict))
+        first = searches.problem(0)
+        with suppress(NoSolution, BearingError):
+            numbers(first, first.start, tuple(predict), Known())  # refuses what is no number
     return Asked(case, searches, held, tuple(predict))
 
 
@@ -367,7 +389,7 @@ def identified(
             failed[model.name] = tried[0] if tried else "not searched yet"
             continue
         mine = tuple(each for each in found if each.number[0] == k)
-        explained.append(_explained(model.name, searches.problem(k), best, mine))
+        explained.append(_explained(model, searches.problem(k), best, mine))
     if not explained:
         if stopped:
             raise KeyboardInterrupt
@@ -385,11 +407,19 @@ def identified(
     )
 
 
+def _written(case: Case, path: str) -> Any:
+    value, annotation = found_at(case, path)[0]
+    quantity = quantity_of(annotation)
+    if quantity is None or isinstance(value, str | bool):
+        return value
+    return quantity.infinite if np.isinf(value) else f"{value!r} {quantity.coherent_unit}".strip()
+
+
 def _explained(
-    name: str, problem: Problem, best: Search, searches: tuple[Search, ...]
+    model: Model, problem: Problem, best: Search, searches: tuple[Search, ...]
 ) -> Explained:
     values = np.array(best.values)
     predicted = problem.predicted(values)
     assert predicted is not None, "the search solved it"
     fit = Fit(values, best.cost, predicted, best.ended)
-    return Explained(name, problem, fit, certainty(problem, fit), searches)
+    return Explained(model, problem, fit, certainty(problem, fit), searches)
