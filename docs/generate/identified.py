@@ -108,6 +108,9 @@ def twins_table(found: dict[str, Any]) -> str:
         ("largest difference of that", f"{100.0 * found['stiffness off']:.1f} %"),
         ("true hypothesis survives", str(found["true survives"])),
         ("a false one (kinematics or sharing) survives too", str(found["false survives"])),
-        ("seconds of one fit, median and longest", f"{found['seconds']:.1f}, {found['longest']:.0f}"),
+        (
+            "seconds of one fit, median and longest",
+            f"{found['seconds']:.1f}, {found['longest']:.0f}",
+        ),
     ]
     return table((f"of {found['twins']} twins", ""), rows)

@@ -6,7 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from rotordyn.quantity import Choice, Force, Growth, Items, Key, Name, Rigidity, Speed, Travel, Whole
+from rotordyn.quantity import (
+    Choice,
+    Force,
+    Growth,
+    Items,
+    Key,
+    Name,
+    Rigidity,
+    Speed,
+    Travel,
+    Whole,
+)
 
 MINIMISED = ("squares", "absolute")
 BRANCHES = ("falling", "rising")
