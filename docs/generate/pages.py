@@ -10,6 +10,7 @@ from docs.generate.axial_rows import axial_table, phase_table
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
+from docs.generate.coupled_rows import damping_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.heat_rows import heat_table, published_heat_table
@@ -68,6 +69,11 @@ def write_choosing() -> None:
     rewrite(DOCS / "howto" / "hypotheses.md", {"choices": choice_table(), "linear": linear_table()})
 
 
+def write_coupled() -> None:
+    """What damping does to a coupled tool."""
+    rewrite(DOCS / "howto" / "measured_spindle.md", {"damping": damping_table()})
+
+
 def write_theory() -> None:
     """Which page explains which module."""
     rewrite(THEORY / "README.md", {"modules": module_table()})
@@ -115,6 +121,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,
+    "docs/howto/measured_spindle.md": write_coupled,
     "docs/mfw2310.md": write_flagship,
     "docs/mfw2310.md, identified anew": write_identified,
     "docs/theory/identification.md": write_twins,

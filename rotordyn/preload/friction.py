@@ -19,6 +19,7 @@ from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.history import history
+from rotordyn.preload.on_films import Films
 from rotordyn.preload.state import PreloadState, dynamic_preload, settled
 
 Array = NDArray[np.float64]
@@ -34,10 +35,11 @@ def operating_state(
     axial_force: float = 0.0,
     temperatures: Temperatures | None = None,
     past: Past = ASSEMBLED,
+    films: Films | None = None,
 ) -> PreloadState:
     """The preload state at every ``speed`` [rad/s], with the friction that is left at the end of
     the history ``past``; as ``dynamic_preload`` where no sleeve rubs."""
-    state = dynamic_preload(spindle, speed, law, axial_force, temperatures)
+    state = dynamic_preload(spindle, speed, law, axial_force, temperatures, films)
     return remembered(replace(state, past=past))
 
 

@@ -246,7 +246,9 @@ class Tables:
         """Those of the preload state, deformed by that speed and temperature."""
         state = self.preload
         temperatures = state.temperatures if warm else None
-        there = arrangement(state.spindle, np.array([speed]), 0.0, state.law, temperatures)
+        there = arrangement(
+            state.spindle, np.array([speed]), 0.0, state.law, temperatures, state.films
+        )
         of_seat = {seat: bearing for bearing in there.bearings for seat in bearing.seats}
         return [
             replace(of_seat[bearing.seats[0]], seats=bearing.seats)

@@ -23,6 +23,7 @@ from rotordyn.preload.arrangement import (
     rigid,
 )
 from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.stops import meeting_speed, with_stops
 
@@ -40,7 +41,7 @@ class PreloadState:
     the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
     or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
     across the axis, None without any; ``temperatures``: None where all are those of assembly;
-    ``past``: what the spindle went through before.
+    ``films``: those that balls ride on, or None; ``past``: what the spindle went through before.
     """
 
     spindle: Spindle
@@ -53,6 +54,7 @@ class PreloadState:
     outcome: tuple[str, ...]
     lateral: Array | None = None
     temperatures: Temperatures | None = None
+    films: Films | None = None
     past: Past = ASSEMBLED
 
     def coordinates(self, count: int) -> Array:
@@ -157,11 +159,17 @@ class PreloadState:
         return np.array([self.still.response.load[0, place[seat]] for seat in sorted(place)])
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
-        """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
+        """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
+        one, contacts in series with them."""
+        from bearings.on_film import softened
         from bearings.ring.tangents import stiffness as tangent_of
 
         seats = self.seat_states()
-        stiffness = {state: tangent_of(state, tangent) for state in {state for state, _ in seats}}
+        states = {state for state, _ in seats}
+        if (films := self.films) is not None:
+            stiffness = {state: softened(state, films.of(state)) for state in states}
+        else:
+            stiffness = {state: tangent_of(state, tangent) for state in states}
         return np.stack([stiffness[state][:, column] for state, column in seats], axis=1)
 
     def seat_growth(self) -> Array:
@@ -210,7 +218,7 @@ class PreloadState:
             lambda speed: replace(
                 self.network,
                 arrangement=arrangement(
-                    self.spindle, speed, self.force, self.law, self.temperatures
+                    self.spindle, speed, self.force, self.law, self.temperatures, self.films
                 ),
             ),
             self.rest,
@@ -227,18 +235,19 @@ def dynamic_preload(
     law: Law,
     axial_force: float = 0.0,
     temperatures: Temperatures | None = None,
+    films: Films | None = None,
 ) -> PreloadState:
     """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s].
 
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = arrangement(spindle, speed, axial_force, law, temperatures)
+    joined = arrangement(spindle, speed, axial_force, law, temperatures, films)
     still = _rest(joined)
     network = Network(joined, _springs(spindle, joined, still.position[0]))
     limit = _limits(joined, still.position[0])
     start = PreloadState(
-        spindle, axial_force, law, network, still, limit, still, (), temperatures=temperatures
+        spindle, axial_force, law, network, still, limit, still, (), None, temperatures, films
     )
     return settled(start, network)
 

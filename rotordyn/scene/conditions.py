@@ -14,6 +14,7 @@ from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
 from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.lubrication import Lubrication
 from rotordyn.units import STANDARD_GRAVITY
 
 TANGENTS = ("complete", "frozen", "difference")
@@ -95,6 +96,11 @@ class Conditions(Description):
         "At each of them the temperatures and forces of the conditions follow in the end "
         "([how](theory/network.md#friction-in-all-analyses))",
     ] = ()
+    films: Annotated[
+        Lubrication | None,
+        "oil on whose films the balls of every bearing ride: they let them grow and soften them "
+        "([theory](theory/life.md#films)); by default balls touch their races",
+    ] = None
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4

@@ -184,7 +184,7 @@ class Statics(Staged):
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
-        return operating_state(
+        given = (
             self.grounded,
             self.bearing_speed,
             self.law,
@@ -192,6 +192,11 @@ class Statics(Staged):
             self.temperatures,
             self.past,
         )
+        if (oiled := self.conditions.films) is None:
+            return operating_state(*given)
+        from rotordyn.preload.on_films import on_films
+
+        return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -301,8 +306,8 @@ class Statics(Staged):
         """What the preload state follows from."""
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
-        warm = conditions.heat_flow
-        acting = self.conditions.history, self._pushes, self.bearing_speed.tobytes()
+        warm = conditions.heat_flow, conditions.films
+        acting = conditions.history, self._pushes, self.bearing_speed.tobytes()
         inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
@@ -319,7 +324,9 @@ class Statics(Staged):
             if left + section.length > front
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
-        acting = self.law, self.axial_force, self.past, self.conditions.temperatures
+        conditions = self.conditions
+        oiled = conditions.temperatures, conditions.films
+        acting = self.law, self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
+FILMS_RULE = 0.1  # of the axial load of a bearing
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
@@ -46,6 +47,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         )
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
+        yield from _films_rule(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
     systems = list(scene.systems.values())
@@ -78,6 +80,26 @@ def _yielding(scene: Scene) -> Iterator[str]:
                 f"{column[row] / 1e6:.0f} MPa after Tresca at "
                 f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
                 "the interference"
+            )
+
+
+def _films_rule(scene: Scene) -> Iterator[str]:
+    """Bearings whose axial load the films change by more than a tenth."""
+    state = scene.unloaded if scene.conditions.films is not None else None
+    if state is None or state.films is None:
+        return
+    without, load = state.films.without, state.seat_load()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)
+    for seat, column, before, now in zip(
+        scene.spindle.seats, share.T, without.T, load.T, strict=True
+    ):
+        if np.nanmax(column, initial=0.0) > FILMS_RULE:
+            row = int(np.nanargmax(column))
+            yield (
+                f"bearing {seat.name}: oil films change its axial load from {before[row]:.0f} to "
+                f"{now[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
+                "fully flooded ones, and starved ones do less"
             )
 
 

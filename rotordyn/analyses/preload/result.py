@@ -46,6 +46,9 @@ class PreloadResult:
     )
     slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
     growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
+    film_growth: Array = quantity(
+        "speed", "bearing", unit="m", label="ring growth that oil films stand for"
+    )
     speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
     position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
     spring_force: Array = quantity("speed", "sleeve", unit="N", label="spring force")

@@ -57,6 +57,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         stiffness=shown(state.seat_stiffness()),
         slipping=np.where(good[:, None], slips, ""),
         growth=shown(state.seat_growth()),
+        film_growth=shown(_by_films(state)),
         speed_factor=factor,
         position=shown(state.shift),
         spring_force=shown(state.spring_force),
@@ -74,6 +75,13 @@ def _of_heaviest(values: NDArray[Any], state: BearingState, column: int) -> NDAr
     its inner race (speeds,); without loads across the axis all of them are alike."""
     heaviest = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
     return np.take_along_axis(values[:, column], heaviest[:, None], axis=1)[:, 0]
+
+
+def _by_films(state: PreloadState) -> Array:
+    """Growth in that of the rings which films stand for (speeds, seats) [m]."""
+    if state.films is None:
+        return np.zeros((len(state.speed), len(state.spindle.seats)))
+    return state.films.at(state.speed)[0]
 
 
 def _offset(state: PreloadState, k: int) -> float:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
@@ -41,6 +43,10 @@ def summary(result: PreloadResult) -> list[str]:
     ):
         if limit > 0.0:
             lines.append(f"friction   {name}: {from_to(force, 1)} N, within ± {limit:.4g} N")
+    if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
+        lines.append(
+            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
+        )
     return lines
 
 
