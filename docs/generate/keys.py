@@ -13,6 +13,8 @@ from docs.generate.marked import table
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
+from rotordyn.case.identification import KINDS as MEASURED
+from rotordyn.case.identification import IdentificationFile
 from rotordyn.case.keys import Range, extra, keys_of
 from rotordyn.case.schema import about, title
 from rotordyn.case.study import OptimumFile, StudyFile
@@ -32,6 +34,7 @@ PAGES: dict[str, type] = {
     "reference": Reference,
     "study": StudyFile,
     "optimum": OptimumFile,
+    "identification": IdentificationFile,
 }
 
 
@@ -66,6 +69,8 @@ def _held(kind: type) -> Iterator[type]:
     if kind is BallBearing:
         yield from map(kind_class, KINDS)
         return
+    if kind is IdentificationFile:
+        yield from MEASURED.values()
     if kind is Case:
         yield Range
         yield from (analysis(name).spec for name in sorted(built_in(), key=place))
