@@ -1,0 +1,400 @@
+"""Shaft and sleeves along the axis with dry friction, at many forces at once.
+
+Every sleeve slides in the housing and touches the shaft alone, so that its place follows from that
+of the shaft: friction leaves it where it is between the places at which it would slide either way
+(the play operator). Where the shaft moves one way, all forces of the way are solved together. The
+history that ``rotordyn.preload.history`` follows from event to event is the same path.
+
+Theory: docs/theory/identification.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.law import Law
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.arrangement import (
+    HOUSING,
+    SHAFT,
+    Arrangement,
+    AxialBearing,
+    arrangement,
+    at_rest,
+    rigid,
+)
+
+Array = NDArray[np.float64]
+PARTS = ((-300.0, -100.0, 20.0), (-100.0, -40.0, 4.0), (-40.0, 50.0, 1.5), (50.0, 80.1, 5.0))
+SOLVED = np.unique(
+    np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
+)  # µm, deflections at which bearings are solved
+FINE = np.unique(
+    np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1) * 1e-6
+)  # m, the spline through them, drawn straight between
+FAR = 5e-3  # m
+GRID = np.concatenate([np.arange(-1500.0, 500.0, 2.0)]) * 1e-6  # m
+STEPS, EXACT = 60, 1e-11  # of the search between two places of the grid [m]
+MOST_KEPT = 400
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Curve:
+    """Axial load [N] over deflection [m], which does not fall; straight between its points."""
+
+    deflection: Array
+    load: Array
+
+    def __call__(self, d: Array) -> Array:
+        """Loads [N]."""
+        return np.interp(d, self.deflection, self.load)
+
+
+@dataclass
+class Tables:
+    """Curves of bearings solved so far, by what they depend on."""
+
+    known: dict[tuple[object, ...], Curve] = field(default_factory=dict)
+
+    def of(self, joined: Arrangement) -> list[list[Curve]]:
+        """The curve of every bearing at every speed."""
+        keys = [[_key(b, joined.speed[k], k) for b in joined.bearings] for k in _rows(joined)]
+        missing = {
+            key: (b, k)
+            for k, row in enumerate(keys)
+            for key, b in zip(row, joined.bearings, strict=True)
+            if key not in self.known
+        }
+        for key in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
+            if not any(key in row for row in keys):
+                del self.known[key]
+        alike: dict[tuple[object, Law], list[tuple[object, ...]]] = {}
+        for key, (bearing, _) in missing.items():
+            alike.setdefault((bearing.model, bearing.law), []).append(key)
+        for group in alike.values():
+            self._solve([(key, *missing[key]) for key in group], joined.speed)
+        return [[self.known[key] for key in row] for row in keys]
+
+    def _solve(
+        self, group: list[tuple[tuple[object, ...], AxialBearing, int]], speed: Array
+    ) -> None:
+        """Bearings of one model and law, all in one call."""
+        from bearings.ring.tangents import stiffness
+
+        first, rows = group[0][1], [k for _, _, k in group]
+        displacement = np.zeros((len(group), len(SOLVED), 5))
+        displacement[..., 0] = SOLVED * 1e-6
+        state = first.model.equilibrium(
+            displacement=displacement,
+            speed=speed[rows][:, None],
+            static_growth=np.array([b.static_growth for _, b, _ in group])[:, None],
+            growth=np.array([b.growth[k] for _, b, k in group])[:, None],
+            **asdict(first.law),
+        )
+        slopes = stiffness(state, "complete")[..., 0, 0]
+        for (key, _, _), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
+            self.known[key] = _curve(load, slope)
+
+
+def _rows(joined: Arrangement) -> range:
+    return range(len(joined.speed))
+
+
+def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
+    growth = float(bearing.growth[row])
+    return bearing.model, bearing.law, bearing.static_growth, growth, float(speed)
+
+
+def _curve(load: Array, slope: Array) -> Curve:
+    from scipy.interpolate import CubicHermiteSpline
+
+    good = np.isfinite(load) & np.isfinite(slope)
+    if good.sum() < 2:
+        raise NoSolution("a bearing has no axial state at any deflection")
+    d, load, slope = SOLVED[good] * 1e-6, load[good], slope[good]
+    inside = FINE[(FINE >= d[0]) & (FINE <= d[-1])]
+    fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
+    step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
+    ends = fine[0], fine[-1] + step * (FAR - inside[-1])
+    return Curve(
+        np.concatenate([[-FAR], inside, [FAR]]), np.concatenate([[ends[0]], fine, [ends[1]]])
+    )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Carrier:
+    """Bearings of one sleeve, or of the housing: ``thrust``, ``count``, ``curve``, ``shift`` [m] of
+    the shaft at each."""
+
+    thrust: Array
+    count: Array
+    curve: tuple[Curve, ...]
+    shift: Array
+
+    def __call__(self, w: Array) -> Array:
+        """Force of the shaft on it towards +x where the shaft stands by w [m] off [N]."""
+        parts = zip(self.thrust, self.count, self.curve, self.shift, strict=True)
+        return np.asarray(sum(t * n * c(t * (w + s)) for t, n, c, s in parts) + 0.0 * w)
+
+    @property
+    def places(self) -> Array:
+        """Where the first of its curves has points, ascending [m]."""
+        return np.sort(self.thrust[0] * self.curve[0].deflection) - self.shift[0]
+
+    def standing(self, force: float) -> float:
+        """Where the shaft stands off as it pushes with a force [m]."""
+        w = self.places
+        loads = self(w)
+        if not loads[0] <= force <= loads[-1]:
+            raise NoSolution(f"no bearing carries an axial force of {abs(force):.6g} N")
+        return float(np.interp(force, loads, w))
+
+
+@dataclass(frozen=True, eq=False)
+class Slide:
+    """A sleeve: ``pushes`` [N] at its ``place`` at rest [m], spring ``stiffness`` [N/m], limit of
+    ``friction`` [N], ``low`` and ``high`` end of its ``way`` [m], +1 where the spring pushes towards
+    +x; its bearings."""
+
+    way: int
+    pushes: float
+    place: float
+    stiffness: float
+    friction: float
+    low: float
+    high: float
+    carrier: Carrier
+
+    @cached_property
+    def sliding(self) -> list[tuple[Array, Array]]:
+        """Positions of the shaft, and of the sleeve that just slides towards −x and +x there."""
+        w = self.carrier.places
+        free = self.pushes + self.carrier(w)
+        found = [self.place + (free + f) / self.stiffness for f in (-self.friction, self.friction)]
+        return [(x + w, x) for x in found]
+
+    def between(self, u: Array) -> tuple[Array, ...]:
+        """Places between which the sleeve stays where it is with the shaft at u [m]."""
+        if np.isinf(self.stiffness):
+            return np.full_like(u, self.place), np.full_like(u, self.place)
+        low, high = (np.interp(u, *each) for each in self.sliding)
+        return tuple(np.minimum(np.maximum(x, self.low), self.high) for x in (low, high))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Instant:
+    """The machine at one speed: sleeves, bearings in the housing, ``support`` [N/m] along the axis
+    that holds the shaft at ``place`` [m]."""
+
+    slides: tuple[Slide, ...]
+    fixed: Carrier | None
+    support: float
+    place: float
+
+    def solved(self, force: Array, before: Array) -> Array:
+        """Positions (n, bodies) under forces on the shaft that rise, or fall, from ``before``
+        (bodies,)."""
+
+        def total(u: Array) -> tuple[Array, list[Array]]:
+            held = self.support * (u - self.place)
+            if self.fixed is not None:
+                held = held + self.fixed(u)
+            places = []
+            for slide, x in zip(self.slides, before[SHAFT + 1 :], strict=True):
+                low, high = slide.between(u)
+                places.append(np.minimum(np.maximum(x, low), high))
+                held = held + slide.carrier(u - places[-1])
+            return held, places
+
+        grid = before[SHAFT] + GRID
+        held = total(grid)[0]
+        right = np.searchsorted(held, force)
+        if (right == 0).any() or (right == len(grid)).any():
+            far = force[(right == 0) | (right == len(grid))]
+            raise NoSolution(
+                f"the shaft has no axial equilibrium under {far[0]:.6g} N: nothing holds it any "
+                "longer; lower the force, or hold it with a spring or a stop"
+            )
+        u = _root(lambda u: total(u)[0] - force, grid[right - 1], grid[right])
+        return np.stack([u, *total(u)[1]], axis=1)
+
+
+def _root(call: Callable[[Array], Array], low: Array, high: Array) -> Array:
+    """Roots between brackets of functions that rise, by the Illinois rule."""
+    a, b = low.copy(), high.copy()
+    fa, fb = call(a), call(b)
+    u = b
+    for _ in range(STEPS):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            u = np.where(fb > fa, b - fb * (b - a) / (fb - fa), 0.5 * (a + b))
+        u = np.clip(u, np.minimum(a, b), np.maximum(a, b))
+        f = call(u)
+        across = f * fb < 0.0
+        a, fa = np.where(across, b, a), np.where(across, fb, 0.5 * fa)
+        moved = np.abs(u - b)
+        b, fb = u, f
+        if (np.minimum(moved, np.abs(b - a)) < EXACT).all() or not f.any():
+            break
+    return u
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Axial:
+    """A machine run up from rest through ``speed`` [rad/s], under the static ``force`` [N].
+
+    ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under the stated
+    preloads alone, ``still`` under that force too; ``idle`` (speeds, bodies): at every speed after
+    the run-up [m].
+    """
+
+    bodies: tuple[str, ...]
+    speed: Array
+    force: float
+    mounted: Array
+    still: Array
+    idle: Array
+    instants: tuple[Instant, ...]
+
+    @property
+    def shift(self) -> Array:
+        """How far bodies are from where they stand at rest (speeds, bodies) [m]."""
+        return self.idle - self.still
+
+    def under(self, row: int, forces: Sequence[float] | Array) -> Array:
+        """The same under further axial forces [N] one after the other, from the idle state."""
+        state, found = self.idle[row], []
+        for part in _ways(np.asarray(forces, dtype=float)):
+            found.append(self.instants[row].solved(self.force + part, state))
+            state = found[-1][-1]
+        return np.concatenate(found) - self.still
+
+    def cycle(
+        self,
+        row: int,
+        falling: Array,
+        rising: Array,
+        lowest: float | None = None,
+        highest: float | None = None,
+    ) -> tuple[Array, Array]:
+        """Shifts on both branches of a closed cycle, at forces in the order of the branch [N].
+
+        From ``highest`` to ``lowest`` and back, by default those of the forces.
+        """
+        every = np.concatenate([falling, rising])
+        high = float(every.max()) if highest is None else highest
+        low = float(every.min()) if lowest is None else lowest
+        path = np.concatenate([[high, low, high], falling, [low], rising])
+        shifts, first = self.under(row, path)[3:], len(falling)
+        return shifts[:first], shifts[first + 1 :]
+
+
+def _ways(forces: Array) -> Iterator[Array]:
+    """Parts along which forces do not turn."""
+    sign = np.sign(np.diff(forces))
+    start, way = 0, 0.0
+    for k, one in enumerate(sign):
+        if one * way < 0.0:
+            yield forces[start : k + 1]
+            start, way = k + 1, one
+        way = one or way
+    yield forces[start:]
+
+
+def axial(
+    spindle: Spindle,
+    law: Law,
+    speed: Array,
+    force: float = 0.0,
+    temperatures: Temperatures | None = None,
+    tables: Tables | None = None,
+    without_stop: str | None = None,
+) -> Axial:
+    """``spindle`` run up through ``speed`` [rad/s], in this order.
+
+    ``force``: static one on the shaft [N]; ``without_stop``: a sleeve whose stop is left out.
+
+    Raises
+    ------
+    NoSolution : nothing holds the shaft, or a bearing has no state
+    """
+    joined = arrangement(spindle, speed, force, law, temperatures)
+    tables = tables or Tables()
+    resting, moving = tables.of(at_rest(joined))[0], tables.of(joined)
+    still = _resting(joined, resting)
+    rest = _instant(spindle, at_rest(joined), 0, resting, still, without_stop)
+    states = [rest.solved(np.array([force]), still)[0]]
+    instants = []
+    for row, curves in enumerate(moving):
+        instants.append(_instant(spindle, joined, row, curves, still, without_stop))
+        states.append(instants[-1].solved(np.array([force]), states[-1])[0])
+    idle = np.array(states[1:]).reshape(len(instants), len(still))
+    return Axial(joined.bodies, speed, force, still, states[0], idle, tuple(instants))
+
+
+def _carrier(joined: Arrangement, row: int, curves: list[Curve], body: int) -> Carrier | None:
+    chosen = [k for k, bearing in enumerate(joined.bearings) if bearing.outer == body]
+    if not chosen:
+        return None
+    bearings = [joined.bearings[k] for k in chosen]
+    return Carrier(
+        np.array([float(bearing.thrust) for bearing in bearings]),
+        np.array([float(len(bearing.seats)) for bearing in bearings]),
+        tuple(curves[k] for k in chosen),
+        np.array([float(bearing.shortening[row]) for bearing in bearings]),
+    )
+
+
+def _resting(joined: Arrangement, curves: list[Curve]) -> Array:
+    """Positions at rest under the stated preloads alone (bodies,)."""
+    still = at_rest(joined)
+    fixed = _carrier(still, 0, curves, HOUSING)
+    pushed = sum(push.direction * push.preload for push in still.pushes)
+    shaft = fixed.standing(pushed) if fixed is not None else 0.0
+    off = [
+        _held(still, curves, push.body).standing(-push.direction * push.preload)
+        for push in still.pushes
+    ]
+    return np.array([shaft, *(shaft - each for each in off)])
+
+
+def _held(joined: Arrangement, curves: list[Curve], body: int, row: int = 0) -> Carrier:
+    carrier = _carrier(joined, row, curves, body)
+    assert carrier is not None, "a sleeve carries bearings"
+    return carrier
+
+
+def _instant(
+    spindle: Spindle,
+    joined: Arrangement,
+    row: int,
+    curves: list[Curve],
+    still: Array,
+    without_stop: str | None,
+) -> Instant:
+    slides = []
+    for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True):
+        place = float(still[push.body])
+        travel = np.inf if rigid(push) or sleeve.name == without_stop else push.travel
+        end = place - push.direction * travel
+        slides.append(
+            Slide(
+                push.direction,
+                push.direction * push.preload,
+                place,
+                push.stiffness,
+                sleeve.friction,
+                end if push.direction > 0 else -np.inf,
+                end if push.direction < 0 else np.inf,
+                _held(joined, curves, push.body, row),
+            )
+        )
+    support = sum(each.along for each in spindle.supports)
+    fixed = _carrier(joined, row, curves, HOUSING)
+    return Instant(tuple(slides), fixed, support, float(still[SHAFT]))

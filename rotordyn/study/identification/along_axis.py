@@ -1,0 +1,346 @@
+"""Axial measurements: displacement over force on both branches, without load over speed, stiffness,
+and where a sleeve meets its stop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.field import shown
+from rotordyn.quantity import suggestion
+from rotordyn.scene.spec import acts_across
+from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.trial import Trial
+
+Array = NDArray[np.float64]
+SHAFT = "shaft"
+BRANCHES = ("falling", "rising")
+RPM = np.pi / 30.0
+NEAR = 100.0  # N, either side of no load, between which stiffness is read
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Axial:
+    """What axial measurements share."""
+
+    name: str
+    deviation: float
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None: the axis is solved by itself."""
+        return {}
+
+    def speeds(self, case: Case) -> Iterator[float]:
+        """Speeds of the points, each once."""
+        yield from sorted(set(self._speeds()))
+
+    def _speeds(self) -> list[float]:
+        raise NotImplementedError
+
+    def faults(self, case: Case) -> Iterator[str]:
+        """No bearings, loads across the axis, a body that is none."""
+        spindle = case.spindle
+        if spindle is None or not spindle.seats:
+            yield f"measurement {self.name}: needs a spindle with bearings"
+            return
+        if acts_across(spindle, case.conditions):
+            yield f"measurement {self.name}: takes no loads across the axis: leave them out"
+        if case.conditions.heat_flow is not None:
+            yield f"measurement {self.name}: takes no heat flow: give temperatures"
+        body = self._body
+        known = (SHAFT, *(sleeve.name for sleeve in spindle.sleeves))
+        if body not in known:
+            yield (
+                f"measurement {self.name}: of {shown(body)}: no such body; allowed: "
+                f"{', '.join(known)}{suggestion(body, known)}"
+            )
+
+    @property
+    def _body(self) -> str:
+        return SHAFT
+
+
+def _row(trial: Trial, speed: float) -> int:
+    return int(np.abs(np.array(trial.axial_speeds) - speed).argmin())
+
+
+def _require_speeds(name: str, speed: Array) -> None:
+    if len(speed) and not (np.isfinite(speed).all() and speed.min() >= 0.0):
+        raise InvalidInput(f"measurement {name}: a speed is a number from 0 rpm up")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class AxialCurve(_Axial):
+    """Displacement of ``of`` ("shaft" or a sleeve) under an axial force that falls and rises.
+
+    ``speed`` [rad/s], ``branch``, ``force`` [N] (besides that of the case) and ``displacement`` [m]
+    towards +x, from where the body stands at rest, all (n,), in the order in which they were
+    measured. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of what is
+    added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
+    ``lowest``, ``highest`` force of the cycle [N], by default of the points.
+    """
+
+    speed: Array
+    branch: tuple[str, ...]
+    force: Array
+    displacement: Array
+    of: str = SHAFT
+    tare: float = 0.0
+    drift: float = 0.0
+    lowest: float | None = None
+    highest: float | None = None
+
+    def __post_init__(self) -> None:
+        for word in sorted(set(self.branch) - {*BRANCHES}):
+            raise InvalidInput(
+                f"measurement {self.name}: branch {shown(word)}; allowed: {', '.join(BRANCHES)}"
+            )
+        sizes = {len(self.speed), len(self.branch), len(self.force), len(self.displacement)}
+        if len(sizes) > 1:
+            raise InvalidInput(
+                f"measurement {self.name}: as many speeds, branches, forces and displacements are "
+                f"needed: got {len(self.speed)}, {len(self.branch)}, {len(self.force)}, "
+                f"{len(self.displacement)}"
+            )
+        _require_speeds(self.name, self.speed)
+        for speed, branch, rows in self._curves():
+            way = np.diff(self.force[rows]) * (-1.0 if branch == BRANCHES[0] else 1.0)
+            if (way > 0.0).all():
+                continue
+            k = int(np.flatnonzero(way <= 0.0)[0])
+            pair = self.force[rows[k : k + 2]]
+            what = "repeated" if pair[0] == pair[1] else "out of order"
+            raise InvalidInput(
+                f"measurement {self.name}: points {what} on the {branch} branch at "
+                f"{speed / RPM:.0f} rpm: {pair[1]:g} N after {pair[0]:g} N"
+            )
+
+    def _curves(self) -> Iterator[tuple[float, str, NDArray[np.intp]]]:
+        for speed in sorted(set(self.speed.tolist())):
+            for branch in BRANCHES:
+                rows = np.flatnonzero((self.speed == speed) & (np.array(self.branch) == branch))
+                yield speed, branch, rows
+
+    @cached_property
+    def data(self) -> Data:
+        """Every point, with tare and drift of each speed."""
+        columns, deviations, names = [], [], []
+        for speed in sorted(set(self.speed.tolist())):
+            here = self.speed == speed
+            rpm = f"{speed / RPM:.0f} rpm"
+            if self.tare:
+                columns.append(here.astype(float))
+                deviations.append(self.tare)
+                names.append(f"tare at {rpm}")
+            if self.drift:
+                order = np.cumsum(here) - 1.0
+                columns.append(np.where(here, order / max(here.sum() - 1, 1) - 0.5, 0.0))
+                deviations.append(self.drift)
+                names.append(f"drift at {rpm}")
+        pairs = zip(self.speed, self.branch, strict=True)
+        n = len(self.force)
+        return Data(
+            self.name,
+            self.displacement,
+            np.full(n, self.deviation),
+            "µm",
+            1e6,
+            self.force,
+            "axial force [N]",
+            tuple(f"{s / RPM:.0f} rpm, {b}" for s, b in pairs),
+            np.stack(columns, axis=1) if columns else np.empty((n, 0)),
+            np.array(deviations),
+            tuple(names),
+        )
+
+    def _speeds(self) -> list[float]:
+        return list(self.speed.tolist())
+
+    @property
+    def _body(self) -> str:
+        return self.of
+
+    def predicted(self, trial: Trial) -> Array:
+        """Displacements of the body (n,) [m]."""
+        found = np.empty(len(self.force))
+        axial = trial.axial
+        body = axial.bodies.index(self.of)
+        curves = list(self._curves())
+        for (speed, _, falling), (_, _, rising) in zip(curves[::2], curves[1::2], strict=True):
+            forces = self.force[falling], self.force[rising]
+            branches = trial.cycle(_row(trial, speed), *forces, self.lowest, self.highest)
+            for rows, shifts in zip((falling, rising), branches, strict=True):
+                found[rows] = shifts[:, body]
+        return found
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class NoLoad(_Axial):
+    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m].
+
+    ``tare`` [m]: standard deviation of an offset of all points.
+    """
+
+    speed: Array
+    displacement: Array
+    of: str = SHAFT
+    tare: float = 0.0
+
+    def __post_init__(self) -> None:
+        _require_speeds(self.name, self.speed)
+        if len(self.speed) != len(self.displacement) or len(set(self.speed)) < len(self.speed):
+            raise InvalidInput(f"measurement {self.name}: one displacement at each speed is needed")
+
+    @cached_property
+    def data(self) -> Data:
+        """Every point, with the tare."""
+        n, tared = len(self.speed), bool(self.tare)
+        return Data(
+            self.name,
+            self.displacement,
+            np.full(n, self.deviation),
+            "µm",
+            1e6,
+            self.speed / RPM,
+            "speed [rpm]",
+            ("",) * n,
+            np.ones((n, int(tared))),
+            np.array([self.tare] * tared),
+            ("tare",) * tared,
+        )
+
+    def _speeds(self) -> list[float]:
+        return list(self.speed.tolist())
+
+    @property
+    def _body(self) -> str:
+        return self.of
+
+    def predicted(self, trial: Trial) -> Array:
+        """Displacements of the body (n,) [m]."""
+        body = trial.axial.bodies.index(self.of)
+        rows = [_row(trial, speed) for speed in self.speed.tolist()]
+        return np.asarray(trial.axial.shift[rows, body])
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class AxialStiffness(_Axial):
+    """Axial stiffness of the shaft at no load [N/m] over ``speed`` [rad/s] on one ``branch``.
+
+    Read between two forces either side, ``near`` [N], within a cycle from ``lowest`` to
+    ``highest`` [N].
+    """
+
+    speed: Array
+    stiffness: Array
+    branch: str
+    lowest: float
+    highest: float
+    near: float = NEAR
+
+    def __post_init__(self) -> None:
+        _require_speeds(self.name, self.speed)
+        if self.branch not in BRANCHES:
+            raise InvalidInput(
+                f"measurement {self.name}: branch {shown(self.branch)}; allowed: "
+                f"{', '.join(BRANCHES)}"
+            )
+        if not self.lowest < -self.near < 0.0 < self.near < self.highest:
+            raise InvalidInput(
+                f"measurement {self.name}: the cycle goes beyond ± {self.near:g} N: got "
+                f"{self.lowest:g} N to {self.highest:g} N"
+            )
+
+    @cached_property
+    def data(self) -> Data:
+        """Every point."""
+        n = len(self.speed)
+        return Data(
+            self.name,
+            self.stiffness,
+            np.full(n, self.deviation),
+            "N/µm",
+            1e-6,
+            self.speed / RPM,
+            "speed [rpm]",
+            (self.branch,) * n,
+        )
+
+    def _speeds(self) -> list[float]:
+        return list(self.speed.tolist())
+
+    def predicted(self, trial: Trial) -> Array:
+        """Stiffnesses (n,) [N/m]."""
+        found = []
+        for speed in self.speed.tolist():
+            forces = np.array([-self.near, self.near])
+            none = np.empty(0)
+            falling = self.branch == BRANCHES[0]
+            asked = (forces[::-1], none) if falling else (none, forces)
+            branches = trial.cycle(_row(trial, speed), *asked, self.lowest, self.highest)
+            u = branches[0 if falling else 1][:, 0]
+            if u[1] == u[0]:
+                raise NoSolution("the shaft does not move under an axial force")
+            found.append(2.0 * self.near / abs(u[1] - u[0]))
+        return np.array(found)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class StopMet(_Axial):
+    """A ``sleeve`` just meets its stop at a ``speed`` [rad/s], after a run-up without further
+    force, or on the falling branch of a cycle between two forces, at ``force`` [N].
+
+    What counts is how far the sleeve, without its stop, would stand from it; ``deviation`` [m].
+    """
+
+    sleeve: str
+    speed: float
+    force: float | None = None
+    lowest: float | None = None
+    highest: float | None = None
+
+    @property
+    def data(self) -> Data:
+        """A gap of zero."""
+        one = np.ones(1)
+        at = one * (self.speed / RPM if self.force is None else self.force)
+        along = "speed [rpm]" if self.force is None else "axial force [N]"
+        deviation = self.deviation * one
+        return Data(self.name, 0.0 * one, deviation, "µm", 1e6, at, along, (self.sleeve,))
+
+    def _speeds(self) -> list[float]:
+        return [self.speed]
+
+    @property
+    def _body(self) -> str:
+        return self.sleeve
+
+    def faults(self, case: Case) -> Iterator[str]:
+        """Also a sleeve without a stop, a force without a cycle."""
+        yield from super().faults(case)
+        if self.force is not None and (self.lowest is None or self.highest is None):
+            yield f"measurement {self.name}: a force lies in a cycle: give its lowest and highest"
+        for sleeve in case.spindle.sleeves if case.spindle else ():
+            if sleeve.name == self.sleeve and not np.isfinite(sleeve.stop_travel):
+                yield f"measurement {self.name}: sleeve {self.sleeve} has no stop"
+
+    def predicted(self, trial: Trial) -> Array:
+        """The gap (1,) [m], below 0 beyond the stop."""
+        assert trial.case.spindle is not None
+        sleeve = next(s for s in trial.case.spindle.sleeves if s.name == self.sleeve)
+        free = trial.along(without_stop=self.sleeve)
+        body, row = free.bodies.index(self.sleeve), _row(trial, self.speed)
+        if self.force is None:
+            moved = free.idle[row, body] - free.mounted[body]
+        else:
+            path = [self.highest or 0.0, self.lowest or 0.0, self.highest or 0.0, self.force]
+            moved = free.under(row, path)[-1, body] + free.still[body] - free.mounted[body]
+        way = free.instants[row].slides[body - 1].way
+        return np.array([sleeve.stop_travel + way * moved])

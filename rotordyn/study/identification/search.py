@@ -1,0 +1,143 @@
+"""Values of the unknowns that explain measurements best.
+
+Nonlinear least squares between ends (scipy's trust region reflective), from several starts. The
+mean absolute difference is made least by least squares whose rows are weighed anew until nothing
+changes (iteratively reweighted: P. Holland and R. Welsch, Commun. Statist. A6, 1977).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import NoSolution
+from rotordyn.study.identification.problem import Problem
+
+Array = NDArray[np.float64]
+FAR = 1e4  # rows of a machine without a solution
+SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
+MOST = 60  # Jacobians of one search
+ROUNDS, FLOOR = 12, 0.05  # of weighing anew; least difference over noise that weighs no more
+CANDIDATES = 6  # machines tried for each further start
+Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Fit:
+    """The best of a search: ``values`` (p,), its ``cost`` (sum of squares of all rows),
+    ``predicted`` of every measurement; ``ended``: whether the search came to its end."""
+
+    values: Array
+    cost: float
+    predicted: list[Array]
+    ended: bool = True
+
+
+class _Search:
+    """Keeps the best machine seen, so that an interrupted search has one."""
+
+    def __init__(self, problem: Problem, progress: Progress) -> None:
+        self.problem, self.progress = problem, progress
+        self.best: Fit | None = None
+        self._last: tuple[bytes, list[Array] | None] = (b"", None)
+
+    def rows(self, z: Array) -> Array:
+        values = z * self.problem.scale
+        predicted = self._predicted(values)
+        if predicted is None:
+            return np.full(self._size, FAR)
+        rows = self.problem.rows(predicted, values)
+        cost = float(rows @ rows)
+        if self.best is None or cost < self.best.cost:
+            self.best = Fit(values, cost, predicted, ended=False)
+            self.progress(cost)
+        return rows
+
+    def slopes(self, z: Array) -> Array:
+        values = z * self.problem.scale
+        predicted = self._predicted(values)
+        if predicted is None:
+            return np.zeros((self._size, len(z)))
+        slopes = self.problem.slopes(values, predicted)
+        return np.concatenate([self.problem.weighed_slopes(slopes), self.problem.prior_slopes])
+
+    def _predicted(self, values: Array) -> list[Array] | None:
+        key = values.tobytes()
+        if self._last[0] != key:
+            self._last = key, self.problem.predicted(values)
+        return self._last[1]
+
+    @property
+    def _size(self) -> int:
+        rows = sum(
+            len(m.data.observed) + len(m.data.column_names) for m in self.problem.measurements
+        )
+        return rows + len(self.problem.unknowns)
+
+
+def search(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
+    """The best from one start; interrupted, the best so far.
+
+    Raises
+    ------
+    NoSolution : the machine at the start has none
+    """
+    from scipy.optimize import least_squares
+
+    seen = _Search(problem, progress)
+    low, high = (end / problem.scale for end in problem.bounds)
+    begin = np.clip(start / problem.scale, low, high)
+    room = 1e-6 * (high - low)
+    begin = np.clip(begin, low + room, high - room)
+    seen.rows(begin)
+    if seen.best is None:
+        raise NoSolution(problem.why)
+    try:
+        least_squares(
+            seen.rows, begin, seen.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
+        )
+    except KeyboardInterrupt:
+        return seen.best
+    return replace(seen.best, ended=True)
+
+
+def search_absolute(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
+    """The same of the least mean absolute difference."""
+    found, before = search(problem, start, progress), np.inf
+    for _ in range(ROUNDS):
+        pairs = zip(problem.weighings, found.predicted, strict=True)
+        left = [each.left(one) / each.data.deviation for each, one in pairs]
+        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in left)
+        mean = float(np.abs(np.concatenate(left)).mean())
+        if not found.ended or before - mean < 1e-3 * before:
+            break
+        before = mean
+        weighed = replace(problem, weights=weights)
+        found = search(weighed, found.values, progress)
+        problem.evaluations = weighed.evaluations
+    rows = problem.rows(found.predicted, found.values)
+    return replace(found, cost=float(rows @ rows))
+
+
+def starts(problem: Problem, count: int, seed: int) -> Iterator[Array]:
+    """The stated start, then the best of some machines drawn between the ends, for each."""
+    from scipy.stats import qmc
+
+    yield problem.start
+    if count < 2:
+        return
+    low, high = problem.bounds
+    shares = qmc.LatinHypercube(len(low), rng=seed).random(CANDIDATES * (count - 1))
+    drawn = []
+    for share in shares:
+        values = low + share * (high - low)
+        predicted = problem.predicted(values)
+        if predicted is not None:
+            rows = problem.rows(predicted, values)
+            drawn.append((float(rows @ rows), values))
+    drawn.sort(key=lambda each: each[0])
+    for _, values in drawn[: count - 1]:
+        yield values

@@ -1,0 +1,84 @@
+"""A machine with trial values, solved for what measurements ask of it and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.case import Case
+from rotordyn.errors import NoSolution
+from rotordyn.preload.play import Axial, Tables, axial
+from rotordyn.scene.scene import Scene
+from rotordyn.study.neighbours import Neighbours
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Known:
+    """What trials of one process share: tables of bearings, stages of scenes."""
+
+    tables: Tables = field(default_factory=Tables)
+    neighbours: Neighbours = field(default_factory=Neighbours)
+
+
+@dataclass
+class Trial:
+    """``case`` with trial values; ``speeds`` [rad/s], ascending, and ``analyses`` that measurements
+    ask for there; ``axial_speeds``: those of axial curves."""
+
+    case: Case
+    speeds: tuple[float, ...] = ()
+    analyses: Mapping[str, Any] = field(default_factory=dict)
+    axial_speeds: tuple[float, ...] = ()
+    known: Known = field(default_factory=Known)
+    _cycles: dict[Any, tuple[Array, Array]] = field(default_factory=dict)
+
+    @cached_property
+    def results(self) -> Mapping[str, Any]:
+        """Results by the name of the analysis.
+
+        Raises
+        ------
+        NoSolution : a speed has none
+        """
+        asked = replace(self.case, speeds=self.speeds, analyses=dict(self.analyses))
+        results = self.known.neighbours.solve(asked)[0].results
+        for result in results.values():
+            words = [str(word) for word in np.ravel(np.asarray(result.outcome, dtype=object))]
+            if any(words):
+                raise NoSolution(next(word for word in words if word))
+        return results
+
+    @cached_property
+    def axial(self) -> Axial:
+        """Shaft and sleeves along the axis, with friction, run up through the axial speeds."""
+        return self.along()
+
+    def cycle(
+        self, row: int, falling: Array, rising: Array, lowest: float | None, highest: float | None
+    ) -> tuple[Array, Array]:
+        """Shifts of the bodies on both branches, as ``Axial.cycle``; each cycle solved once."""
+        key = row, falling.tobytes(), rising.tobytes(), lowest, highest
+        if key not in self._cycles:
+            self._cycles[key] = self.axial.cycle(row, falling, rising, lowest, highest)
+        return self._cycles[key]
+
+    def along(self, without_stop: str | None = None) -> Axial:
+        """The same, a sleeve's stop left out."""
+        assert self.case.spindle is not None, "measurements of a spindle"
+        scene = Scene(self.case.spindle, self.case.conditions, np.array(self.axial_speeds))
+        return axial(
+            scene.grounded,
+            scene.law,
+            scene.speed,
+            scene.axial_force,
+            self.case.conditions.temperatures,
+            self.known.tables,
+            without_stop,
+        )

@@ -1,0 +1,163 @@
+"""Numbers of a case that are sought: where they lie, what is known of them before."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at, usual_unit
+from rotordyn.case.vary import vary
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, accept, shown
+from rotordyn.quantity import Quantity
+from rotordyn.units import parse_unit
+
+FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """A number between ``low`` and ``high``, in SI units or text with a unit.
+
+    ``prior`` and its ``deviation`` (standard): what is known of it before; ``start``: where the
+    search begins, by default the prior, or the value of the case. ``also``: further paths that take
+    the same value. ``name``: short, for figures and tables; by default from the path.
+    """
+
+    low: float | str
+    high: float | str
+    prior: float | str | None = None
+    deviation: float | str | None = None
+    start: float | str | None = None
+    also: tuple[str, ...] = ()
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sought:
+    """An unknown held against its case, all in SI units."""
+
+    path: str
+    name: str
+    low: float
+    high: float
+    start: float
+    prior: float | None
+    deviation: float | None
+    also: tuple[str, ...]
+    quantity: Quantity | None
+
+    @property
+    def scale(self) -> float:
+        """Standard deviation of what is known before: of its prior, or anywhere between ends."""
+        flat = (self.high - self.low) / FLAT
+        return flat if self.deviation is None else min(self.deviation, flat)
+
+    @property
+    def unit(self) -> str:
+        """A usual unit for documents."""
+        if self.quantity is None:
+            return ""
+        return usual_unit(self.quantity, [self.low, self.high])
+
+    def shown(self, value: float) -> float:
+        """A value in that unit."""
+        return value / (parse_unit(self.unit).scale if self.unit else 1.0)
+
+    @property
+    def heading(self) -> str:
+        """Name and unit."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    def changes(self, value: float) -> dict[str, Any]:
+        """The value at its paths, as ``vary`` takes them."""
+        return dict.fromkeys((self.path, *self.also), value)
+
+
+def sought(case: Case, asked: Mapping[str, Unknown]) -> tuple[Sought, ...]:
+    """Unknowns held against the case.
+
+    Raises
+    ------
+    InvalidInput : a path that leads nowhere or to no number, ends or a prior that cannot be
+    """
+    if not isinstance(asked, Mapping) or not asked:
+        raise InvalidInput("nothing is unknown: map at least one dotted path to its ends")
+    found = [_sought(case, path, each) for path, each in asked.items()]
+    names = [each.name for each in found]
+    for each in found:
+        if names.count(each.name) > 1:
+            raise InvalidInput(f"{each.path}: two unknowns are called {each.name}: name them")
+    paths = [path for each in found for path in (each.path, *each.also)]
+    for path in paths:
+        if paths.count(path) > 1:
+            raise InvalidInput(f"{path}: is sought twice")
+    return tuple(found)
+
+
+def _sought(case: Case, path: str, asked: Unknown) -> Sought:
+    if not isinstance(asked, Unknown):
+        raise InvalidInput(f"{path}: an Unknown with two ends is needed, got {shown(asked)}")
+    low, high = (_number(case, path, end) for end in (asked.low, asked.high))
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise InvalidInput(
+            f"{path}: an unknown lies between a lower and a higher end, got {asked.low} to "
+            f"{asked.high}"
+        )
+    for other in asked.also:
+        _number(case, other, asked.low)
+    if (asked.prior is None) != (asked.deviation is None):
+        raise InvalidInput(f"{path}: a prior has a value and a deviation: give both or none")
+    prior = None if asked.prior is None else _number(case, path, asked.prior)
+    deviation = None if asked.deviation is None else _amount(case, path, asked.deviation)
+    if deviation is not None and not deviation > 0.0:
+        raise InvalidInput(f"{path}: the deviation of a prior is above 0, got {asked.deviation}")
+    held = found_at(case, path)[0][0]
+    begin = next((v for v in (asked.start, asked.prior) if v is not None), None)
+    start = float(held) if begin is None else _number(case, path, begin)
+    inside = low <= start <= high
+    if asked.start is not None and not inside:
+        raise InvalidInput(
+            f"{path}: the start {asked.start} lies outside {asked.low} to {asked.high}"
+        )
+    if not inside:
+        start = min(max(start, low), high) if math.isfinite(start) else 0.5 * (low + high)
+    quantity = quantity_of(found_at(case, path)[0][1])
+    name = asked.name or _short(path)
+    return Sought(path, name, low, high, start, prior, deviation, tuple(asked.also), quantity)
+
+
+def _short(path: str) -> str:
+    """A path without what all paths have."""
+    left = [
+        step for step in path.split(".")[1:] if step not in ("sleeves", "bearings", "model", "*")
+    ]
+    return " ".join(left).replace("_", " ") or path
+
+
+def _number(case: Case, path: str, value: object) -> float:
+    found = found_at(case, path)
+    if not found:
+        vary(case, {path: value})  # which says where the path goes astray
+        raise InvalidInput(f"{path}: leads nowhere")
+    try:
+        taken = accept(found[0][1], value)
+    except Refused as refusal:
+        raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
+    if isinstance(taken, bool) or not isinstance(taken, float | int):
+        raise InvalidInput(f"{path}: holds no number, so that it cannot be sought: {shown(taken)}")
+    return float(taken)
+
+
+def _amount(case: Case, path: str, value: float | str) -> float:
+    """A deviation: a difference of what the path holds, which may be below its range."""
+    if not isinstance(value, str):
+        return float(value)
+    from rotordyn.units import parse
+
+    quantity = quantity_of(found_at(case, path)[0][1])
+    return parse(value, quantity.kind) if quantity is not None else float(value)
