@@ -1,5 +1,8 @@
-"""How many poles samples with noise carry, and which: one more at a time where the sum of the last
-ones misses the samples most, until the evidence for one more is gone.
+"""How many poles samples with noise carry, and which.
+
+From one at every peak, and one beyond either end of the band for what lies outside, one more is
+added at a time where the sum misses the samples most, until two have been added without evidence.
+Then the weakest is left out again, as long as the evidence does not suffer.
 
 The evidence of m poles is Bayes' information criterion, N ln(S/N) + k ln N, of the sum of squares S
 over N real samples and k unknowns; it needs no size of the noise, only its shape.
@@ -21,6 +24,7 @@ PROMINENT = 0.35  # of ln |H|: a peak to begin with, 3 dB
 IN_VAIN = 2  # poles more without evidence
 DAMPED = 0.01  # damping ratio of a first pole
 WINDOW = 7  # samples over which misses are averaged
+BEYOND = 1.5  # of either end of the band: where poles outside begin
 
 
 class Trial(NamedTuple):
@@ -48,7 +52,7 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
     """The poles of ``values`` (f, e) at ``omega`` (f,) with standard ``deviation`` (f, e) of real
     and imaginary part each, up to ``most``."""
     weight = 1.0 / deviation
-    start = _peaks(omega, weight, values)[:most]
+    start = np.concatenate([_peaks(omega, values), _outside(omega)])[:most]
     fit = vector_fit(omega, values, len(start), weight, start)
     here = refined(omega, values, fit.pole, weight)
     best, trials = here, [_trial(here, values)]
@@ -59,7 +63,33 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
             best = here
         elif len(here.fit.pole) - len(best.fit.pole) >= IN_VAIN:
             break
-    return Counted(best, tuple(trials))
+    return Counted(*_without_idle(omega, values, weight, best, trials))
+
+
+def _without_idle(
+    omega: Array, values: Complex, weight: Array, best: Refined, trials: list[Trial]
+) -> tuple[Refined, tuple[Trial, ...]]:
+    """The fit without poles for which there is no evidence, the weakest first; the best trial of
+    each number of poles."""
+    every = {each.poles: each for each in trials}
+    least = _trial(best, values).evidence
+    while len(best.fit.pole) > 1:
+        weakest = int(_strength(omega, best, weight).argmin())
+        fewer = refined(omega, values, np.delete(best.fit.pole, weakest), weight)
+        trial = _trial(fewer, values)
+        if not trial.evidence < least:
+            break
+        best, least = fewer, trial.evidence
+        every[trial.poles] = trial
+    return best, tuple(every[count] for count in sorted(every))
+
+
+def _strength(omega: Array, fit: Refined, weight: Array) -> Array:
+    """What each pole adds to the samples over their deviation (m,)."""
+    s, pole = 1j * omega[:, None], fit.fit.pole
+    ahead, back = 1.0 / np.abs(s - pole) ** 2, 1.0 / np.abs(s - pole.conj()) ** 2
+    shared = (np.abs(weight) ** 2).T @ (ahead + back)
+    return np.asarray((np.abs(fit.fit.residue.T) ** 2 * shared).sum(axis=0))
 
 
 def _trial(fit: Refined, values: Complex) -> Trial:
@@ -69,7 +99,12 @@ def _trial(fit: Refined, values: Complex) -> Trial:
     return Trial(len(fit.fit.pole), float(evidence), float(misfit))
 
 
-def _peaks(omega: Array, weight: Array, values: Complex) -> Complex:
+def _outside(omega: Array) -> Complex:
+    """A pole on either side of the band."""
+    return np.array([omega[-1] * BEYOND, omega[0] / BEYOND]) * (1j - DAMPED)
+
+
+def _peaks(omega: Array, values: Complex) -> Complex:
     """Lightly damped poles at the peaks of the mean of ln |H|, the most prominent first; at least
     one."""
     from scipy.signal import find_peaks
