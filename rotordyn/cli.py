@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.case.shipped import Shipped
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
-FILE = "case (default), spindle, tool, bearing, material, study or optimum"
+FILE = "case (default), spindle, tool, bearing, material, study, optimum or identification"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
@@ -131,6 +131,15 @@ def _parser() -> argparse.ArgumentParser:
     best.add_argument("--no-figures", action="store_true", help="write numbers alone")
     best.add_argument("--quiet", action="store_true", help="print nothing but errors")
     best.set_defaults(command=_optimise)
+    found = commands.add_parser(
+        "identify", help="find the numbers of a case that show what was measured", epilog=EXIT_CODES
+    )
+    found.add_argument("study", metavar="STUDY", help="file of unknowns and measurements (YAML)")
+    found.add_argument("-o", "--output", metavar="DIR", help="its folder (out/<file name>)")
+    found.add_argument("--workers", type=int, metavar="N", help="processes (one a processor)")
+    found.add_argument("--no-figures", action="store_true", help="write numbers alone")
+    found.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    found.set_defaults(command=_identify)
     report = commands.add_parser(
         "report", help="write the results of a run or a study as one HTML page"
     )
@@ -363,6 +372,37 @@ def _optimise(arguments: argparse.Namespace) -> int:
         _say(text)
         _say(f"results in {folder}")
     return 0 if found.best is not None else 3
+
+
+def _identify(arguments: argparse.Namespace) -> int:
+    from rotordyn.study.identification.deliver import deliver
+    from rotordyn.study.identification.read import read_identification
+
+    _heed_signals()
+    held = read_identification(arguments.study)
+    name = held.case.name
+    folder = Path("out") / name if arguments.output is None else Path(arguments.output)
+    try:
+        with _bar("searches", None, quiet=arguments.quiet, timed=True) as update:
+            found, text = deliver(
+                held,
+                folder,
+                workers=arguments.workers,
+                progress=lambda done, of: update(completed=done, total=of),
+                draw=not arguments.no_figures,
+            )
+    except KeyboardInterrupt:
+        _complain(
+            f"interrupted; searches that ended are kept: the same command goes on in {folder}"
+        )
+        return 130
+    if not arguments.quiet:
+        _say(text)
+        _say(f"results in {folder}")
+    if found.stopped:
+        _complain(f"interrupted: the best so far; the same command goes on in {folder}")
+        return 130
+    return 0
 
 
 def _report(arguments: argparse.Namespace) -> int:

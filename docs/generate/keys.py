@@ -32,6 +32,8 @@ PAGES: dict[str, type] = {
     "reference": Reference,
     "study": StudyFile,
     "optimum": OptimumFile,
+    "identification": IdentificationFile,
+    "measurement": AxialCurveEntry,
 }
 
 

@@ -22,6 +22,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
+from rotordyn.case.identification import IdentificationFile
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
 from rotordyn.case.matrices import ENTRIES
@@ -45,6 +46,7 @@ FILES: dict[str, type] = {
     "material": Material,
     "study": StudyFile,
     "optimum": OptimumFile,
+    "identification": IdentificationFile,
 }
 # Descriptions that stand in files of their own, and the folder of the library that holds these.
 _MODELS = {

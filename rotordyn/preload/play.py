@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import (
@@ -40,8 +40,8 @@ FINE = np.unique(
     np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1) * 1e-6
 )  # m, the spline through them, drawn straight between
 FAR = 5e-3  # m
-GRID = np.concatenate([np.arange(-1500.0, 500.0, 2.0)]) * 1e-6  # m
-STEPS, EXACT = 60, 1e-11  # of the search between two places of the grid [m]
+GRID = np.arange(-1500.0, 500.0, 4.0) * 1e-6  # m
+STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
 MOST_KEPT = 400
 
 
@@ -119,7 +119,7 @@ def _curve(load: Array, slope: Array) -> Curve:
     if good.sum() < 2:
         raise NoSolution("a bearing has no axial state at any deflection")
     d, load, slope = SOLVED[good] * 1e-6, load[good], slope[good]
-    inside = FINE[(FINE >= d[0]) & (FINE <= d[-1])]
+    inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
     step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
     ends = fine[0], fine[-1] + step * (FAR - inside[-1])
@@ -160,7 +160,7 @@ class Carrier:
 @dataclass(frozen=True, eq=False)
 class Slide:
     """A sleeve: ``pushes`` [N] at its ``place`` at rest [m], spring ``stiffness`` [N/m], limit of
-    ``friction`` [N], ``low`` and ``high`` end of its ``way`` [m], +1 where the spring pushes towards
+    ``friction`` [N], ends of its way [m]; ``way``: +1 where the spring pushes towards
     +x; its bearings."""
 
     way: int
@@ -222,34 +222,35 @@ class Instant:
                 f"the shaft has no axial equilibrium under {far[0]:.6g} N: nothing holds it any "
                 "longer; lower the force, or hold it with a spring or a stop"
             )
-        u = _root(lambda u: total(u)[0] - force, grid[right - 1], grid[right])
+        left = right - 1
+        ends = (grid[left], held[left] - force), (grid[right], held[right] - force)
+        u = _root(lambda u: total(u)[0] - force, *ends)
         return np.stack([u, *total(u)[1]], axis=1)
 
 
-def _root(call: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """Roots between brackets of functions that rise, by the Illinois rule."""
-    a, b = low.copy(), high.copy()
-    fa, fb = call(a), call(b)
-    u = b
+def _root(
+    call: Callable[[Array], Array], low: tuple[Array, Array], high: tuple[Array, Array]
+) -> Array:
+    """Roots between places with their values, of functions that rise, by the Illinois rule."""
+    (a, fa), (b, fb) = low, high
     for _ in range(STEPS):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            u = np.where(fb > fa, b - fb * (b - a) / (fb - fa), 0.5 * (a + b))
-        u = np.clip(u, np.minimum(a, b), np.maximum(a, b))
+        rise = np.where(fb != fa, fb - fa, 1.0)
+        u = np.where(fb != fa, b - fb * (b - a) / rise, 0.5 * (a + b))
         f = call(u)
         across = f * fb < 0.0
         a, fa = np.where(across, b, a), np.where(across, fb, 0.5 * fa)
-        moved = np.abs(u - b)
-        b, fb = u, f
-        if (np.minimum(moved, np.abs(b - a)) < EXACT).all() or not f.any():
+        moved, b, fb = np.abs(u - b), u, f
+        done = (np.abs(f) < BALANCED) | (np.minimum(moved, np.abs(b - a)) < EXACT)
+        if done.all():
             break
-    return u
+    return b
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Axial:
     """A machine run up from rest through ``speed`` [rad/s], under the static ``force`` [N].
 
-    ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under the stated
+    ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
     preloads alone, ``still`` under that force too; ``idle`` (speeds, bodies): at every speed after
     the run-up [m].
     """

@@ -104,7 +104,7 @@ def _opened(path: str | Path, kind: type) -> _Opened:
     asked = reading.fields(kind, root, annotations={"vary": Any})
     if reader.faults:
         raise InvalidInput(in_order(reader.faults.reported, root.file))
-    case = _case(asked["case"], file)
+    case = case_of(asked["case"], file)
     case = replace(case, name=file.stem, title=asked["title"] or case.title)
     varied = _varied(reading, case, root.at("vary"))
     if reader.faults:
@@ -112,7 +112,8 @@ def _opened(path: str | Path, kind: type) -> _Opened:
     return _Opened(root, asked, case, varied)
 
 
-def _case(reference: str, beside: Path) -> Case:
+def case_of(reference: str, beside: Path) -> Case:
+    """The case that a file names: another file beside it, or one that comes with rotordyn."""
     return load(beside.parent / Path(reference).expanduser() if is_path(reference) else reference)
 
 
@@ -129,12 +130,12 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
     asked: Any = None
     if isinstance(node.value, dict):
         found = reading.fields(SpanEntry, node, annotations={"start": Any, "to": Any})
-        low, high = (_value(reading, case, path, node.at(key)) for key in ("from", "to"))
+        low, high = (value_at(reading, case, path, node.at(key)) for key in ("from", "to"))
         log = found["spacing"] == SPACINGS[1]
         if len(reading.faults.reported) == before:
             asked = Span(low, high, found["points"], log)
     elif isinstance(node.value, list):
-        asked = [_value(reading, case, path, item) for item in node.value]
+        asked = [value_at(reading, case, path, item) for item in node.value]
     else:
         reading.faults.at(node, (), "a list of values is needed, or a span: {from: …, to: …}")
     if len(reading.faults.reported) == before:
@@ -145,7 +146,7 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
     return asked
 
 
-def _value(reading: Reading, case: Case, path: str, node: Node) -> Any:
+def value_at(reading: Reading, case: Case, path: str, node: Node) -> Any:
     """A value as a file writes it: numbers that have a dimension with their unit."""
     quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
     if quantity is None or isinstance(node.value, dict | list):

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.case.case import Case
+from rotordyn.case.identification import BRANCHES
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
@@ -21,7 +22,6 @@ from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
 SHAFT = "shaft"
-BRANCHES = ("falling", "rising")
 RPM = np.pi / 30.0
 NEAR = 100.0  # N, either side of no load, between which stiffness is read
 

@@ -7,7 +7,7 @@ changes (iteratively reweighted: P. Holland and R. Welsch, Commun. Statist. A6, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -143,22 +143,26 @@ def search_absolute(problem: Problem, start: Array, progress: Progress = lambda 
     return replace(found, cost=float(rows @ rows))
 
 
-def starts(problem: Problem, count: int, seed: int) -> Iterator[Array]:
-    """The stated start, then the best of some machines drawn between the ends, for each."""
+def begin_at(problem: Problem, start: int, seed: int) -> Array:
+    """The stated start (0), or the best of some machines drawn between the ends.
+
+    Raises
+    ------
+    NoSolution : none of them has one
+    """
     from scipy.stats import qmc
 
-    yield problem.start
-    if count < 2:
-        return
+    if start == 0:
+        return problem.start
     low, high = problem.bounds
-    shares = qmc.LatinHypercube(len(low), rng=seed).random(CANDIDATES * (count - 1))
-    drawn = []
-    for share in shares:
+    best, least = problem.start, np.inf
+    for share in qmc.LatinHypercube(len(low), rng=(seed, start)).random(CANDIDATES):
         values = low + share * (high - low)
         predicted = problem.predicted(values)
-        if predicted is not None:
-            rows = problem.rows(predicted, values)
-            drawn.append((float(rows @ rows), values))
-    drawn.sort(key=lambda each: each[0])
-    for _, values in drawn[: count - 1]:
-        yield values
+        if predicted is None:
+            continue
+        rows = problem.rows(predicted, values)
+        cost = float(rows @ rows)
+        if cost < least:
+            best, least = values, cost
+    return best

@@ -62,7 +62,12 @@ class Sought:
         """A usual unit for documents."""
         if self.quantity is None:
             return ""
-        return usual_unit(self.quantity, [self.low, self.high])
+        return usual_unit(self.quantity, [self.start or self.high])
+
+    @property
+    def coherent_unit(self) -> str:
+        """Its SI unit, as files write it."""
+        return "" if self.quantity is None else self.quantity.coherent_unit
 
     def shown(self, value: float) -> float:
         """A value in that unit."""

@@ -1,0 +1,169 @@
+"""How sure identified values are: intervals, what data cannot tell apart, ends that bind.
+
+Covariance from the derivatives at the best machine, (JᵀJ)⁻¹, with priors as rows; where residuals
+are larger than the stated noise it is scaled up by their χ² over the degrees of freedom (R. Birge,
+Phys. Rev. 40, 1932), never down. Directions from the singular values of the data's rows alone,
+unknowns measured by what was known of them before.
+
+Theory: docs/theory/identification.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.study.identification.problem import Problem
+from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.unknown import Sought
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+COVERED = 0.95
+BINDING = 1e-3  # of the way between ends: an unknown that near stands on one
+VAGUE = 0.5  # of what was known before: a deviation above tells nothing
+BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
+PART = 0.2  # of the largest part of a direction: named
+TIED = 0.95  # correlation from which two unknowns are named together
+LOST = 1e-6  # singular value that counts as none
+
+IDENTIFIED = "identifiable"
+ON_A_BOUND = "on a bound"
+UNIDENTIFIABLE = "unidentifiable"
+BY_ITS_PRIOR = "known by its prior alone"
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Certainty:
+    """``deviation`` (p,) and ``interval`` (p, 2) of the unknowns [SI] at 95 %, their ``covariance``
+    over scales (p, p), rows of those on a bound 0; ``words`` of each; ``singular`` values (q,) and
+    ``directions`` (q, p) that the data do not tell, softest first; ``degrees`` of freedom,
+    ``birge``: factor of all deviations."""
+
+    values: Array
+    deviation: Array
+    interval: Array
+    covariance: Array
+    words: tuple[str, ...]
+    singular: Array
+    directions: Array
+    degrees: int
+    reduced: float
+    birge: float
+    quantile: float
+
+    @property
+    def correlation(self) -> Array:
+        """Of the unknowns (p, p), NaN where one stands on a bound."""
+        size = np.sqrt(np.diag(self.covariance))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.covariance / np.outer(size, size))
+
+
+def certainty(problem: Problem, fit: Fit) -> Certainty:
+    """How sure the values of a fit are."""
+    from scipy.stats import t
+
+    unknowns, scale = problem.unknowns, problem.scale
+    free = ~on_bound(problem, fit.values)
+    slopes = problem.slopes(fit.values, fit.predicted, central=True)
+    data = problem.weighed_slopes(slopes)[:, free]
+    rows = np.concatenate([data, problem.prior_slopes[:, free]])
+    priors = sum(each.deviation is not None for each in unknowns)
+    nuisances = [d for m in problem.measurements for d in m.data.column_deviation]
+    degrees = problem.count + priors - int(free.sum()) - int(np.isinf(nuisances).sum())
+    reduced = fit.cost / max(degrees, 1)
+    birge = max(1.0, float(np.sqrt(reduced)))
+    covariance = np.zeros((len(scale), len(scale)))
+    covariance[np.ix_(free, free)] = _inverse(rows) * birge**2
+    deviation = scale * np.sqrt(np.diag(covariance))
+    quantile = float(t.ppf(0.5 + 0.5 * COVERED, max(degrees, 1)))
+    half = quantile * deviation
+    ends = np.stack([fit.values - half, fit.values + half], axis=1)
+    singular, directions = _soft(data, free, birge)
+    words = tuple(
+        _word(unknown, float(size), bool(on))
+        for unknown, size, on in zip(unknowns, deviation, ~free, strict=True)
+    )
+    return Certainty(
+        fit.values,
+        deviation,
+        ends,
+        covariance,
+        words,
+        singular,
+        directions,
+        degrees,
+        reduced,
+        birge,
+        quantile,
+    )
+
+
+def on_bound(problem: Problem, values: Array) -> Flags:
+    """Unknowns that stand on one of their ends (p,)."""
+    low, high = problem.bounds
+    room = BINDING * (high - low)
+    return np.asarray((values - low < room) | (high - values < room))
+
+
+def _inverse(rows: Array) -> Array:
+    """(JᵀJ)⁻¹ (p, p); a direction that no row knows deviates without end."""
+    if not rows.shape[1]:
+        return np.empty((0, 0))
+    _, singular, v = np.linalg.svd(rows, full_matrices=False)
+    whole = np.zeros(rows.shape[1])
+    whole[: len(singular)] = singular
+    return np.asarray((v.T / np.maximum(whole, LOST)[: len(v)] ** 2) @ v)
+
+
+def _soft(data: Array, free: Flags, birge: float) -> tuple[Array, Array]:
+    """Singular values and directions (q, p) along which data tell less than was known before."""
+    if not data.shape[1]:
+        return np.empty(0), np.empty((0, len(free)))
+    _, singular, v = np.linalg.svd(data, full_matrices=True)
+    values = np.zeros(len(v))
+    values[: len(singular)] = singular
+    soft = birge > VAGUE * values
+    directions = np.zeros((int(soft.sum()), len(free)))
+    directions[:, free] = v[soft]
+    return values[soft][::-1], directions[::-1]
+
+
+def _word(unknown: Sought, deviation: float, on: bool) -> str:
+    if on:
+        return ON_A_BOUND
+    share = deviation / unknown.scale
+    if unknown.deviation is not None:
+        return BY_ITS_PRIOR if share > BY_PRIOR else IDENTIFIED
+    return UNIDENTIFIABLE if share > VAGUE else IDENTIFIED
+
+
+def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
+    """What cannot be told apart, a sentence for each."""
+    sentences = []
+    for direction in sure.directions:
+        chosen = np.flatnonzero(np.abs(direction) > PART * np.abs(direction).max())
+        order = chosen[np.argsort(-np.abs(direction[chosen]))]
+        first = np.sign(direction[order[0]])
+        parts = [f"{abs(direction[k]):.2f} {unknowns[k].name}" for k in order]
+        signs = ["−" if direction[k] * first < 0.0 else "+" for k in order]
+        words = " ".join(f"{s} {p}" for s, p in zip(signs, parts, strict=True)).removeprefix("+ ")
+        sentences.append(
+            f"the data do not tell {words}" + (" (each over its scale)" if len(order) > 1 else "")
+        )
+    correlation = sure.correlation
+    soft = np.abs(sure.directions)
+    named = [row > PART * row.max() for row in soft]
+    for k, one in enumerate(unknowns):
+        for j in range(k):
+            rho = correlation[k, j]
+            if abs(rho) >= TIED and not any(row[j] and row[k] for row in named):
+                what = "difference" if rho > 0.0 else "sum"
+                sentences.append(
+                    f"{unknowns[j].name} and {one.name} can hardly be told apart: ρ {rho:+.2f}, "
+                    f"their {what} is known best"
+                )
+    return sentences

@@ -1,0 +1,78 @@
+"""An identification searched into its folder: searches as they end, then what they came to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rotordyn.case.written import write_changed
+from rotordyn.errors import InvalidInput
+from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.study.identification.started import Progress
+from rotordyn.study.identification.summary import summary, write_tables
+
+if TYPE_CHECKING:
+    from rotordyn.study.identification.solve import Asked, Identification
+
+BEST, SUMMARY, DATASET = "best.yaml", "summary.txt", "identification.nc"
+
+
+def deliver(
+    held: Asked,
+    folder: Path,
+    *,
+    workers: int | None = None,
+    progress: Progress = lambda done, of: None,
+    draw: bool = True,
+) -> tuple[Identification, str]:
+    """Search and write what it came to; returns it and its summary.
+
+    Raises
+    ------
+    InvalidInput, NoSolution : see ``identify``; searches that ended stay in the folder
+    """
+    from rotordyn.study.identification.solve import identified
+
+    found = identified(held, workers, folder, progress)
+    write(found, folder, draw=draw)
+    return found, summary(found)
+
+
+def write(
+    found: Identification,
+    folder: Path,
+    *,
+    draw: bool = True,
+    formats: Sequence[str] = USUAL_FORMATS,
+) -> None:
+    """Summary, dataset, tables, the identified machine as a case, figures.
+
+    Raises
+    ------
+    InvalidInput : the folder cannot be written
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / SUMMARY).write_text(summary(found) + "\n", encoding="utf-8")
+    except OSError as error:
+        raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
+    found.dataset().to_netcdf(folder / DATASET, engine="h5netcdf")
+    write_tables(folder, found)
+    best = found.explained
+    if best.problem.case.files:
+        values = zip(best.problem.unknowns, best.fit.values.tolist(), strict=True)
+        changes = {
+            path: f"{value!r} {unknown.coherent_unit}".strip() if unknown.coherent_unit else value
+            for unknown, value in values
+            for path in (unknown.path, *unknown.also)
+        }
+        title = f"{found.title or found.name}: as identified"
+        changes |= best.held
+        write_changed(best.problem.case, changes, folder / BEST, title=title)
+    if draw:
+        from rotordyn.figures.draw import draw_one
+        from rotordyn.study.identification.figures import figures
+
+        for name, drawing in figures(found):
+            draw_one(name, drawing, folder, formats)

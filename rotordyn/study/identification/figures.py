@@ -1,0 +1,236 @@
+"""Measured and computed curves, what is left of them, correlations, and models side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.figures.legends import shortened, top_legend
+from rotordyn.figures.style import (
+    BLACK,
+    BLUE,
+    CYCLE,
+    FONT_SIZE,
+    GREY,
+    ORANGE,
+    POINTS,
+    add_axes,
+    grid_boxes,
+    head,
+    new_figure,
+)
+from rotordyn.study.identification.solve import Explained, Identification
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+ROW, COLUMNS = 58.0, 2  # mm
+FEW = 4  # points of a measurement from which it is a curve
+MOST_MODELS = 16
+MOST_WRITTEN = 14  # unknowns of which every correlation is written
+
+
+def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
+    """Name and drawing of every figure."""
+    yield "measured", partial(_measured, found)
+    yield "residuals", partial(_residuals, found)
+    if len(found.explained.problem.unknowns) > 1:
+        yield "correlation", partial(_correlation, found)
+    if len(found.models) > 1:
+        yield "models", partial(_models, found)
+
+
+def _titled(found: Identification) -> str:
+    return found.title or found.name
+
+
+def _panels(found: Identification) -> tuple[list[int], list[int]]:
+    """Places of the measurements that are curves, and of single points."""
+    sizes = [len(each.data.observed) for each in found.explained.problem.measurements]
+    curves = [k for k, n in enumerate(sizes) if n >= FEW]
+    return curves, [k for k, n in enumerate(sizes) if n < FEW]
+
+
+def _measured(found: Identification) -> Figure:
+    """Every curve, tare and drift taken off, beside the machine; single points as differences."""
+    curves, single = _panels(found)
+    count = len(curves) + bool(single)
+    columns = min(COLUMNS, count)
+    rows = -(-count // columns)
+    figure = new_figure(height=24.0 + ROW * rows, title="measured, and the identified machine")
+    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 14.0))
+    drawn = []
+    for place, box in zip(curves, boxes, strict=False):
+        axes = add_axes(figure, box)
+        _curve(axes, found.explained, place)
+        drawn.append(axes)
+    if single:
+        _singles(add_axes(figure, boxes[len(curves)]), found.explained, single)
+    if drawn:
+        top_legend(figure, *drawn)
+    return head(figure, _titled(found))
+
+
+def _curve(axes: Axes, best: Explained, place: int) -> None:
+    data = best.problem.measurements[place].data
+    predicted, left = best.fit.predicted[place], best.left[place]
+    groups = list(dict.fromkeys(_group(word) for word in data.series))
+    for word in dict.fromkeys(data.series):
+        rows = np.array([k for k, other in enumerate(data.series) if other == word])
+        order = rows[np.argsort(data.at[rows])]
+        colour = CYCLE[groups.index(_group(word)) % len(CYCLE)]
+        model = predicted * data.factor
+        label = _group(word) or "the machine"
+        axes.plot(data.at[order], model[order], "-", lw=0.9, color=colour, label=label)
+        shown = (predicted + left) * data.factor
+        mark = POINTS[1] if word.endswith("rising") else POINTS[0]
+        full = "none" if word.endswith("rising") else colour
+        axes.plot(data.at[rows], shown[rows], mark, ms=2.2, mew=0.5, color=colour, mfc=full)
+    axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
+    axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
+    axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
+
+
+def _group(series: str) -> str:
+    """A speed, without the branch."""
+    return series.partition(",")[0]
+
+
+def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
+    """Differences of single points, over their noise."""
+    names, values = [], []
+    for place in places:
+        data, left = best.problem.measurements[place].data, best.left[place]
+        for k, size in enumerate(left / data.deviation):
+            at = f" {data.at[k]:g}" if len(left) > 1 else ""
+            names.append(shortened(f"{data.name}{at}", 30))
+            values.append(size)
+    axes.barh(np.arange(len(names)), values, color=BLUE, height=0.6)
+    axes.set_yticks(np.arange(len(names)), names, fontsize=FONT_SIZE - 2.5)
+    axes.tick_params(axis="y", direction="in", pad=-4.0)
+    for tick in axes.get_yticklabels():
+        tick.set_horizontalalignment("left")
+    axes.invert_yaxis()
+    for at in (-2.0, 2.0):
+        axes.axvline(at, color=GREY, lw=0.6, ls="--")
+    widest = max(3.0, *(abs(value) for value in values))
+    axes.set_xlim(-1.1 * widest, 1.1 * widest)
+    axes.axvline(0.0, color=BLACK, lw=0.6)
+    axes.set_title("single values", fontsize=FONT_SIZE)
+    axes.set_xlabel("measured − machine, over the noise", fontsize=FONT_SIZE - 1.0)
+
+
+def _residuals(found: Identification) -> Figure:
+    """What is left of every curve, tare and drift taken off, with ± two deviations of the noise."""
+    curves, single = _panels(found)
+    places = curves or single
+    columns = min(COLUMNS, len(places))
+    rows = -(-len(places) // columns)
+    title = "what is not explained, with ± 2 deviations of the noise"
+    figure = new_figure(height=24.0 + ROW * rows, title=title)
+    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 14.0))
+    drawn = []
+    for place, box in zip(places, boxes, strict=False):
+        axes, best = add_axes(figure, box), found.explained
+        data, left = best.problem.measurements[place].data, best.left[place]
+        groups = list(dict.fromkeys(_group(word) for word in data.series))
+        for word in dict.fromkeys(data.series):
+            rows_of = np.array([k for k, other in enumerate(data.series) if other == word])
+            colour = CYCLE[groups.index(_group(word)) % len(CYCLE)]
+            look = "-o" if word.endswith("rising") else "-s"
+            axes.plot(
+                data.at[rows_of],
+                left[rows_of] * data.factor,
+                look,
+                ms=1.8,
+                lw=0.5,
+                color=colour,
+                label=_group(word) or data.name,
+            )
+        noise = 2.0 * float(data.deviation.mean()) * data.factor
+        axes.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0.0)
+        axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
+        axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
+        axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
+        drawn.append(axes)
+    top_legend(figure, *drawn)
+    return head(figure, _titled(found))
+
+
+def _correlation(found: Identification) -> Figure:
+    """Correlations of the unknowns; empty of those on a bound."""
+    best = found.explained
+    names = [shortened(each.name, 28) for each in best.problem.unknowns]
+    values = best.sure.correlation
+    count = len(names)
+    side = float(np.clip(9.0 * count, 50.0, 108.0))
+    figure = new_figure(height=side + 52.0, title="correlation of the unknowns")
+    axes = add_axes(figure, (44.0, 38.0, side, side))
+    image = axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0)
+    axes.set_xticks(range(count), names, rotation=90, fontsize=FONT_SIZE - 1.5)
+    axes.set_yticks(range(count), names, fontsize=FONT_SIZE - 1.5)
+    if count <= MOST_WRITTEN:
+        for k in range(count):
+            for j in range(count):
+                if j != k and np.isfinite(values[k, j]):
+                    dark = abs(values[k, j]) > 0.6
+                    axes.text(
+                        j,
+                        k,
+                        f"{values[k, j]:.2f}".replace("0.", ".").replace("-", "−"),
+                        ha="center",
+                        va="center",
+                        fontsize=FONT_SIZE - 2.5,
+                        color="white" if dark else "black",
+                    )
+    bar = add_axes(figure, (48.0 + side, 38.0, 4.0, side))
+    figure.colorbar(image, cax=bar)
+    return head(figure, _titled(found))
+
+
+def _models(found: Identification) -> Figure:
+    """Mean difference of every model, and its unknowns between their ends."""
+    shown = list(found.models[:MOST_MODELS])
+    story = [each for each in found.order if each in shown]
+    paths = {u.path: u for model in story for u in model.problem.unknowns}
+    tall = 8.0 + 7.0 * len(story)
+    figure = new_figure(height=tall + 62.0, title="models side by side")
+    names = [shortened(each.name, 26) for each in story]
+    place = np.arange(len(story))
+    axes = add_axes(figure, (38.0, 38.0, 40.0, tall))
+    means = [found.criterion.residual(each.problem, each.left) for each in story]
+    kept = [each.name in found.surviving for each in story]
+    axes.barh(place, means, height=0.6, color=[BLUE if k else GREY for k in kept])
+    axes.set_yticks(place, names, fontsize=FONT_SIZE - 1.5)
+    axes.invert_yaxis()
+    if found.criterion.most is not None:
+        axes.axvline(found.criterion.most, color=ORANGE, lw=0.8, ls="--")
+    axes.set_xlabel(f"mean difference [{found.criterion.unit}]", fontsize=FONT_SIZE - 1.0)
+    beside = add_axes(figure, (84.0, 38.0, 80.0, tall))
+    for column, unknown in enumerate(paths.values()):
+        for row, model in enumerate(story):
+            known = {u.path: k for k, u in enumerate(model.problem.unknowns)}
+            if unknown.path not in known:
+                continue
+            k = known[unknown.path]
+            value = float(model.fit.values[k])
+            share = (value - unknown.low) / (unknown.high - unknown.low)
+            beside.plot([column - 0.4, column + 0.4], [row, row], "-", lw=0.6, color=GREY)
+            bound = model.sure.words[k] == "on a bound"
+            colour = ORANGE if bound else BLUE
+            beside.plot(column - 0.4 + 0.8 * share, row, "D", ms=3.5, color=colour)
+            words = f"{unknown.shown(value):.3g}"
+            beside.text(column, row - 0.22, words, ha="center", va="bottom", fontsize=FONT_SIZE - 3)
+    beside.set_ylim(len(story) - 0.4, -0.7)
+    beside.set_xlim(-0.6, len(paths) - 0.4)
+    beside.set_yticks([])
+    heads = [shortened(each.heading, 26) for each in paths.values()]
+    beside.set_xticks(range(len(paths)), heads, rotation=90, fontsize=FONT_SIZE - 2.0)
+    beside.set_title("between their ends, orange on one", fontsize=FONT_SIZE - 1.0)
+    return head(figure, _titled(found))

@@ -1,0 +1,105 @@
+"""Measurements made of what files say: one line for each kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.study.identification.along_axis import (
+    BRANCHES,
+    AxialCurve,
+    AxialStiffness,
+    NoLoad,
+    StopMet,
+)
+from rotordyn.study.identification.measurement import Measurement
+from rotordyn.study.identification.numbers import Numbers
+from rotordyn.study.identification.points import along_curve, read_points
+
+Entry = Mapping[str, Any]
+COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "length"}
+
+
+def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
+    numbers, words = read_points(beside / given["file"], COLUMNS)
+    speed, force, displacement = (numbers[key] for key in ("speed", "force", "displacement"))
+    branch, rows = np.array(words["branch"]), np.arange(len(speed))
+    if given["points"] is not None:
+        chosen = [
+            here[along_curve(force[here], displacement[here], given["points"])]
+            for one in sorted(set(speed.tolist()))
+            for way in BRANCHES
+            if len(here := np.flatnonzero((speed == one) & (branch == way)))
+        ]
+        rows = np.concatenate(chosen)
+    return AxialCurve(
+        name=name,
+        deviation=given["deviation"],
+        speed=speed[rows],
+        branch=tuple(branch[rows].tolist()),
+        force=force[rows],
+        displacement=displacement[rows],
+        of=given["of"],
+        tare=given["tare"],
+        drift=given["drift"],
+        lowest=given["lowest"],
+        highest=given["highest"],
+    )
+
+
+def _no_load(name: str, given: Entry, _: Path) -> Measurement:
+    return NoLoad(
+        name=name,
+        deviation=given["deviation"],
+        speed=np.array(given["speeds"]),
+        displacement=np.array(given["displacements"]),
+        of=given["of"],
+        tare=given["tare"],
+    )
+
+
+def _axial_stiffness(name: str, given: Entry, _: Path) -> Measurement:
+    return AxialStiffness(
+        name=name,
+        deviation=given["deviation"],
+        speed=np.array(given["speeds"]),
+        stiffness=np.array(given["stiffnesses"]),
+        **{key: given[key] for key in ("branch", "lowest", "highest", "near")},
+    )
+
+
+def _stop_met(name: str, given: Entry, _: Path) -> Measurement:
+    keys = ("deviation", "sleeve", "speed", "force", "lowest", "highest")
+    return StopMet(name=name, **{key: given[key] for key in keys})
+
+
+def _numbers(name: str, given: Entry, _: Path) -> Measurement:
+    from rotordyn.study.optimum.criterion import amount
+
+    unit = str(given["values"][0]).strip().partition(" ")[2]
+    if not unit:
+        raise InvalidInput(f"values: given {shown(given['values'][0])}; needed: with their unit")
+    return Numbers(
+        name=name,
+        of=given["of"],
+        speed=np.array(given["speeds"]),
+        values=np.array([amount(each, unit) for each in given["values"]]),
+        deviation=amount(given["deviation"], unit),
+        unit=unit,
+        where=given["where"],
+        nearest=given["nearest"],
+    )
+
+
+MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
+    "axial curve": _axial_curve,
+    "no load": _no_load,
+    "axial stiffness": _axial_stiffness,
+    "stop met": _stop_met,
+    "numbers": _numbers,
+}

@@ -1,0 +1,88 @@
+"""What is held against measurements side by side: hypotheses of a case, phases of a story."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at
+from rotordyn.case.vary import vary
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.quantity import suggestion
+from rotordyn.study.identification.unknown import Sought
+
+MOST = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Phase:
+    """A model of a story: which ``unknowns`` are sought, by path or name, None for all; ``values``
+    by path that it holds fixed."""
+
+    unknowns: tuple[str, ...] | None = None
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Model:
+    """A ``case`` with the ``unknowns`` that are sought of it, and what it ``holds`` by path."""
+
+    name: str
+    case: Case
+    unknowns: tuple[Sought, ...]
+    holds: Mapping[str, Any] = field(default_factory=dict)
+
+
+def models(
+    case: Case,
+    unknowns: tuple[Sought, ...],
+    hypotheses: Mapping[str, Sequence[Any]],
+    phases: Mapping[str, Phase],
+) -> tuple[Model, ...]:
+    """Every combination of hypotheses, of every phase.
+
+    Raises
+    ------
+    InvalidInput : a path or value that cannot be, an unknown that is none, too many models
+    """
+    for path, values in hypotheses.items():
+        if isinstance(values, str) or not isinstance(values, Sequence) or not len(values):
+            raise InvalidInput(f"{path}: a list of values is needed, got {shown(values)}")
+        if not found_at(case, path):
+            vary(case, {path: values[0]})  # which says where the path goes astray
+        if any(path in (each.path, *each.also) for each in unknowns):
+            raise InvalidInput(f"{path}: is an unknown and a hypothesis: one of both")
+    story = phases or {"": Phase()}
+    combined = [dict(zip(hypotheses, each, strict=True)) for each in product(*hypotheses.values())]
+    if len(story) * len(combined) > MOST:
+        raise InvalidInput(f"{len(story) * len(combined)} models: allowed are up to {MOST}")
+    return tuple(
+        _model(case, unknowns, name, phase, chosen)
+        for name, phase in story.items()
+        for chosen in combined
+    )
+
+
+def _model(
+    case: Case, unknowns: tuple[Sought, ...], name: str, phase: Phase, chosen: Mapping[str, Any]
+) -> Model:
+    known = {**{each.name: each for each in unknowns}, **{each.path: each for each in unknowns}}
+    for word in phase.unknowns or ():
+        if word not in known:
+            names = [each.name for each in unknowns]
+            raise InvalidInput(
+                f"phase {name}: no unknown {shown(word)}; allowed: {', '.join(names)}"
+                f"{suggestion(word, names)}"
+            )
+    wanted = unknowns if phase.unknowns is None else tuple(known[word] for word in phase.unknowns)
+    held = {each.path for each in wanted} & {*phase.values}
+    if held:
+        raise InvalidInput(f"phase {name}: {min(held)} is sought and held: one of both")
+    words = [f"{path.rsplit('.', 1)[-1]} {value}" for path, value in chosen.items()]
+    label = ", ".join(part for part in (name, *words) if part) or "the case"
+    holds = {**phase.values, **chosen}
+    return Model(label, vary(case, holds), wanted, holds)

@@ -1,0 +1,131 @@
+"""Measured points in a CSV file: a head that names columns with units, then numbers."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.units import KINDS, parse_unit
+
+Array = NDArray[np.float64]
+HEAD = re.compile(r"\s*([\w ]+?)\s*(?:\[([^\]]*)\])?\s*")
+
+
+def read_points(
+    path: Path, columns: Mapping[str, str | None]
+) -> tuple[dict[str, Array], dict[str, tuple[str, ...]]]:
+    """Numbers [SI] and words of a table by the name of the column.
+
+    ``columns``: by name the kind of quantity, None of words; all of them are needed.
+
+    Raises
+    ------
+    InvalidInput : no file, a column that is missing, unknown or in a wrong unit, a row that is
+        short or holds no number; the sentence names the file and the line
+    """
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        why = getattr(error, "strerror", None) or "is no text in UTF-8"
+        raise InvalidInput(f"{path}: cannot be read: {why}") from None
+    rows = [
+        (number, row)
+        for number, row in enumerate(csv.reader(lines), start=1)
+        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+    ]
+    if not rows:
+        raise InvalidInput(f"{path}: holds no table; allowed: columns {_allowed(columns)}")
+    scales = _head(path, *rows[0], columns)
+    numbers: dict[str, list[float]] = {n: [] for n, kind in columns.items() if kind is not None}
+    words: dict[str, list[str]] = {n: [] for n, kind in columns.items() if kind is None}
+    for line, row in rows[1:]:
+        if len(row) != len(rows[0][1]):
+            raise InvalidInput(
+                f"{path}:{line}: has {len(row)} cells where the head has {len(rows[0][1])}"
+            )
+        for place, (name, scale) in scales.items():
+            if name in words:
+                words[name].append(row[place].strip())
+            else:
+                numbers[name].append(_number(path, line, name, row[place]) * scale)
+    arrays = {name: np.array(values) for name, values in numbers.items()}
+    return arrays, {name: tuple(values) for name, values in words.items()}
+
+
+def _head(
+    path: Path, line: int, head: list[str], columns: Mapping[str, str | None]
+) -> dict[int, tuple[str, float]]:
+    """By the place of a column its name, and its unit in SI."""
+    found: dict[int, tuple[str, float]] = {}
+    for place, cell in enumerate(head):
+        match = HEAD.fullmatch(cell)
+        name = match.group(1) if match else cell
+        if name not in columns:
+            raise InvalidInput(
+                f"{path}:{line}: unknown column {shown(cell.strip())}; allowed: {_allowed(columns)}"
+            )
+        if name in (known for known, _ in found.values()):
+            raise InvalidInput(f"{path}:{line}: has the column {name} twice")
+        found[place] = name, _scale(path, line, cell, columns[name], match.group(2))  # type: ignore[union-attr]
+    for name in columns:
+        if name not in (known for known, _ in found.values()):
+            raise InvalidInput(
+                f"{path}:{line}: lacks the column {name}; needed: {_allowed(columns)}"
+            )
+    return found
+
+
+def _scale(path: Path, line: int, cell: str, kind: str | None, unit: str | None) -> float:
+    if kind is None:
+        return 1.0
+    allowed = KINDS[kind]
+    if unit is None:
+        raise InvalidInput(
+            f"{path}:{line}: {shown(cell.strip())} has no unit; allowed: {', '.join(allowed)}"
+        )
+    try:
+        given = parse_unit(unit)
+    except InvalidInput:
+        given = None
+    if given is None or given.dimension not in {parse_unit(u).dimension for u in allowed}:
+        raise InvalidInput(
+            f"{path}:{line}: {shown(cell.strip())} is in no unit of {kind}; allowed: "
+            f"{', '.join(allowed)}"
+        )
+    return given.scale
+
+
+def _number(path: Path, line: int, name: str, cell: str) -> float:
+    try:
+        value = float(cell)
+    except ValueError:
+        value = np.nan
+    if not np.isfinite(value):
+        raise InvalidInput(f"{path}:{line}: {name} is no number: given {shown(cell.strip())}")
+    return value
+
+
+def _allowed(columns: Mapping[str, str | None]) -> str:
+    return ", ".join(
+        name if kind is None else f"{name} [{KINDS[kind][-1]}]" for name, kind in columns.items()
+    )
+
+
+def along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.intp]:
+    """Rows of ``count`` points of a curve at equal distances along it, its ends among them.
+
+    Force and displacement count by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).
+    """
+    if len(force) <= count:
+        return np.arange(len(force))
+    parts = [np.diff(each) / (np.ptp(each) or 1.0) for each in (force, displacement)]
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*parts))])
+    rows = [int(np.abs(way - at).argmin()) for at in np.linspace(0.0, way[-1], count)]
+    return np.array(sorted(set(rows)))

@@ -1,0 +1,153 @@
+"""What the identified machine would show: headline numbers of its case, with their intervals.
+
+By the delta method: the derivatives of a number by the unknowns, and the covariance of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.errors import BearingError
+from rotordyn.analyses.registry import analysis
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.field import shown
+from rotordyn.study.identification.certainty import Certainty
+from rotordyn.study.identification.problem import STEP, Problem
+from rotordyn.study.identification.trial import Known
+from rotordyn.study.optimum.criterion import Criterion, amount
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Predicted:
+    """What is predicted: ``of`` and ``where`` as of ``Criterion``; ``name`` in tables; a
+    ``measured`` value to show beside it, as printed."""
+
+    of: str
+    where: Mapping[str, object] = field(default_factory=dict)
+    name: str = ""
+    measured: float | str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Prediction:
+    """A number of the identified machine as printed, its 95 % interval, what was measured."""
+
+    name: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    measured: float | None
+
+
+def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
+    """The case with the analyses that predictions need, and no other.
+
+    Raises
+    ------
+    InvalidInput : an analysis that the case lacks
+    """
+    names = [Criterion(each.of).analysis for each in wanted]
+    for each, name in zip(wanted, names, strict=True):
+        if name not in case.analyses:
+            raise InvalidInput(
+                f"{shown(each.of)}: begins with an analysis of the case; allowed: "
+                f"{', '.join(case.analyses)}"
+            )
+    specs = {name: analysis(name).lean(case.analyses[name]) for name in dict.fromkeys(names)}
+    return replace(case, analyses=specs)
+
+
+def numbers(
+    problem: Problem, values: Array, wanted: tuple[Predicted, ...], known: Known
+) -> dict[str, tuple[str, float, float | None]]:
+    """Of the machine with such values: unit, number and what was measured, by name.
+
+    Raises
+    ------
+    InvalidInput, NoSolution, BearingError : the machine has none
+    """
+    case = asked_of(problem.machine(values), wanted)
+    results = known.neighbours.solve(case)[0].results
+    found: dict[str, tuple[str, float, float | None]] = {}
+    for each in wanted:
+        criterion = Criterion(each.of, each.where)
+        headings = _headings(case, results, criterion)
+        reading = criterion.read(case, results)
+        for k, value in enumerate(reading.values.tolist()):
+            words = each.name or (headings[k] if k < len(headings) else each.of)
+            words = words if words not in found else f"{words} ({k + 1})"
+            found[words] = reading.unit, value, _known(each, reading.unit)
+    return found
+
+
+def _known(of: Predicted, unit: str) -> float | None:
+    return None if of.measured is None else amount(of.measured, unit)
+
+
+def _headings(case: Case, results: Mapping[str, Any], of: Criterion) -> list[str]:
+    if ":" not in of.of:
+        return []
+    words = of.of.partition(":")[2].strip()
+    every = analysis(of.analysis).numbers(results[of.analysis], case)
+    kept = [each for each in every if each.heading.startswith(words) and not np.isnan(each.value)]
+    return [f"{of.analysis}: {each.heading.removesuffix(f' [{each.unit}]')}" for each in kept]
+
+
+def predictions(
+    problem: Problem, sure: Certainty, wanted: tuple[Predicted, ...]
+) -> tuple[Prediction, ...]:
+    """Numbers of the identified machine with their intervals."""
+    if not wanted:
+        return ()
+    known = Known()
+    best = numbers(problem, sure.values, wanted, known)
+    slopes = {name: np.zeros(len(sure.values)) for name in best}
+    for k in np.flatnonzero(np.diag(sure.covariance) > 0.0).tolist():
+        for name, slope in _slopes(problem, sure.values, k, wanted, known, best).items():
+            slopes[name][k] = slope
+    found = []
+    for name, (unit, value, measured) in best.items():
+        half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
+        found.append(Prediction(name, unit, value, value - half, value + half, measured))
+    return tuple(found)
+
+
+def _slopes(
+    problem: Problem,
+    values: Array,
+    k: int,
+    wanted: tuple[Predicted, ...],
+    known: Known,
+    best: Mapping[str, tuple[str, float, float | None]],
+) -> dict[str, float]:
+    """Derivatives by one unknown over its scale, on both sides where both have a solution."""
+    low, high = (float(end[k]) for end in problem.bounds)
+    scale, found = float(problem.scale[k]), []
+    for side in (-1.0, 1.0):
+        moved = values.copy()
+        moved[k] = min(max(values[k] + side * STEP * scale, low), high)
+        if moved[k] == values[k]:
+            continue
+        try:
+            there = numbers(problem, moved, wanted, known)
+        except (InvalidInput, NoSolution, BearingError):
+            continue
+        found.append(((moved[k] - values[k]) / scale, there))
+    if not found:
+        return {}
+    ends = [(0.0, best), *found] if len(found) == 1 else found
+    (a, first), (b, last) = ends
+    return {
+        name: (last[name][1] - first[name][1]) / (b - a)
+        for name in best
+        if name in first and name in last
+    }

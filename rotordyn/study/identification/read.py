@@ -1,0 +1,182 @@
+"""The door for files of identifications: held against their case, or every fault of the file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.expand import Reader
+from rotordyn.case.faults import Faults
+from rotordyn.case.forms import reading_of
+from rotordyn.case.identification import (
+    KINDS,
+    IdentificationFile,
+    PhaseEntry,
+    PredictedEntry,
+    UnknownEntry,
+)
+from rotordyn.case.node import Node
+from rotordyn.case.read import in_order
+from rotordyn.case.reading import Reading
+from rotordyn.case.varied import found_at
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import suggestion
+from rotordyn.study.identification.kinds import MADE
+from rotordyn.study.identification.measurement import Measurement
+from rotordyn.study.identification.models import Phase
+from rotordyn.study.identification.prediction import Predicted
+from rotordyn.study.identification.solve import Asked, asked
+from rotordyn.study.identification.unknown import Unknown, sought
+from rotordyn.study.read import case_of, value_at
+from rotordyn.units import parse
+
+
+def read_identification(path: str | Path) -> Asked:
+    """The identification in a YAML file.
+
+    Raises
+    ------
+    InvalidInput : faults of the file, each with its line; or those of its case
+    """
+    file = Path(path).expanduser()
+    reader = Reader(Faults())
+    root = reader.document(file)
+    if root is None:
+        raise InvalidInput(reader.faults.reported)
+    reading = reading_of(reader)
+    free = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
+    given = reading.fields(IdentificationFile, root, annotations=free)
+    _stop(reading, root)
+    case = case_of(given["case"], file)
+    case = replace(case, name=file.stem, title=given["title"] or case.title)
+    parts: dict[str, Any] = {
+        "unknowns": _each(reading, root, "unknowns", case, _unknown),
+        "measurements": [*_each(reading, root, "measurements", file.parent, _measured).values()],
+        "hypotheses": _each(reading, root, "hypotheses", case, _values),
+        "phases": _each(reading, root, "phases", case, _phase),
+        "predict": _predicted(reading, root),
+    }
+    _stop(reading, root)
+    how = {key: given[key] for key in ("criterion", "minimise", "starts", "seed")}
+    try:
+        return asked(case, **parts, **how)
+    except InvalidInput as refusal:
+        faults = Faults()
+        faults.at(root, _place(root, parts, str(refusal)), str(refusal))
+        raise InvalidInput(in_order(faults.reported, root.file)) from None
+
+
+def _stop(reading: Reading, root: Node) -> None:
+    if reading.faults:
+        raise InvalidInput(in_order(reading.faults.reported, root.file))
+
+
+def _place(root: Node, parts: dict[str, Any], why: str) -> tuple[str, ...]:
+    """The keys that a sentence is about."""
+    for each in parts["measurements"]:
+        if why.startswith(f"measurement {each.data.name}:"):
+            return "measurements", each.data.name
+    for key in ("unknowns", "hypotheses"):
+        for path in parts[key]:
+            if why.startswith(f"{path}:"):
+                return key, path
+    word = why.partition(":")[0]
+    return (word,) if root.child(word) else ()
+
+
+def _each(reading: Reading, root: Node, key: str, beside: Any, make: Any) -> dict[str, Any]:
+    """What a mapping of the file holds, made one by one; faults are reported at their lines."""
+    node = root.child(key)
+    if node is None:
+        return {}
+    if not isinstance(node.value, dict):
+        reading.wrong_shape(dict, node, "a mapping (name: …)")
+        return {}
+    found = {}
+    for name, child in node.value.items():
+        before = len(reading.faults.reported)
+        made = make(reading, beside, str(name), child)
+        if len(reading.faults.reported) == before:
+            found[str(name)] = made
+    return found
+
+
+def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
+    if not isinstance(node.value, dict):
+        return reading.wrong_shape(UnknownEntry, node, "two ends: {from: …, to: …}")
+    free = dict.fromkeys(("start_of_range", "to", "prior", "deviation", "start"), Any)
+    given = reading.fields(UnknownEntry, node, annotations=free)
+    values = {
+        key: value_at(reading, case, path, child)
+        for key in ("from", "to", "prior", "start")
+        if (child := node.child(key)) is not None
+    }
+    deviation = node.child("deviation")
+    quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
+    if deviation is not None and quantity is not None:
+        try:
+            values["deviation"] = parse(deviation.value, quantity.kind)
+        except InvalidInput as refusal:
+            reading.faults.at(deviation, (), str(refusal))
+    elif deviation is not None:
+        values["deviation"] = deviation.plain()
+    if any(values.get(key) is None for key in ("from", "to")):
+        return None
+    low, high = values.pop("from"), values.pop("to")
+    made = Unknown(low, high, **values, also=tuple(given["also"]), name=given["name"] or "")
+    try:
+        sought(case, {path: made})
+    except InvalidInput as refusal:
+        reading.faults.at_key(node, (), str(refusal).removeprefix(f"{path}: "))
+    return made
+
+
+def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurement | None:
+    kind = node.child("kind") if isinstance(node.value, dict) else None
+    if kind is None or kind.value not in KINDS:
+        word = "" if kind is None else str(kind.value)
+        why = f"unknown kind '{word}'" if word else "missing key: kind"
+        allowed = f"{why}; allowed: {', '.join(KINDS)}{suggestion(word, KINDS)}"
+        reading.faults.at(node, ("kind",) if kind is not None else (), allowed)
+        return None
+    before = len(reading.faults.reported)
+    given = reading.fields(KINDS[kind.value], node)
+    if len(reading.faults.reported) > before:
+        return None
+    try:
+        made = MADE[kind.value](name, given, beside)
+        assert made.data is not None
+        return made
+    except InvalidInput as refusal:
+        reading.faults.at(node, (), str(refusal).removeprefix(f"measurement {name}: "))
+        return None
+
+
+def _values(reading: Reading, case: Case, path: str, node: Node) -> Any:
+    if not isinstance(node.value, list) or not node.value:
+        return reading.wrong_shape(list, node, "a list of values")
+    return [value_at(reading, case, path, item) for item in node.value]
+
+
+def _phase(reading: Reading, case: Case, name: str, node: Node) -> Phase | None:
+    given = reading.fields(PhaseEntry, node, annotations={"values": Any})
+    held = node.child("values")
+    values = {}
+    for path, child in (held.value if held is not None else {}).items():
+        values[path] = value_at(reading, case, path, child)
+    unknowns = given["unknowns"]
+    return Phase(None if unknowns is None else tuple(unknowns), values)
+
+
+def _predicted(reading: Reading, root: Node) -> tuple[Predicted, ...]:
+    node = root.child("predict")
+    found = []
+    for item in node.value if node is not None else ():
+        before = len(reading.faults.reported)
+        given = reading.fields(PredictedEntry, item)
+        if len(reading.faults.reported) == before:
+            found.append(Predicted(**given))
+    return tuple(found)

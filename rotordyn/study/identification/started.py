@@ -1,0 +1,171 @@
+"""Searches of all models from all starts, on disk as they end, so that a stopped study goes on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import pickle
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.study.identification.measurement import Measurement
+from rotordyn.study.identification.models import Model
+from rotordyn.study.identification.problem import Problem
+from rotordyn.study.identification.search import Fit, begin_at, search, search_absolute
+from rotordyn.study.identification.trial import Known
+from rotordyn.study.workers import solved_here
+
+Array = NDArray[np.float64]
+JOURNAL = "searches.jsonl"
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Searches:
+    """What is searched: ``models`` against ``measurements``, ``starts`` of each, ``absolute``
+    whether the mean absolute difference is made least."""
+
+    models: tuple[Model, ...]
+    measurements: tuple[Measurement, ...]
+    starts: int
+    seed: int
+    absolute: bool = False
+
+    def problem(self, model: int, known: Known | None = None) -> Problem:
+        """One model against the measurements."""
+        held = self.models[model]
+        known = known or Known()
+        return Problem(held.case, held.unknowns, self.measurements, known=known)
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """A search that came to an end, or was stopped (``ended`` false): ``number`` (model, start);
+    values, sum of squares, machines solved; ``sentence``: why there are none."""
+
+    number: tuple[int, int]
+    values: tuple[float, ...] = ()
+    cost: float = float("inf")
+    evaluations: int = 0
+    ended: bool = True
+    sentence: str = ""
+
+
+def searched(packed: bytes, number: tuple[int, int], count: int = 1) -> Search:
+    """One search of pickled ``Searches``, in whatever process this is."""
+    all_of_them, known = _unpacked(packed)
+    model, start = number
+    problem = all_of_them.problem(model, known)
+    try:
+        begin = begin_at(problem, start, all_of_them.seed)
+        how = search_absolute if all_of_them.absolute else search
+        found: Fit = how(problem, begin)
+    except NoSolution as error:
+        return Search(number, sentence=str(error), evaluations=problem.evaluations)
+    values = tuple(found.values.tolist())
+    return Search(number, values, found.cost, problem.evaluations, found.ended)
+
+
+@lru_cache(maxsize=1)
+def _unpacked(packed: bytes) -> tuple[Searches, Known]:
+    return pickle.loads(packed), Known()
+
+
+def run(
+    searches: Searches, workers: int, folder: Path | None, progress: Progress
+) -> tuple[list[Search], bool]:
+    """All searches, and whether they were stopped before the end.
+
+    Raises
+    ------
+    InvalidInput : the folder holds something else, or cannot be written
+    """
+    every = [(m, s) for m in range(len(searches.models)) for s in range(searches.starts)]
+    journal = None if folder is None else folder / JOURNAL
+    kept = {} if journal is None else _read(journal, _signature(searches))
+    found = {number: kept[number] for number in every if number in kept}
+    missing = [number for number in every if number not in found]
+    progress(len(found), len(every))
+    try:
+        for each in solved_here(pickle.dumps(searches), missing, workers, searched):
+            found[each.number] = each
+            if not each.ended:
+                return [*found.values()], True
+            _keep(journal, each)
+            progress(len(found), len(every))
+    except KeyboardInterrupt:
+        return [*found.values()], True
+    return [*found.values()], False
+
+
+def best_of(found: Sequence[Search], model: int) -> Search | None:
+    """The best search of a model; None where none has a solution."""
+    good = [each for each in found if each.number[0] == model and each.values]
+    return min(good, key=lambda each: each.cost, default=None)
+
+
+def _keep(journal: Path | None, found: Search) -> None:
+    if journal is None:
+        return
+    line = {name: getattr(found, name) for name in Search.__dataclass_fields__}
+    try:
+        with journal.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(line) + "\n")
+    except OSError as error:
+        raise InvalidInput(f"{journal}: cannot be written: {error.strerror}") from None
+
+
+def _signature(searches: Searches) -> str:
+    """What two studies have in common whose searches are the same."""
+    digest = hashlib.sha256()
+    for model in searches.models:
+        digest.update(repr((model.name, replace(model.case, files=()), model.unknowns)).encode())
+    for each in searches.measurements:
+        data = each.data
+        digest.update(repr((type(each).__name__, data.name, data.series)).encode())
+        for part in (data.observed, data.deviation, data.at, data.columns, data.column_deviation):
+            digest.update(np.ascontiguousarray(part).tobytes())
+    digest.update(repr((searches.seed, searches.absolute)).encode())
+    return digest.hexdigest()
+
+
+def _read(path: Path, signature: str) -> dict[tuple[int, int], Search]:
+    """Searches kept of this study; a line that was cut short is cut away."""
+    head: dict[str, Any] = {"identification": signature}
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists():
+            if any(path.parent.iterdir()):
+                raise InvalidInput(
+                    f"{path.parent}: is a folder with other things in it, and no identification: "
+                    "choose another"
+                )
+            path.write_text(json.dumps(head) + "\n", encoding="utf-8")
+        raw = path.read_bytes()
+        whole = raw[: raw.rfind(b"\n") + 1]
+        if len(whole) < len(raw):
+            os.truncate(path, len(whole))
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+    try:
+        first, *lines = [json.loads(line) for line in whole.splitlines()]
+        if first != head:
+            raise InvalidInput(
+                f"{path.parent}: holds the searches of another identification: choose another "
+                "folder, or remove that one"
+            )
+        found = [
+            Search(**{k: tuple(v) if isinstance(v, list) else v for k, v in line.items()})
+            for line in lines
+        ]
+    except (ValueError, TypeError):
+        raise InvalidInput(f"{path}: is no record of searches: choose another folder") from None
+    return {each.number: each for each in found}

@@ -1,0 +1,178 @@
+"""An identification in one screen of plain text, and its values and differences as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.report.tables import Column, write_table
+from rotordyn.results.display import number
+from rotordyn.results.text import wrapped
+from rotordyn.study.identification.certainty import ON_A_BOUND
+from rotordyn.study.identification.unknown import Sought
+
+if TYPE_CHECKING:
+    from rotordyn.study.identification.solve import Explained, Identification
+
+MOST_MODELS = 12
+
+
+def summary(found: Identification) -> str:
+    """Values with their intervals, predictions, models by evidence, the verdict."""
+    return "\n".join(_lines(found))
+
+
+def _lines(found: Identification) -> Iterator[str]:
+    best = found.explained
+    yield found.title or found.name
+    points = best.problem.count
+    solved = sum(each.evaluations for model in found.models for each in model.searches)
+    of = f", {best.name}" if len(found.models) > 1 else ""
+    yield f"{points} points, {len(best.problem.unknowns)} unknowns, {solved} machines solved{of}"
+    if found.stopped:
+        yield "stopped before the end: the best so far"
+    yield ""
+    yield from _table([("", "value", "95 %", ""), *_values(best)])
+    if found.predictions:
+        yield ""
+        rows = [("predicted", "value", "95 %", "measured")]
+        for each in found.predictions:
+            measured = "" if each.measured is None else f"{each.measured:.4g}"
+            interval = f"{each.low:.4g} to {each.high:.4g}"
+            heading = f"{each.name} [{each.unit}]" if each.unit else each.name
+            rows.append((heading, f"{each.value:.4g}", interval, measured))
+        yield from _table(rows)
+    yield ""
+    yield from _table([("measurement", "points", "mean difference", "noise"), *_differences(best)])
+    if len(found.models) > 1:
+        yield ""
+        yield from _table(
+            [("model", "BIC above", f"mean [{found.criterion.unit}]", ""), *_models(found)]
+        )
+    for name, why in found.failed.items():
+        yield from wrapped(f"no machine: {name}: {why}")
+    yield ""
+    for sentence in found.verdict:
+        yield from wrapped(sentence)
+
+
+def _values(model: Explained) -> Iterator[tuple[str, ...]]:
+    sure = model.sure
+    for unknown, value, ends, word in zip(
+        model.problem.unknowns,
+        sure.values.tolist(),
+        sure.interval.tolist(),
+        sure.words,
+        strict=True,
+    ):
+        digits = _digits(unknown, ends)
+        shown = number(unknown.shown(value), digits)
+        between = (
+            f"{number(unknown.shown(ends[0]), digits)} to {number(unknown.shown(ends[1]), digits)}"
+        )
+        yield unknown.heading, shown, "" if word == ON_A_BOUND else between, word
+
+
+def _digits(unknown: Sought, ends: Sequence[float]) -> int:
+    """Decimals with which the half-width has two digits."""
+    half = abs(unknown.shown(ends[1]) - unknown.shown(ends[0])) / 2.0
+    return int(np.clip(1 - np.floor(np.log10(half)), 0, 6)) if 0.0 < half < np.inf else 3
+
+
+def _differences(model: Explained) -> Iterator[tuple[str, ...]]:
+    for each, left in zip(model.problem.measurements, model.left, strict=True):
+        data = each.data
+        mean = float(np.abs(left).mean()) * data.factor
+        noise = float(data.deviation.mean()) * data.factor
+        yield data.name, str(len(left)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
+
+
+def _models(found: Identification) -> Iterator[tuple[str, ...]]:
+    rows = list(zip(found.models, found.evidence, strict=True))
+    for model, above in rows[:MOST_MODELS]:
+        mean = found.criterion.residual(model.problem, model.left)
+        bound = model.on_bounds
+        words = f"{ON_A_BOUND}: {', '.join(bound)}" if bound else ""
+        yield model.name, f"{above:.1f}", f"{mean:.3g}", words
+    if len(rows) > MOST_MODELS:
+        yield f"… and {len(rows) - MOST_MODELS} more: models.csv", "", "", ""
+
+
+def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    for row in rows:
+        yield "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
+
+
+def write_tables(folder: Path, found: Identification) -> None:
+    """``values.csv``, ``differences.csv``, ``models.csv``, ``predictions.csv``."""
+    best = found.explained
+    unknowns, sure = best.problem.unknowns, best.sure
+    columns: list[Column] = [
+        ("path", [each.path for each in unknowns]),
+        ("name", [each.name for each in unknowns]),
+        ("unit", [each.unit for each in unknowns]),
+    ]
+    for name, values in (
+        ("value", sure.values),
+        ("standard deviation", sure.deviation),
+        ("lower end of 95 %", sure.interval[:, 0]),
+        ("upper end of 95 %", sure.interval[:, 1]),
+    ):
+        pairs = zip(unknowns, values.tolist(), strict=True)
+        columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
+    write_table(folder / "values.csv", [*columns, ("verdict", list(sure.words))])
+    write_table(folder / "differences.csv", _points(best))
+    models = list(zip(found.models, found.evidence, strict=True))
+    write_table(
+        folder / "models.csv",
+        [
+            ("model", [model.name for model, _ in models]),
+            ("BIC above the best", [f"{above:.6g}" for _, above in models]),
+            ("sum of squares", [f"{model.fit.cost:.6g}" for model, _ in models]),
+            *_columns_of_models(found),
+        ],
+    )
+    if found.predictions:
+        names = ("name", "unit", "value", "low", "high", "measured")
+        rows = [(n, [getattr(each, n) for each in found.predictions]) for n in names]
+        write_table(folder / "predictions.csv", rows)
+
+
+def _columns_of_models(found: Identification) -> list[Column]:
+    """Value of every unknown of each model; empty where it is not sought."""
+    every = {u.path: u for model in found.models for u in model.problem.unknowns}
+    columns: list[Column] = []
+    for path, unknown in every.items():
+        cells = []
+        for model in found.models:
+            known = dict(
+                zip(
+                    (u.path for u in model.problem.unknowns), model.fit.values.tolist(), strict=True
+                )
+            )
+            cells.append(f"{unknown.shown(known[path]):.9g}" if path in known else "")
+        columns.append((unknown.heading, cells))
+    return columns
+
+
+def _points(best: Explained) -> list[Column]:
+    rows = []
+    for each, predicted, left in zip(
+        best.problem.measurements, best.fit.predicted, best.left, strict=True
+    ):
+        data = each.data
+        explained = data.observed - left
+        for k in range(len(left)):
+            values = (data.observed[k], predicted[k], explained[k], left[k])
+            rows.append(
+                (data.name, data.series[k], f"{data.at[k]:.9g}", data.unit)
+                + tuple(f"{value * data.factor:.9g}" for value in values)
+            )
+    heads = (
+        "measurement", "curve", "at", "unit", "measured", "machine", "with tare and drift", "left",
+    )  # fmt: skip
+    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
