@@ -6,7 +6,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from rotordyn.quantity import Choice, Force, Growth, Items, Key, Name, Rigidity, Speed, Whole
+from rotordyn.analyses.measured_response import MeasuredResponse
+from rotordyn.quantity import (
+    Choice,
+    Force,
+    Growth,
+    Items,
+    Key,
+    Name,
+    Rigidity,
+    Share,
+    Speed,
+    Whole,
+)
 
 MINIMISED = ("squares", "absolute")
 BRANCHES = ("falling", "rising")
@@ -107,6 +119,29 @@ class NumbersEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class ResponsesEntry:
+    """Frequency responses at any speeds, of UFF or CSV files, `kind: frequency responses`."""
+
+    kind: Annotated[str, "`frequency responses`"]
+    responses: Annotated[
+        tuple[MeasuredResponse, ...],
+        Items(),
+        "each with its file, response, excitation and speed; those of one speed at the same "
+        "frequencies",
+    ]
+    noise: Annotated[
+        Share | None, "standard deviation of real and imaginary part each, over the response"
+    ] = None
+    averages: Annotated[
+        Annotated[int, Whole(1, 1_000_000)] | None,
+        "spectra averaged: noise follows from the coherence in the files instead",
+    ] = None
+    gain: Annotated[
+        Share, "standard deviation of an unknown factor of every response over 1, as of sensors"
+    ] = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class PhaseEntry:
     """A model of a story: which unknowns it seeks, what it holds."""
 
@@ -163,4 +198,5 @@ KINDS: dict[str, type] = {
     "axial stiffness": AxialStiffnessEntry,
     "stop met": StopEntry,
     "numbers": NumbersEntry,
+    "frequency responses": ResponsesEntry,
 }

@@ -20,6 +20,7 @@ from rotordyn.study.identification.along_axis import (
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.points import along_curve, read_points
+from rotordyn.study.identification.responses import Responses
 
 Entry = Mapping[str, Any]
 COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "length"}
@@ -96,10 +97,19 @@ def _numbers(name: str, given: Entry, _: Path) -> Measurement:
     )
 
 
+def _responses(name: str, given: Entry, _: Path) -> Measurement:
+    return Responses(
+        name=name,
+        responses=tuple(given["responses"]),
+        **{key: given[key] for key in ("noise", "averages", "gain")},
+    )
+
+
 MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
     "axial curve": _axial_curve,
     "no load": _no_load,
     "axial stiffness": _axial_stiffness,
     "stop met": _stop_met,
     "numbers": _numbers,
+    "frequency responses": _responses,
 }

@@ -235,17 +235,36 @@ class Responses:
         found: dict[str, Complex] = {}
         systems: dict[int, list[MeasuredResponse]] = {}
         for one in self.of_speed(speed):
-            owners = [scene.owner(port.point, port.direction) for port in _ports(one)]
+            owners = self.owners(scene, one)
             found[one.pair] = np.zeros(len(omega), dtype=complex)
             if owners[0] == owners[1]:
                 systems.setdefault(owners[0], []).append(one)
         at = np.flatnonzero(scene.usable == row)
         for k, every in systems.items():
-            motions = scene.system(k).at(at)
-            rows = [np.array([_row(scene, k, p) for p in ports]) for ports in zip(*map(_ports, every))]
-            values = motions.receptance(np.asarray(omega), *rows)[0]
+            rows = np.array([self.rows(scene, k, one) for one in every])
+            values = scene.system(k).at(at).receptance(np.asarray(omega), rows[:, 0], rows[:, 1])[0]
             found |= {one.pair: value for one, value in zip(every, values, strict=True)}
         return found
+
+    @staticmethod
+    def owners(scene: Scene, one: MeasuredResponse) -> tuple[int, int]:
+        """Subsystems in which response and excitation move."""
+        first, second = (scene.owner(port.point, port.direction) for port in _ports(one))
+        return first, second
+
+    @staticmethod
+    def rows(scene: Scene, k: int, one: MeasuredResponse) -> Array:
+        """Motions at response and excitation by the coordinates of a subsystem (2, n)."""
+        linear = scene.system(k).linear
+        places = [(scene.spindle.place(port.point), port.direction) for port in _ports(one)]
+        return np.array([linear.row(place.rotor, place.x, way) for place, way in places])
+
+    def deviation_at(self, speed: float, place: int) -> Array:
+        """Standard deviation of each part of the responses of a speed at one frequency (e,)."""
+        every, size = self.of_speed(speed), self.modes[speed].best.fit
+        omega = 2.0 * np.pi * np.array(every[0].frequency)
+        relative = np.array([self._relative(one) for one in every]).T
+        return _deviation(relative, size(omega))[place]
 
 
 @dataclass(frozen=True, eq=False)
@@ -308,11 +327,6 @@ def _across(one: MeasuredResponse) -> Array:
 
 def _ports(one: MeasuredResponse) -> tuple[Port, Port]:
     return one.response, one.excitation
-
-
-def _row(scene: Scene, k: int, port: Port) -> Array:
-    place = scene.spindle.place(port.point)
-    return scene.system(k).linear.row(place.rotor, place.x, port.direction)
 
 
 def _rows(values: Complex) -> Array:
