@@ -52,7 +52,7 @@ def refined(omega: Array, values: Complex, pole: Complex, weight: Array) -> Refi
     pole = np.array(pole, dtype=complex)
     here = _linearised(omega, values, pole, weight)
     for _ in range(ROUNDS):
-        step = np.linalg.lstsq(here.normal, here.slope, rcond=1e-14)[0]
+        step = np.asarray(np.linalg.lstsq(here.normal, here.slope, rcond=1e-14)[0])
         for half in range(HALVINGS):
             moved = _moved(pole, step * 0.5**half)
             there = _linearised(omega, values, moved, weight)
@@ -76,7 +76,8 @@ def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> 
     right = _stacked((weight * values).T[:, :, None])
     inside = np.swapaxes(q, 1, 2) @ right
     rest = right - q @ inside
-    known = np.array([np.linalg.lstsq(a, b, rcond=None)[0][:, 0] for a, b in zip(r, inside)])
+    pairs = zip(r, inside, strict=True)
+    known = np.array([np.linalg.lstsq(a, b, rcond=None)[0][:, 0] for a, b in pairs])
     moving = _stacked(weight.T[:, :, None] * _moving(omega, pole, known))
     moving -= q @ (np.swapaxes(q, 1, 2) @ moving)
     across = np.swapaxes(moving, 1, 2)

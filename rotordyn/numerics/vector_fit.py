@@ -31,8 +31,8 @@ class Fit(NamedTuple):
     constant: Array
     error: Complex
 
-    def __call__(self, omega: Array) -> Complex:
-        """At angular frequencies (f,): (f, e)."""
+    def __call__(self, omega: Array | Complex) -> Complex:
+        """At angular frequencies (f,), below the real axis under a force that grows: (f, e)."""
         return columns(omega, self.pole) @ _real(self.pole, self.residue) + self.constant
 
 
@@ -79,7 +79,7 @@ def _start(omega: Array, values: Complex, count: int) -> Complex:
     return np.asarray(-START_DAMPING * at + 1j * at)
 
 
-def columns(omega: Array, pole: Complex) -> Complex:
+def columns(omega: Array | Complex, pole: Complex) -> Complex:
     """Functions of real coefficients (f, 2 per pair and 1 per real pole)."""
     s = 1j * omega[:, None]
     found = []

@@ -269,9 +269,14 @@ def _record(
         raise InvalidInput(NO_RESPONSE)
     if not all(map(cmath.isfinite, values)):
         raise InvalidInput("a value is not a finite number")
-    if coherence and len(coherence) != len(frequency):
-        raise InvalidInput(f"{len(coherence)} values of coherence at {len(frequency)} frequencies")
-    for value in coherence:
+    return Record(quantity, tuple(frequency), tuple(values), _coherence(coherence, frequency))
+
+
+def _coherence(values: Sequence[float], frequency: Sequence[float]) -> tuple[float, ...]:
+    """Values of γ², none or one at every frequency."""
+    if values and len(values) != len(frequency):
+        raise InvalidInput(f"{len(values)} values of coherence at {len(frequency)} frequencies")
+    for value in values:
         if not 0.0 <= value <= 1.0:
             raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
-    return Record(quantity, tuple(frequency), tuple(values), tuple(coherence))
+    return tuple(values)

@@ -9,14 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM
-from rotordyn.study.identification.responses import Responses
+from rotordyn.study.identification.measurement import Beside
 from rotordyn.study.identification.trial import Trial
+
+if TYPE_CHECKING:
+    from rotordyn.study.identification.responses import Responses
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -26,6 +30,17 @@ SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no
 DAMPED = 0.3  # damping ratio above which it is none
 WIDTHS = 4.0  # half-widths within which a mode hides beside another
 SEEN = 5.0  # deviations of the noise above which a mode of the machine should be measured
+NOISIER = 1.2  # scatter about the modes over the stated noise
+HEAD = (
+    "speed [rpm]",
+    "measured [Hz]",
+    "deviation [Hz]",
+    "damping [%]",
+    "deviation [%]",
+    "machine [Hz]",
+    "its damping [%]",
+    "MAC",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +64,7 @@ def paired_modes(of: Responses, trial: Trial) -> list[Mode]:
     return [mode for speed in of.speed for mode in _at(of, trial, speed)]
 
 
-def remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
+def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
     """What the modes say against the machine, and the number of poles against the noise."""
     for mode in modes:
         at = f"at {mode.speed * RPM.factor:.0f} rpm"
@@ -65,7 +80,27 @@ def remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
             )
 
 
-NOISIER = 1.2  # scatter about the modes over the stated noise
+def beside(of: Responses, trial: Trial) -> Beside:
+    """Both as a table, and what they say against the machine."""
+    modes = paired_modes(of, trial)
+    rows = [
+        (
+            f"{each.speed * RPM.factor:.0f}",
+            _written(each.measured, 2),
+            _written(each.deviation, 2),
+            _written(100.0 * each.damping, 3),
+            _written(100.0 * each.damping_deviation, 3),
+            _written(each.computed, 2),
+            _written(100.0 * each.computed_damping, 3),
+            _written(each.mac, 3),
+        )
+        for each in modes
+    ]
+    return Beside(f"{of.name}_modes", HEAD, tuple(rows), tuple(_remarks(of, modes)))
+
+
+def _written(value: float, digits: int) -> str:
+    return "" if np.isnan(value) else f"{value:.{digits}f}"
 
 
 def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
@@ -86,21 +121,22 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
     apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
     rows, columns = _assigned(apart / FAR + 1.0 - mac, apart)
     partner = dict(zip(rows, columns, strict=True))
-    for k in np.argsort(known.imag):
-        j = partner.get(int(k))
+    for k in np.argsort(known.imag).tolist():
+        j = partner.get(k)
         yield Mode(
             speed,
             float(np.abs(known[k])) / (2.0 * np.pi),
             float(fit.deviation[mode][k, 1]) / (2.0 * np.pi),
             float(-known[k].real / np.abs(known[k])),
             float(relative[mode][k, 0]),
-            *(_said(pole[j], mac[k, j]) if j is not None else (np.nan, np.nan, np.nan)),
+            *(_said(complex(pole[j]), mac[k, j]) if j is not None else (np.nan, np.nan, np.nan)),
         )
-    for j in np.flatnonzero((pole.imag > omega[0]) & (pole.imag < omega[-1])):
-        beside = np.abs(known - pole[j]) < WIDTHS * (np.abs(known.real) + abs(pole[j].real))
-        if j not in columns and not beside.any() and _visible(of, speed, pole[j], residue[j]):
+    for j in set(range(len(pole))) - set(columns):
+        one, inside = complex(pole[j]), omega[0] < pole[j].imag < omega[-1]
+        beside = np.abs(known - one) < WIDTHS * (np.abs(known.real) + abs(one.real))
+        if inside and not beside.any() and _visible(of, speed, one, residue[j]):
             none = (np.nan,) * 4
-            yield Mode(speed, *none, *_said(pole[j], np.nan))
+            yield Mode(speed, *none, *_said(one, np.nan))
 
 
 def _said(pole: complex, mac: float) -> tuple[float, float, float]:

@@ -27,7 +27,8 @@ from rotordyn.numerics.pole_count import Counted, counted
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM, is_rotation
 from rotordyn.scene.scene import Scene
-from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.measurement import Beside, Data
+from rotordyn.study.identification.paired_modes import beside
 from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
@@ -211,6 +212,10 @@ class Responses:
         found = self.computed(trial, {s: 2.0 * np.pi * f for s, f in frequency.items()})
         return np.concatenate([_rows(found[one.speed][one.pair]) for one in self.responses])
 
+    def beside(self, trial: Trial) -> Beside:
+        """Measured modes beside those of the machine."""
+        return beside(self, trial)
+
     def scene(self, trial: Trial) -> Scene:
         """The machine of a trial at the speeds of the responses."""
         spindle, case = trial.case.spindle, trial.case
@@ -220,9 +225,7 @@ class Responses:
         ports = tuple(sorted(places))
         return Scene(spindle, case.conditions, np.array(self.speed), highest, ports)
 
-    def computed(
-        self, trial: Trial, omega: Mapping[float, Array | Complex]
-    ) -> dict[float, dict[str, Complex]]:
+    def computed(self, trial: Trial, omega: Mapping[float, Any]) -> dict[float, dict[str, Complex]]:
         """Receptances by speed and pair, at angular frequencies of every speed (f,)."""
         with linear_algebra_alone():
             scene = self.scene(trial)
@@ -243,7 +246,8 @@ class Responses:
         for k, every in systems.items():
             rows = np.array([self.rows(scene, k, one) for one in every])
             values = scene.system(k).at(at).receptance(np.asarray(omega), rows[:, 0], rows[:, 1])[0]
-            found |= {one.pair: value for one, value in zip(every, values, strict=True)}
+            for one, value in zip(every, values, strict=True):
+                found[one.pair] = np.asarray(value)
         return found
 
     @staticmethod

@@ -52,6 +52,11 @@ class _Search:
         NoSolution : it has none
         """
         self.rows(values / self.problem.scale)
+        return self.reached
+
+    @property
+    def reached(self) -> Fit:
+        """The best machine so far; NoSolution where none has one."""
         if self.best is None:
             raise NoSolution(self.problem.why)
         return self.best
@@ -121,8 +126,8 @@ def _nearest(problem: Problem, start: Array, progress: Progress) -> Fit:
             seen.rows, begin, seen.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
         )
     except KeyboardInterrupt:
-        return seen.best
-    return replace(seen.best, ended=True)
+        return seen.reached
+    return replace(seen.reached, ended=True)
 
 
 def search_absolute(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
