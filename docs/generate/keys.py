@@ -15,6 +15,8 @@ from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
 from rotordyn.case.keys import Range, extra, keys_of
 from rotordyn.case.schema import about, title
+from rotordyn.case.identification import KINDS as MEASURED
+from rotordyn.case.identification import IdentificationFile
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.field import Field, descriptions
 from rotordyn.machine.reference import Reference
@@ -33,7 +35,6 @@ PAGES: dict[str, type] = {
     "study": StudyFile,
     "optimum": OptimumFile,
     "identification": IdentificationFile,
-    "measurement": AxialCurveEntry,
 }
 
 
@@ -68,6 +69,8 @@ def _held(kind: type) -> Iterator[type]:
     if kind is BallBearing:
         yield from map(kind_class, KINDS)
         return
+    if kind is IdentificationFile:
+        yield from MEASURED.values()
     if kind is Case:
         yield Range
         yield from (analysis(name).spec for name in sorted(built_in(), key=place))

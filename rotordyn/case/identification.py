@@ -85,7 +85,8 @@ class AxialStiffnessEntry:
     branch: Annotated[str, Choice(BRANCHES), "of the cycle of force"]
     lowest: Annotated[Force, "lowest force of the cycle"]
     highest: Annotated[Force, "highest force of the cycle"]
-    near: Annotated[Force, "read between this force and its opposite"] = 100.0
+    near: Annotated[Force, "it is read so much either side of `about`"] = 100.0
+    about: Annotated[Force, "force about which it is read"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -234,8 +234,8 @@ class NoLoad(_Axial):
 class AxialStiffness(_Axial):
     """Axial stiffness of the shaft at no load [N/m] over ``speed`` [rad/s] on one ``branch``.
 
-    Read between two forces either side, ``near`` [N], within a cycle from ``lowest`` to
-    ``highest`` [N].
+    Read between two forces ``near`` [N] either side of ``about`` [N], within a cycle from
+    ``lowest`` to ``highest`` [N].
     """
 
     speed: Array
@@ -244,6 +244,7 @@ class AxialStiffness(_Axial):
     lowest: float
     highest: float
     near: float = NEAR
+    about: float = 0.0
 
     def __post_init__(self) -> None:
         _require_speeds(self.name, self.speed)
@@ -252,10 +253,11 @@ class AxialStiffness(_Axial):
                 f"measurement {self.name}: branch {shown(self.branch)}; allowed: "
                 f"{', '.join(BRANCHES)}"
             )
-        if not self.lowest < -self.near < 0.0 < self.near < self.highest:
+        ends = self.about - self.near, self.about + self.near
+        if not self.lowest < ends[0] < ends[1] < self.highest:
             raise InvalidInput(
-                f"measurement {self.name}: the cycle goes beyond ± {self.near:g} N: got "
-                f"{self.lowest:g} N to {self.highest:g} N"
+                f"measurement {self.name}: the cycle goes beyond {ends[0]:g} N to {ends[1]:g} N: "
+                f"got {self.lowest:g} N to {self.highest:g} N"
             )
 
     @cached_property
@@ -280,7 +282,7 @@ class AxialStiffness(_Axial):
         """Stiffnesses (n,) [N/m]."""
         found = []
         for speed in self.speed.tolist():
-            forces = np.array([-self.near, self.near])
+            forces = self.about + np.array([-self.near, self.near])
             none = np.empty(0)
             falling = self.branch == BRANCHES[0]
             asked = (forces[::-1], none) if falling else (none, forces)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-ROW, COLUMNS = 58.0, 2  # mm
+ROW, COLUMNS, TITLE = 58.0, 2, 5.0  # mm; number; mm
 FEW = 4  # points of a measurement from which it is a curve
 MOST_MODELS = 16
 MOST_WRITTEN = 14  # unknowns of which every correlation is written
@@ -73,7 +73,7 @@ def _measured(found: Identification) -> Figure:
     if single:
         _singles(add_axes(figure, boxes[len(curves)]), found.explained, single)
     if drawn:
-        top_legend(figure, *drawn)
+        top_legend(figure, *drawn, above=TITLE)
     return head(figure, _titled(found))
 
 
@@ -93,6 +93,7 @@ def _curve(axes: Axes, best: Explained, place: int) -> None:
         full = "none" if word.endswith("rising") else colour
         axes.plot(data.at[rows], shown[rows], mark, ms=2.2, mew=0.5, color=colour, mfc=full)
     axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
+    axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
     axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
 
@@ -156,10 +157,11 @@ def _residuals(found: Identification) -> Figure:
         noise = 2.0 * float(data.deviation.mean()) * data.factor
         axes.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0.0)
         axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
+        axes.locator_params(axis="x", nbins=5)
         axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
         axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
         drawn.append(axes)
-    top_legend(figure, *drawn)
+    top_legend(figure, *drawn, above=TITLE)
     return head(figure, _titled(found))
 
 
@@ -170,8 +172,10 @@ def _correlation(found: Identification) -> Figure:
     values = best.sure.correlation
     count = len(names)
     side = float(np.clip(9.0 * count, 50.0, 108.0))
-    figure = new_figure(height=side + 52.0, title="correlation of the unknowns")
-    axes = add_axes(figure, (44.0, 38.0, side, side))
+    low = 6.0 + 1.2 * max(map(len, names))
+    figure = new_figure(height=side + low + 14.0, title="correlation of the unknowns")
+    axes = add_axes(figure, (44.0, low, side, side))
+    axes.grid(visible=False)
     image = axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0)
     axes.set_xticks(range(count), names, rotation=90, fontsize=FONT_SIZE - 1.5)
     axes.set_yticks(range(count), names, fontsize=FONT_SIZE - 1.5)
@@ -189,7 +193,7 @@ def _correlation(found: Identification) -> Figure:
                         fontsize=FONT_SIZE - 2.5,
                         color="white" if dark else "black",
                     )
-    bar = add_axes(figure, (48.0 + side, 38.0, 4.0, side))
+    bar = add_axes(figure, (48.0 + side, low, 4.0, side))
     figure.colorbar(image, cax=bar)
     return head(figure, _titled(found))
 

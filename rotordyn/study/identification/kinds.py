@@ -70,7 +70,7 @@ def _axial_stiffness(name: str, given: Entry, _: Path) -> Measurement:
         deviation=given["deviation"],
         speed=np.array(given["speeds"]),
         stiffness=np.array(given["stiffnesses"]),
-        **{key: given[key] for key in ("branch", "lowest", "highest", "near")},
+        **{key: given[key] for key in ("branch", "lowest", "highest", "near", "about")},
     )
 
 
