@@ -96,7 +96,7 @@ def beside(of: Responses, trial: Trial) -> Beside:
         )
         for each in modes
     ]
-    return Beside(f"{of.name}_modes", HEAD, tuple(rows), tuple(_remarks(of, modes)))
+    return Beside(f"{of.word}_modes", HEAD, tuple(rows), tuple(_remarks(of, modes)))
 
 
 def _written(value: float, digits: int) -> str:

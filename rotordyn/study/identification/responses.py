@@ -11,6 +11,7 @@ Theory: docs/theory/identification.md#the-rotor-from-frequency-responses.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -106,6 +107,11 @@ class Responses:
             return np.full(len(one.frequency), self.noise)
         coherence = np.clip(np.array(one.coherence), 1e-6, 1.0 - INCOHERENT)
         return np.asarray(np.sqrt((1.0 - coherence) / (2.0 * self.averages * coherence)))
+
+    @property
+    def word(self) -> str:
+        """Its name as of a file."""
+        return re.sub(r"\W+", "_", self.name)
 
     @cached_property
     def speed(self) -> tuple[float, ...]:
