@@ -1,8 +1,9 @@
-"""Writes the curves that the studies of cases/identification read: a spindle measured by computation.
+"""Writes the curves that studies of cases/identification read: a spindle that was computed.
 
 Twins: three speeds, 25 points on both branches, noise of 0.4 µm, a tare of 1 µm at each speed.
-Curve at 4000 rpm: that of the spindle as identified in the thesis, whose model meets the measured one
-within 0.48 µm in the mean (D. Noël, doctoral thesis, 2013, table 3.7 and figure 3.27).
+Curve at 4000 rpm: that of the spindle as identified in the thesis, whose model meets the measured
+one within 0.48 µm in the mean (D. Noël, doctoral thesis, 2013, table 3.7 and figure 3.27).
+Story: the falling branch alone, densely.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from pathlib import Path
 import numpy as np
 
 import rotordyn
-from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.study.identification.along_axis import BRANCHES, RPM
 from rotordyn.study.identification.trial import Trial
 
@@ -26,21 +26,28 @@ HEAD = "speed [rpm],branch,force [N],displacement [um]"
 
 
 def rows_of(
-    case: rotordyn.Case, body: str, rpm: Sequence[float], rng: np.random.Generator | None
+    case: rotordyn.Case,
+    body: str,
+    rpm: Sequence[float],
+    rng: np.random.Generator | None,
+    count: int = POINTS,
+    branches: Sequence[str] = BRANCHES,
 ) -> list[str]:
-    """Lines of a table of both branches at speeds [rpm]; without noise where there is no ``rng``."""
+    """Lines of a table of both branches at speeds [rpm]; without an ``rng`` free of noise."""
     trial = Trial(case, axial_speeds=tuple(speed * RPM for speed in rpm))
     weight = -trial.axial.force
-    force = np.linspace(*CYCLE, POINTS) + weight
+    force = np.linspace(*CYCLE, count) + weight
     place, lines = trial.axial.bodies.index(body), []
     for row, speed in enumerate(rpm):
         tare = 0.0 if rng is None else rng.normal(0.0, TARE)
-        branches = trial.axial.cycle(row, force[::-1], force)
+        found = trial.axial.cycle(row, force[::-1], force)
         forces = (force[::-1], force)
-        for word, shifts, along in zip(BRANCHES, branches, forces, strict=True):
+        for word, shifts, along in zip(BRANCHES, found, forces, strict=True):
+            if word not in branches:
+                continue
             measured = shifts[:, place] + tare
             if rng is not None:
-                measured = measured + rng.normal(0.0, NOISE, POINTS)
+                measured = measured + rng.normal(0.0, NOISE, count)
             lines += [
                 f"{speed:.0f},{word},{f:.2f},{u * 1e6:.3f}"
                 for f, u in zip(along, measured, strict=True)
@@ -51,12 +58,11 @@ def rows_of(
 def main(folder: Path) -> None:
     """Write every table into a folder."""
     case = rotordyn.load("mfw2310_identification")
-    assert case.spindle is not None
-    print(f"rotor {rotor_inertia(case.spindle).mass:.2f} kg")
     rng = np.random.default_rng(2310)
     tables = {
         "twin_shaft": rows_of(case, "shaft", SPEEDS, rng),
         "twin_rear": rows_of(case, "rear", SPEEDS, rng),
+        "story_shaft": rows_of(case, "shaft", SPEEDS, rng, 60, BRANCHES[:1]),
         "mfw2310_4000rpm": rows_of(case, "shaft", SPEEDS[:1], None),
     }
     for name, lines in tables.items():

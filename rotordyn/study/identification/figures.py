@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-ROW, COLUMNS, TITLE = 58.0, 2, 5.0  # mm; number; mm
+ROW, COLUMNS = 58.0, 2  # mm
+NAMES = 30.0  # mm, of single values
 FEW = 4  # points of a measurement from which it is a curve
 MOST_MODELS = 16
 MOST_WRITTEN = 14  # unknowns of which every correlation is written
@@ -68,18 +69,20 @@ def _measured(found: Identification) -> Figure:
     count = len(curves) + bool(single)
     columns = min(COLUMNS, count)
     rows = -(-count // columns)
-    figure = new_figure(height=24.0 + ROW * rows, title="measured, and the identified machine")
-    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 14.0))
+    figure = new_figure(height=20.0 + ROW * rows)
+    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
     drawn = []
     for place, box in zip(curves, boxes, strict=False):
         axes = add_axes(figure, box)
         _curve(axes, found.explained, place)
         drawn.append(axes)
     if single:
-        _singles(add_axes(figure, boxes[len(curves)]), found.explained, single)
+        left, bottom, wide, tall = boxes[len(curves)]
+        box = (left + NAMES, bottom, wide - NAMES, tall)
+        _singles(add_axes(figure, box), found.explained, single)
     if drawn:
-        top_legend(figure, *drawn, above=TITLE)
-    return head(figure, _titled(found))
+        top_legend(figure, *drawn)
+    return head(figure, f"{_titled(found)}: tare and drift taken off, lines the machine")
 
 
 def _curve(axes: Axes, best: Explained, place: int) -> None:
@@ -119,9 +122,6 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
             values.append(size)
     axes.barh(np.arange(len(names)), values, color=BLUE, height=0.6)
     axes.set_yticks(np.arange(len(names)), names, fontsize=FONT_SIZE - 2.5)
-    axes.tick_params(axis="y", direction="in", pad=-4.0)
-    for tick in axes.get_yticklabels():
-        tick.set_horizontalalignment("left")
     axes.invert_yaxis()
     for at in (-2.0, 2.0):
         axes.axvline(at, color=GREY, lw=0.6, ls="--")
@@ -138,9 +138,8 @@ def _residuals(found: Identification) -> Figure:
     places = curves or single
     columns = min(COLUMNS, len(places))
     rows = -(-len(places) // columns)
-    title = "what is not explained, with ± 2 deviations of the noise"
-    figure = new_figure(height=24.0 + ROW * rows, title=title)
-    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 14.0))
+    figure = new_figure(height=20.0 + ROW * rows)
+    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
     drawn = []
     for place, box in zip(places, boxes, strict=False):
         axes, best = add_axes(figure, box), found.explained
@@ -166,8 +165,9 @@ def _residuals(found: Identification) -> Figure:
         axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
         axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
         drawn.append(axes)
-    top_legend(figure, *drawn, above=TITLE)
-    return head(figure, _titled(found))
+    top_legend(figure, *drawn)
+    words = f"{_titled(found)}: what is not explained, with ± 2 deviations of the noise"
+    return head(figure, words)
 
 
 def _correlation(found: Identification) -> Figure:
