@@ -50,9 +50,7 @@ def _responses(found: Identification, place: int) -> Figure:
     chosen = [measurement.responses.index(one) for one in order][:MOST]
     columns = min(COLUMNS, len(chosen))
     rows = -(-len(chosen) // columns)
-    title = "measured, and the identified machine"
-    if len(chosen) < len(order):
-        title += f": {len(chosen)} of {len(order)} responses"
+    title = f"{len(chosen)} of {len(order)} responses" if len(chosen) < len(order) else ""
     figure = new_figure(height=26.0 + ROW * rows, title=title)
     boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 14.0))
     drawn = []
