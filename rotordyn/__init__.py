@@ -15,21 +15,43 @@ if TYPE_CHECKING:
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open
     from rotordyn.study import Goal, Limit, Span, optimise, sweep, write_report
+    from rotordyn.study.identification import (
+        AxialCurve,
+        AxialStiffness,
+        NoLoad,
+        Numbers,
+        Phase,
+        Predicted,
+        Responses,
+        StopMet,
+        Unknown,
+        identify,
+    )
     from rotordyn.study.run import run
     from rotordyn.study.sensitivity import sensitivities
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
 _MODULE_OF = {
+    "AxialCurve": "rotordyn.study.identification",
+    "AxialStiffness": "rotordyn.study.identification",
     "Case": "rotordyn.case.case",
     "Goal": "rotordyn.study",
     "InvalidInput": "rotordyn.errors",
-    "NoSolution": "rotordyn.errors",
     "Limit": "rotordyn.study",
+    "NoLoad": "rotordyn.study.identification",
+    "NoSolution": "rotordyn.errors",
+    "Numbers": "rotordyn.study.identification",
+    "Phase": "rotordyn.study.identification",
+    "Predicted": "rotordyn.study.identification",
+    "Responses": "rotordyn.study.identification",
     "Results": "rotordyn.job",
     "RotordynError": "rotordyn.errors",
     "Span": "rotordyn.study",
+    "StopMet": "rotordyn.study.identification",
+    "Unknown": "rotordyn.study.identification",
     "cases": "rotordyn.case.shipped",
+    "identify": "rotordyn.study.identification",
     "load": "rotordyn.case.read",
     "model": "rotordyn.case.model",
     "models": "rotordyn.case.shipped",
@@ -42,18 +64,28 @@ _MODULE_OF = {
     "write_report": "rotordyn.study",
 }
 __all__ = [
+    "AxialCurve",
+    "AxialStiffness",
     "Case",
     "Goal",
     "InvalidInput",
     "Limit",
+    "NoLoad",
     "NoSolution",
+    "Numbers",
+    "Phase",
+    "Predicted",
+    "Responses",
     "Results",
     "RotordynError",
     "Span",
+    "StopMet",
+    "Unknown",
     "__version__",
     "analyses",
     "cases",
     "errors",
+    "identify",
     "load",
     "machine",
     "model",

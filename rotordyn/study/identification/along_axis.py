@@ -4,7 +4,7 @@ and where a sleeve meets its stop."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -18,6 +18,7 @@ from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.scene.spec import acts_across
 from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.points import along_curve
 from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
@@ -127,6 +128,22 @@ class AxialCurve(_Axial):
             for branch in BRANCHES:
                 rows = np.flatnonzero((self.speed == speed) & (np.array(self.branch) == branch))
                 yield speed, branch, rows
+
+    def reduced(self, count: int) -> AxialCurve:
+        """The same by so many points of each branch at each speed, evenly along it."""
+        parts = [
+            rows[along_curve(self.force[rows], self.displacement[rows], count)]
+            for _, _, rows in self._curves()
+            if len(rows)
+        ]
+        rows = np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
+        return replace(
+            self,
+            speed=self.speed[rows],
+            branch=tuple(self.branch[k] for k in rows),
+            force=self.force[rows],
+            displacement=self.displacement[rows],
+        )
 
     @cached_property
     def data(self) -> Data:

@@ -10,16 +10,10 @@ import numpy as np
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.study.identification.along_axis import (
-    BRANCHES,
-    AxialCurve,
-    AxialStiffness,
-    NoLoad,
-    StopMet,
-)
+from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
-from rotordyn.study.identification.points import along_curve, read_points
+from rotordyn.study.identification.points import read_points
 from rotordyn.study.identification.responses import Responses
 
 Entry = Mapping[str, Any]
@@ -28,29 +22,13 @@ COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "
 
 def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
     numbers, words = read_points(beside / given["file"], COLUMNS)
-    speed, force, displacement = (numbers[key] for key in ("speed", "force", "displacement"))
-    branch, rows = np.array(words["branch"]), np.arange(len(speed))
-    if given["points"] is not None:
-        chosen = [
-            here[along_curve(force[here], displacement[here], given["points"])]
-            for one in sorted(set(speed.tolist()))
-            for way in BRANCHES
-            if len(here := np.flatnonzero((speed == one) & (branch == way)))
-        ]
-        rows = np.concatenate(chosen)
-    return AxialCurve(
+    whole = AxialCurve(
         name=name,
-        deviation=given["deviation"],
-        speed=speed[rows],
-        branch=tuple(branch[rows].tolist()),
-        force=force[rows],
-        displacement=displacement[rows],
-        of=given["of"],
-        tare=given["tare"],
-        drift=given["drift"],
-        lowest=given["lowest"],
-        highest=given["highest"],
+        branch=words["branch"],
+        **numbers,
+        **{key: given[key] for key in ("deviation", "of", "tare", "drift", "lowest", "highest")},
     )
+    return whole if given["points"] is None else whole.reduced(given["points"])
 
 
 def _no_load(name: str, given: Entry, _: Path) -> Measurement:

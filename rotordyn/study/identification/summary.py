@@ -177,8 +177,10 @@ def _points(best: Explained) -> list[Column]:
         for k in range(len(left)):
             values = (data.observed[k], predicted[k], explained[k], left[k])
             rows.append(
-                (data.name, data.series[k], f"{data.at[k]:.9g}", data.unit)
-                + tuple(f"{value * data.factor:.9g}" for value in values)
+                (
+                    *(data.name, data.series[k], f"{data.at[k]:.9g}", data.unit),
+                    *(f"{value * data.factor:.9g}" for value in values),
+                )
             )
     heads = (
         "measurement", "curve", "at", "unit", "measured", "machine", "with tare and drift", "left",

@@ -1,0 +1,57 @@
+"""Shaft and sleeves with dry friction: all forces at once, and followed from event to event."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.errors import NoSolution
+from rotordyn.preload.history import history
+from rotordyn.preload.play import axial
+from rotordyn.scene.scene import Scene
+from rotordyn.study.identification.along_axis import RPM
+
+FRONT, REAR = "spindle.sleeves.front.", "spindle.sleeves.rear."
+MACHINES = {
+    "as identified": {FRONT + "friction": 80.9},
+    "both sleeves rub": {FRONT + "friction": 150.0, REAR + "friction": 40.0},
+    "no friction, no stop": {FRONT + "stop_travel": np.inf},
+    "rear sleeve locked": {FRONT + "friction": 60.0, REAR + "spring.stiffness": np.inf},
+    "stops both ways": {FRONT + "stop_travel": 20e-6, REAR + "stop_travel": 45e-6},
+}
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_same_path_as_event_by_event(name: str) -> None:
+    case = rotordyn.vary(rotordyn.load("mfw2310"), MACHINES[name])
+    speed = np.array([4000.0, 20000.0]) * RPM
+    scene = Scene(case.spindle, case.conditions, speed)
+    path = history(scene.preload, 1900.0)
+    force = np.linspace(-1800.0, 1500.0, 7)
+    found = axial(scene.grounded, scene.law, speed)
+    rest = path.run_up()
+    for row, start in enumerate(rest):
+        assert not isinstance(start, str)
+        *_, top = path.loaded(row, start, [force[-1], force[0], force[-1]])
+        falling = path.loaded(row, top, force[-2::-1].tolist(), path.under(row, force[-1]))
+        rising = path.loaded(row, falling[-1], force[1:].tolist(), path.under(row, force[0]))
+        branches = found.cycle(row, force[::-1], force)
+        for states, shifts in zip(([top, *falling], [falling[-1], *rising]), branches, strict=True):
+            positions = np.array([state.x for state in states])
+            assert positions == pytest.approx(shifts, abs=2e-9)  # 2 nm of up to 100 µm
+
+
+def test_weight_shifts_what_is_rest() -> None:
+    """At rest without further force nothing has moved, whatever the static force."""
+    case = rotordyn.load("mfw2310")
+    for force in (0.0, -209.0):
+        found = axial(case.spindle, case.conditions.law, np.zeros(1), force)
+        assert found.shift == pytest.approx(0.0, abs=1e-12)
+
+
+def test_nothing_holds_the_shaft() -> None:
+    case = rotordyn.vary(rotordyn.load("mfw2310"), {FRONT + "stop_travel": np.inf})
+    found = axial(case.spindle, case.conditions.law, np.zeros(1))
+    with pytest.raises(NoSolution, match="no axial equilibrium under -100000 N"):
+        found.under(0, [-1e5])
