@@ -291,7 +291,8 @@ def main() -> None:
     for number in range(given.first, given.first + given.count):
         found.append(outcome(number))
         each = found[-1]
-        print({k: v for k, v in each.items() if k not in ("off", "inside")}, flush=True)
+        line = {k: v for k, v in each.items() if k not in ("off", "inside")}
+        print(line, flush=True)  # noqa: T201
     if given.count < COUNT:
         return
     inside = [flag for each in found for flag in each["inside"]]

@@ -1,8 +1,9 @@
-"""Writes the responses that cases/identification/grinding_spindle_taps.yaml reads: a spindle tapped by
-computation, at rest and at 6000 rpm.
+"""Writes the responses that cases/identification/grinding_spindle_taps.yaml reads: a spindle tapped
+by computation, at rest and at 6000 rpm.
 
-The machine is the grinding spindle of the library, made otherwise in seven numbers (``TRUE``). Real and
-imaginary part of every sample have noise of 2 % of its size; the coherence says so for ten averages.
+The machine is the grinding spindle of the library, made otherwise in seven numbers (``TRUE``). Real
+and imaginary part of every sample have noise of 2 % of its size; the coherence says so for ten
+averages.
 """
 
 from __future__ import annotations

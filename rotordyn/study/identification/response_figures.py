@@ -71,15 +71,15 @@ def _response(axes: Axes, found: Identification, place: int, k: int) -> None:
     left, predicted = best.left[place], best.fit.predicted[place]
     frequency = np.array(one.frequency)
     lines = (
-        (predicted + left, ".", GREY, "measured", {"ms": 2.4}),
-        (predicted, "-", BLUE, "the machine", {"lw": 1.0}),
-        (left, "-", ORANGE, "difference", {"lw": 0.6}),
+        (predicted + left, ".", GREY, "measured", 1.0),
+        (predicted, "-", BLUE, "the machine", 1.0),
+        (left, "-", ORANGE, "difference", 0.6),
     )
     high = 0.0
-    for values, look, colour, label, how in lines:
+    for values, look, colour, label, width in lines:
         size = np.hypot(*values[parts]) * data.factor
         high = max(high, float(size.max()))
-        axes.plot(frequency, size, look, color=colour, label=label, **how)
+        axes.plot(frequency, size, look, ms=2.4, lw=width, color=colour, label=label)
     noise = np.sqrt(2.0) * data.deviation[parts[0]] * data.factor
     axes.plot(frequency, noise, "--", lw=0.8, color=ORANGE, label="noise stated")
     axes.set_ylim(max(axes.get_ylim()[0], DEEP * high), 2.0 * high)

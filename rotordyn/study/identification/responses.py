@@ -287,10 +287,9 @@ class Blurred:
 
     @cached_property
     def _omega(self) -> dict[float, Complex]:
-        return {
-            speed: 2.0 * np.pi * (1.0 - 1j * self.share) * _across(self.of.of_speed(speed)[0])
-            for speed in self.of.speed
-        }
+        turn = 2.0 * np.pi * (1.0 - 1j * self.share)
+        each = {speed: _across(self.of.of_speed(speed)[0]) for speed in self.of.speed}
+        return {speed: np.asarray(turn * hertz, dtype=complex) for speed, hertz in each.items()}
 
     @cached_property
     def data(self) -> Data:

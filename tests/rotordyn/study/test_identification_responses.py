@@ -1,4 +1,4 @@
-"""The rotor from frequency responses: a twin, what wrong models show, one sentence for each fault."""
+"""The rotor from frequency responses: a twin, what wrong models show, a sentence for each fault."""
 
 from __future__ import annotations
 
@@ -218,7 +218,7 @@ def test_responses_of_another_length_are_refused(taps: Responses) -> None:
         real=second.real[:90],
         imaginary=second.imaginary[:90],
     )
-    with pytest.raises(InvalidInput, match="tail.y / tip.y at 0 rpm has 90 frequencies"):
+    with pytest.raises(InvalidInput, match=r"tail\.y / tip\.y at 0 rpm has 90 frequencies"):
         changed(taps, responses=(first, short, *rest))
     with pytest.raises(InvalidInput, match="given twice"):
         changed(taps, responses=(first, first))
@@ -240,7 +240,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
 
 def test_unknown_points_are_refused_before_anything_is_solved(taps: Responses) -> None:
     bare = replace(spindle(), points={"tip": 0.0})
-    with pytest.raises(InvalidInput, match="measurement taps: .*'tail'"):
+    with pytest.raises(InvalidInput, match=r"measurement taps: .*'tail'"):
         identify(case(bare), unknowns(0.1), [taps], workers=1)
 
 
@@ -276,7 +276,7 @@ def test_coherence_comes_with_its_response(tmp_path: Path) -> None:
         relative = Responses(name="taps", responses=(one,), averages=10)._relative(one)
         np.testing.assert_allclose(relative, 0.02, rtol=0.01)
     table.write_text("\n".join([head, *lines[:3], f"{FREQUENCY[3]:g},1,0.1,1.2"]) + "\n")
-    with pytest.raises(InvalidInput, match="coherence: given 1.2; allowed: from 0 to 1"):
+    with pytest.raises(InvalidInput, match=r"coherence: given 1\.2; allowed: from 0 to 1"):
         read_record(table, "tip.y / tip.y", None)
 
 
