@@ -18,7 +18,8 @@
 6. Its entry in files: a line in ``kinds``.
 7. If it likes: ``step``, of an unknown's scale, by which ``predicted`` is differentiated;
    ``blurred``, the same measurement seen less sharply, from the vaguest on, each with all of the
-   above: a search goes through them first; ``beside(trial)``, a ``Beside`` of the best machine.
+   above: a search goes through them first; ``carried``, how many numbers its points tell, where
+   these are fewer; ``beside(trial)``, a ``Beside`` of the best machine.
 
 The search knows nothing of kinds: it weighs differences by deviations, takes out ``columns`` by
 linear least squares, and differentiates ``predicted`` by small steps.

@@ -6,7 +6,7 @@ every peak is as wide as b, and machines whose frequencies lie far from those me
 them. So a search begins with ``blurred`` responses and ends with those measured, each sample
 weighed by its noise.
 
-Theory: docs/theory/identification.md#the-rotor-from-frequency-responses.
+Theory: docs/theory/rotor_from_responses.md.
 """
 
 from __future__ import annotations
@@ -186,6 +186,11 @@ class Responses:
         """A response by the modes of its speed (f,)."""
         place = self.of_speed(one.speed).index(one)
         return self.modes[one.speed].best.fit(2.0 * np.pi * np.array(one.frequency))[:, place]
+
+    @property
+    def carried(self) -> int:
+        """Real numbers that the modes fitted to it consist of."""
+        return sum(each.best.unknowns for each in self.modes.values())
 
     @property
     def blurred(self) -> tuple[Blurred, ...]:

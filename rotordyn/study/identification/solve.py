@@ -308,7 +308,7 @@ def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> No
 
 
 def _require_points(every: Sequence[Model], measurements: Sequence[Measurement]) -> None:
-    count = sum(len(each.data.observed) for each in measurements)
+    count = sum(getattr(each, "carried", len(each.data.observed)) for each in measurements)
     for model in every:
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:

@@ -244,6 +244,24 @@ def test_unknown_points_are_refused_before_anything_is_solved(taps: Responses) -
         identify(case(bare), unknowns(0.1), [taps], workers=1)
 
 
+def test_more_unknowns_than_modes_carry_are_refused(taps: Responses) -> None:
+    """Below the first mode one pole says all: 2 numbers, and 3 of its residue and a constant."""
+    one = taps.responses[0]
+    inside = [k for k, f in enumerate(one.frequency) if f < 240.0]
+    parts = ("frequency", "real", "imaginary")
+    cut = replace(one, **{name: tuple(getattr(one, name)[k] for k in inside) for name in parts})
+    of = Responses(name="taps", responses=(cut,), noise=0.02)
+    assert of.carried < 10
+    sections = spindle().shaft.sections
+    asked = dict(unknowns(0.1))
+    for k, part in enumerate(sections):
+        path = f"spindle.shaft.sections.s{k}."
+        asked[path + "length"] = Unknown(0.9 * part.length, 1.1 * part.length)
+        asked.setdefault(path + "outer_diameter", Unknown(0.6 * OUTER[k], 1.5 * OUTER[k]))
+    with pytest.raises(InvalidInput, match=f"12 unknowns, but the measurements have {of.carried}"):
+        identify(case(spindle()), asked, [of], workers=1)
+
+
 def test_coherence_comes_with_its_response(tmp_path: Path) -> None:
     """Of a UFF file that of the same points; of a table its column. √((1 − γ²)/(2 n γ²)) of ten
     averages and γ² = 0.9921 is 2 %."""
