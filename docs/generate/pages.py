@@ -12,6 +12,12 @@ from docs.generate.choices import choice_table, linear_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.heat_rows import heat_table, published_heat_table
+from docs.generate.identified import (
+    draw_identified,
+    identified_table,
+    predicted_table,
+    twins_table,
+)
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, omitted
 from docs.generate.marked import rewrite, table
@@ -87,6 +93,18 @@ def write_benchmarks() -> None:
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
 
 
+def write_identified() -> None:
+    """The flagship identified anew, with its figures."""
+    fresh = {"identified": identified_table(), "predicted": predicted_table()}
+    rewrite(DOCS / "mfw2310.md", fresh)
+    draw_identified()
+
+
+def write_twins() -> None:
+    """Random twins, as measured last."""
+    rewrite(THEORY / "identification.md", {"twins": twins_table(measured()["identification"])})
+
+
 def write_outputs() -> None:
     """What commands and code of the pages print, and figures of their runs."""
     with tempfile.TemporaryDirectory() as folder:
@@ -103,6 +121,8 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,
     "docs/mfw2310.md": write_flagship,
+    "docs/mfw2310.md, identified anew": write_identified,
+    "docs/theory/identification.md": write_twins,
     "docs/accuracy.md": write_accuracy,
     "README.md, docs/tutorial, docs/howto, docs/reference": write_outputs,
 }

@@ -24,7 +24,7 @@ GROUPS = {
     "How to": _in(
         "howto",
         "bearing_data preload compare studies optimum report measured_frf measured_spindle life "
-        "stability_lobes hypotheses intervals editor",
+        "stability_lobes hypotheses intervals identification editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),

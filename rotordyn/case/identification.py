@@ -17,6 +17,7 @@ from rotordyn.quantity import (
     Rigidity,
     Share,
     Speed,
+    Travel,
     Whole,
 )
 
@@ -50,10 +51,10 @@ class AxialCurveEntry:
 
     kind: Annotated[str, "`axial curve`"]
     file: Annotated[str, "CSV file, beside this one"]
-    deviation: Annotated[Growth, "standard deviation of the noise"]
+    deviation: Annotated[Travel, "standard deviation of the noise"]
     of: Annotated[str, "`shaft`, or the name of a sleeve"] = "shaft"
-    tare: Annotated[Growth, "standard deviation of an offset of each speed"] = 0.0
-    drift: Annotated[Growth, "of what grows evenly along the curve of each speed"] = 0.0
+    tare: Annotated[Travel, "standard deviation of an offset of each speed"] = 0.0
+    drift: Annotated[Travel, "of what grows evenly along the curve of each speed"] = 0.0
     points: Annotated[
         Annotated[int, Whole(2, 100_000)] | None,
         "evenly along each branch, force and displacement by their ranges; by default all",
@@ -67,11 +68,11 @@ class NoLoadEntry:
     """Displacement without axial force over speed, `kind: no load`."""
 
     kind: Annotated[str, "`no load`"]
-    deviation: Annotated[Growth, "standard deviation of the noise"]
+    deviation: Annotated[Travel, "standard deviation of the noise"]
     speeds: Annotated[Speeds, Items(), "of the points"]
     displacements: Annotated[Lengths, Items(), "towards +x, from rest, at each speed"]
     of: Annotated[str, "`shaft`, or the name of a sleeve"] = "shaft"
-    tare: Annotated[Growth, "standard deviation of an offset of all points"] = 0.0
+    tare: Annotated[Travel, "standard deviation of an offset of all points"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +95,7 @@ class StopEntry:
     """A sleeve that just meets its stop, `kind: stop met`."""
 
     kind: Annotated[str, "`stop met`"]
-    deviation: Annotated[Growth, "standard deviation of the way of the sleeve"]
+    deviation: Annotated[Travel, "standard deviation of the way of the sleeve"]
     sleeve: Annotated[Name, "that meets its stop"]
     speed: Annotated[Speed, "at which it does"]
     force: Annotated[Force | None, "at which it does, on the falling branch; none: at idle"] = None

@@ -68,6 +68,13 @@ class _Axial:
         return SHAFT
 
 
+def _as_arrays(measurement: Any, *names: str) -> None:
+    """Turn fields that may be given as lists into arrays."""
+    for name in names:
+        values = np.atleast_1d(np.asarray(getattr(measurement, name), dtype=float))
+        object.__setattr__(measurement, name, values)
+
+
 def _row(trial: Trial, speed: float) -> int:
     return int(np.abs(np.array(trial.axial_speeds) - speed).argmin())
 
@@ -99,6 +106,7 @@ class AxialCurve(_Axial):
     highest: float | None = None
 
     def __post_init__(self) -> None:
+        _as_arrays(self, "speed", "force", "displacement")
         for word in sorted(set(self.branch) - {*BRANCHES}):
             raise InvalidInput(
                 f"measurement {self.name}: branch {shown(word)}; allowed: {', '.join(BRANCHES)}"
@@ -211,6 +219,7 @@ class NoLoad(_Axial):
     tare: float = 0.0
 
     def __post_init__(self) -> None:
+        _as_arrays(self, "speed", "displacement")
         _require_speeds(self.name, self.speed)
         if len(self.speed) != len(self.displacement) or len(set(self.speed)) < len(self.speed):
             raise InvalidInput(f"measurement {self.name}: one displacement at each speed is needed")
@@ -264,7 +273,10 @@ class AxialStiffness(_Axial):
     about: float = 0.0
 
     def __post_init__(self) -> None:
+        _as_arrays(self, "speed", "stiffness")
         _require_speeds(self.name, self.speed)
+        if len(self.speed) != len(self.stiffness):
+            raise InvalidInput(f"measurement {self.name}: one stiffness at each speed is needed")
         if self.branch not in BRANCHES:
             raise InvalidInput(
                 f"measurement {self.name}: branch {shown(self.branch)}; allowed: "

@@ -43,6 +43,8 @@ class Numbers:
     nearest: bool = False
 
     def __post_init__(self) -> None:
+        for name in ("speed", "values"):
+            object.__setattr__(self, name, np.atleast_1d(np.asarray(getattr(self, name), float)))
         if len(self.speed) != len(self.values):
             raise InvalidInput(f"measurement {self.name}: one value at each speed is needed")
         if len(set(self.speed.tolist())) < len(self.speed) and not self.nearest:

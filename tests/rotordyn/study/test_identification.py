@@ -208,18 +208,19 @@ def test_prior_joins_the_data(case: Case) -> None:
 def test_prediction_follows_what_was_measured(case: Case) -> None:
     """One unknown by one measured number: its prediction has the interval of the measurement."""
     plain = replace(case, analyses={"preload": case.analyses["preload"]}, speeds=(24000.0 * RPM,))
-    asked = {REAR + "spring.preload": Unknown("150 N", "1100 N")}
+    plain = rotordyn.vary(plain, {FRONT + "stop_travel": np.inf})
+    asked = {REAR + "spring.preload": Unknown("450 N", "650 N")}
     load = Numbers(
         name="load",
         of="preload: sum",
         speed=np.array([24000.0]) * RPM,
-        values=np.array([2380.0]),
+        values=np.array([2190.0]),
         deviation=20.0,
         unit="N",
     )
     found = identify(plain, asked, [load], predict=[Predicted("preload: sum")], workers=1)
     (one,), sure = found.predictions, found.explained.sure
-    assert one.value == pytest.approx(2380.0, abs=0.1)
+    assert one.value == pytest.approx(2190.0, abs=0.1)
     assert 0.5 * (one.high - one.low) == pytest.approx(sure.quantile * 20.0, rel=1e-2)
 
 

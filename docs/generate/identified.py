@@ -1,0 +1,116 @@
+"""The MFW 2310 identified anew, beside its thesis and what was measured; random twins."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from docs.generate.marked import table
+from docs.generate.pictures import keep_figure
+from docs.generate.places import ROOT
+from rotordyn.job import solve
+from rotordyn.study.identification import Identification
+from rotordyn.study.identification.read import read_identification
+from rotordyn.study.identification.solve import identified
+
+STUDY = ROOT / "cases" / "identification" / "mfw2310.yaml"
+# D. Noël, doctoral thesis, 2013, table 3.7, and what was measured there.
+THESIS = {
+    "P1": "574",
+    "P2": "528",
+    "Kp1": "6.20",
+    "Kp2": "5.49",
+    "stop": "52.2",
+    "Δu0": "43.2",
+    "fo": "0.571",
+    "friction": "80.9",
+    "Δu24 − Δu0": "7.3",
+    "shift c": "−0.305",
+    "shift d e": "−42.8",
+}
+NOTES = {
+    "P1": "sum 1200 N, friction in it",
+    "Kp1": "sum 12.0 N/µm beyond unloading",
+    "friction": "half of the loop",
+    "shift c": "−4.37 by 3D finite elements",
+    "shift d e": "−32.8 by 3D finite elements",
+}
+MODES = ((4000, "1000–1150"), (24000, "910–920"))
+
+
+@cache
+def anew() -> Identification:
+    """The study solved."""
+    return identified(read_identification(STUDY), workers=1)
+
+
+def identified_table() -> str:
+    """Thesis, ours with intervals, measured."""
+    best = anew().explained
+    rows = []
+    for unknown, word in zip(best.problem.unknowns, best.sure.words, strict=True):
+        k = best.problem.unknowns.index(unknown)
+        value = unknown.shown(float(best.sure.values[k]))
+        low, high = (unknown.shown(float(end)) for end in best.sure.interval[k])
+        ours = f"{_plain(value)} ({_plain(low)} to {_plain(high)})"
+        name = unknown.heading.replace("um", "µm")
+        rows.append((name, THESIS[unknown.name], ours, word, NOTES.get(unknown.name, "")))
+    return table(("", "thesis, phase 6:", "ours (95 %):", "", "measured, or known"), rows)
+
+
+def predicted_table() -> str:
+    """What was measured, beside thesis and our machine."""
+    found, rows = anew(), []
+    best = found.explained
+    for measurement, left in zip(best.problem.measurements, best.left, strict=True):
+        data = measurement.data
+        if len(left) > 1:
+            continue
+        observed = float(data.observed[0]) * data.factor
+        machine = observed - float(left[0]) * data.factor
+        noise = float(data.deviation[0]) * data.factor
+        rows.append(
+            (f"{data.name} [{data.unit}]", f"{_plain(observed)} ± {noise:g}", _plain(machine))
+        )
+    for each in found.predictions:
+        measured = "" if each.measured is None else _plain(each.measured)
+        value = f"{_plain(each.value)} ({_plain(each.low)} to {_plain(each.high)})"
+        rows.append((f"predicted: {each.name} [{each.unit}]", measured, value))
+    frequency = solve(found.best).results["campbell"]
+    for k, (rpm, measured) in enumerate(MODES):
+        row = np.asarray(frequency.frequency[k])
+        bending = [str(name).startswith("bending") for name in frequency.mode]
+        values = sorted(row[np.array(bending) & np.isfinite(row)].tolist())[:4]
+        words = ", ".join(f"{value:.0f}" for value in values)
+        rows.append((f"lowest bending modes at {rpm} rpm [Hz]", f"{measured} (dominant)", words))
+    return table(("", "measured:", "our machine:"), rows)
+
+
+def _plain(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")
+
+
+def draw_identified() -> None:
+    """Figures of the study."""
+    for name in ("measured", "correlation"):
+        keep_figure(anew().plot(name), f"mfw2310_identified_{name}")
+
+
+def twins_table(found: dict[str, Any]) -> str:
+    """What random twins showed, as measured last."""
+    names = ("P1", "P2", "Kp1", "Kp2", "stop", "friction", "Δu0", "Δu24", "fo")
+    covered = ", ".join(f"{n} {k}" for n, k in zip(names, found["covered"], strict=True))
+    rows = [
+        ("values within their 95 % interval", covered),
+        ("radial stiffness at 24 000 rpm within 2 %", str(found["stiffness within 2 %"])),
+        ("largest difference of that", f"{100.0 * found['stiffness off']:.1f} %"),
+        ("true hypothesis survives", str(found["true survives"])),
+        ("a false one (kinematics or sharing) survives too", str(found["false survives"])),
+        (
+            "seconds of one fit, median and longest",
+            f"{found['seconds']:.1f}, {found['longest']:.0f}",
+        ),
+    ]
+    return table((f"of {found['twins']} twins", ""), rows)
