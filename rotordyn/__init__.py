@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rotordyn.study.identification import (
         AxialCurve,
         AxialStiffness,
+        Modes,
         NoLoad,
         Numbers,
         Phase,
@@ -39,6 +40,7 @@ _MODULE_OF = {
     "Goal": "rotordyn.study",
     "InvalidInput": "rotordyn.errors",
     "Limit": "rotordyn.study",
+    "Modes": "rotordyn.study.identification",
     "NoLoad": "rotordyn.study.identification",
     "NoSolution": "rotordyn.errors",
     "Numbers": "rotordyn.study.identification",
@@ -70,6 +72,7 @@ __all__ = [
     "Goal",
     "InvalidInput",
     "Limit",
+    "Modes",
     "NoLoad",
     "NoSolution",
     "Numbers",

@@ -9,7 +9,9 @@ from typing import Annotated, Any
 from rotordyn.analyses.measured_response import MeasuredResponse
 from rotordyn.quantity import (
     Choice,
+    DampingRatio,
     Force,
+    Frequency,
     Growth,
     Items,
     Key,
@@ -144,6 +146,23 @@ class ResponsesEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class ModesEntry:
+    """Frequencies and dampings of bending modes over speed, `kind: modes`."""
+
+    kind: Annotated[str, "`modes`"]
+    speeds: Annotated[Speeds, Items(), "of the modes, one for each"]
+    frequencies: Annotated[tuple[Frequency, ...], Items(), "without damping, |λ|/2π"]
+    deviation: Annotated[Share, "standard deviation of frequencies, over each"]
+    dampings: Annotated[tuple[DampingRatio, ...] | None, Items(), "ratios"] = None
+    damping_deviation: Annotated[Share | None, "of dampings, over each"] = None
+    whirls: Annotated[
+        tuple[Annotated[str, Choice(("forward", "backward"))], ...] | None,
+        Items(),
+        "which way each whirls; else the nearest frequency counts",
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
 class PhaseEntry:
     """A model of a story: which unknowns it seeks, what it holds."""
 
@@ -201,4 +220,5 @@ KINDS: dict[str, type] = {
     "stop met": StopEntry,
     "numbers": NumbersEntry,
     "frequency responses": ResponsesEntry,
+    "modes": ModesEntry,
 }

@@ -11,6 +11,7 @@ import numpy as np
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
+from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.points import read_points
@@ -83,6 +84,19 @@ def _responses(name: str, given: Entry, _: Path) -> Measurement:
     )
 
 
+def _modes(name: str, given: Entry, _: Path) -> Measurement:
+    dampings = given["dampings"]
+    return Modes(
+        name=name,
+        speed=np.array(given["speeds"]),
+        frequency=np.array(given["frequencies"]),
+        deviation=given["deviation"],
+        damping=None if dampings is None else np.array(dampings),
+        damping_deviation=given["damping_deviation"],
+        whirl=tuple(given["whirls"] or ()),
+    )
+
+
 MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
     "axial curve": _axial_curve,
     "no load": _no_load,
@@ -90,4 +104,5 @@ MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
     "stop met": _stop_met,
     "numbers": _numbers,
     "frequency responses": _responses,
+    "modes": _modes,
 }

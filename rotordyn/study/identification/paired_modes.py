@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FAR = 0.2  # of a frequency: as far apart as modes of MAC 0
+SWINGS = 1e-3  # Im λ over |λ| below which nothing swings
 APART = 0.5  # ln of frequencies beyond which two modes are no pair
 SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no mode
 DAMPED = 0.3  # damping ratio above which it is none
@@ -119,7 +120,7 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
     pole, residue = _merged(pole, residue)
     mac = _mac(shape, residue)
     apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
-    rows, columns = _assigned(apart / FAR + 1.0 - mac, apart)
+    rows, columns = assigned(apart / FAR + 1.0 - mac, apart)
     partner = dict(zip(rows, columns, strict=True))
     for k in np.argsort(known.imag).tolist():
         j = partner.get(k)
@@ -159,7 +160,7 @@ def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Compl
         poles.append(motions.pole[0])
         residues.append(((rows[0] @ motions.vector[0]) * (motions.left[0] @ rows[1].T).T).T)
     pole, residue = np.concatenate(poles), np.concatenate(residues)
-    swings = np.isfinite(pole) & (pole.imag > 1e-3 * np.abs(pole))
+    swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
     return pole[swings], residue[swings]
 
 
@@ -187,7 +188,8 @@ def _mac(one: Complex, other: Complex) -> Array:
     return np.asarray(across / np.maximum(np.outer(*sizes), 1e-300))
 
 
-def _assigned(cost: Array, apart: Array) -> tuple[list[int], list[int]]:
+def assigned(cost: Array, apart: Array) -> tuple[list[int], list[int]]:
+    """Rows and columns of the pairs of least cost, none farther ``apart`` than ``APART``."""
     from scipy.optimize import linear_sum_assignment
 
     rows, columns = linear_sum_assignment(np.where(apart > APART, 1e3, cost))
