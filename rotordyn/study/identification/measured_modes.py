@@ -17,7 +17,7 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.paired_modes import FAR, SWINGS, assigned
-from rotordyn.study.identification.trial import Trial
+from rotordyn.study.identification.trial import Trial, require_all_speeds
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -108,7 +108,7 @@ class Modes:
         with linear_algebra_alone():
             assert trial.case.spindle is not None, "asked for by faults"
             scene = Scene(trial.case.spindle, trial.case.conditions, each, highest)
-            scene.require_solution()
+            require_all_speeds(scene)
             for row, speed in enumerate(each):
                 here = np.flatnonzero(self.speed == speed)
                 pole = self._paired(here, *_bending(scene, row))
@@ -131,8 +131,7 @@ class Modes:
 
 def _bending(scene: Scene, row: int) -> tuple[Complex, Array]:
     """Poles that swing in bending at a speed, and their whirl (k,)."""
-    at = np.flatnonzero(scene.usable == row)
-    every = [scene.system(k).at(at) for k in scene.with_motions(("bending",))]
+    every = [scene.system(k).at(np.array([row])) for k in scene.with_motions(("bending",))]
     pole = np.concatenate([motions.pole[0] for motions in every])
     whirl = np.concatenate([motions.whirl[0] for motions in every])
     swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))

@@ -147,7 +147,7 @@ def _said(pole: complex, mac: float) -> tuple[float, float, float]:
 def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Complex]:
     """Poles (k,) that swing and their residues (k, pairs) in the responses of a speed."""
     scene = of.scene(trial)
-    at = np.flatnonzero(scene.usable == of.speed.index(speed))
+    at = np.array([of.speed.index(speed)])
     every = of.of_speed(speed)
     poles, residues = [], []
     owned = [of.owners(scene, one) for one in every]

@@ -30,7 +30,7 @@ from rotordyn.results.display import RPM, is_rotation
 from rotordyn.scene.scene import Scene
 from rotordyn.study.identification.measurement import Beside, Data
 from rotordyn.study.identification.paired_modes import beside
-from rotordyn.study.identification.trial import Trial
+from rotordyn.study.identification.trial import Trial, require_all_speeds
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -233,14 +233,15 @@ class Responses:
         assert spindle is not None, "asked for by faults"
         places = {spindle.place(p.point) for one in self.responses for p in _ports(one)}
         highest = max(one.frequency[-1] for one in self.responses)
-        ports = tuple(sorted(places))
-        return Scene(spindle, case.conditions, np.array(self.speed), highest, ports)
+        speed, ports = np.array(self.speed), tuple(sorted(places))
+        scene = Scene(spindle, case.conditions, speed, highest, ports)
+        require_all_speeds(scene)
+        return scene
 
     def computed(self, trial: Trial, omega: Mapping[float, Any]) -> dict[float, dict[str, Complex]]:
         """Receptances by speed and pair, at angular frequencies of every speed (f,)."""
         with linear_algebra_alone():
             scene = self.scene(trial)
-            scene.require_solution()
             return {s: self._at(scene, row, s, omega[s]) for row, s in enumerate(self.speed)}
 
     def _at(
@@ -253,7 +254,7 @@ class Responses:
             found[one.pair] = np.zeros(len(omega), dtype=complex)
             if owners[0] == owners[1]:
                 systems.setdefault(owners[0], []).append(one)
-        at = np.flatnonzero(scene.usable == row)
+        at = np.array([row])
         for k, every in systems.items():
             rows = np.array([self.rows(scene, k, one) for one in every])
             values = scene.system(k).at(at).receptance(np.asarray(omega), rows[:, 0], rows[:, 1])[0]
@@ -356,7 +357,7 @@ def _deviation(relative: Array, values: Complex) -> Array:
 
 def _unit(responses: tuple[MeasuredResponse, ...]) -> tuple[str, float]:
     turned = {is_rotation(port.direction) for one in responses for port in _ports(one)}
-    return ("SI", 1.0) if True in turned else ("µm/N", 1e6)
+    return ("", 1.0) if True in turned else ("µm/N", 1e6)
 
 
 def _series(one: MeasuredResponse) -> list[str]:
