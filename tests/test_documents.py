@@ -54,7 +54,7 @@ GENERATED = OUTPUTS | {
         *("identified", "predicted"),
     },
     "docs/theory/identification.md": {"twins"},
-    "docs/theory/rotor_from_responses.md": {"rotor-twins"},
+    "docs/theory/rotor_from_responses.md": {"identified-rotors"},
     "docs/benchmarks.md": {
         *(
             "machine",

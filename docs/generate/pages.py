@@ -79,7 +79,7 @@ def write_heat() -> None:
 
 def write_rotor_twins() -> None:
     """Random rotors identified from their responses."""
-    fresh = {"rotor-twins": rotor_twins(measured()["rotor_twins"])}
+    fresh = {"identified-rotors": rotor_twins(measured()["rotor_twins"])}
     rewrite(THEORY / "rotor_from_responses.md", fresh)
 
 
