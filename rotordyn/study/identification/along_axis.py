@@ -312,11 +312,9 @@ class AxialStiffness(_Axial):
         found = []
         for speed in self.speed.tolist():
             forces = self.about + np.array([-self.near, self.near])
-            none = np.empty(0)
-            falling = self.branch == BRANCHES[0]
-            asked = (forces[::-1], none) if falling else (none, forces)
-            branches = trial.cycle(_row(trial, speed), *asked, self.lowest, self.highest)
-            u = branches[0 if falling else 1][:, 0]
+            row, ends = _row(trial, speed), (self.lowest, self.highest)
+            falling, rising = trial.cycle(row, forces[::-1], forces, *ends)
+            u = (falling if self.branch == BRANCHES[0] else rising)[:, 0]
             if u[1] == u[0]:
                 raise NoSolution("the shaft does not move under an axial force")
             found.append(2.0 * self.near / abs(u[1] - u[0]))

@@ -123,8 +123,8 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
     axes.barh(np.arange(len(names)), values, color=BLUE, height=0.6)
     axes.set_yticks(np.arange(len(names)), names, fontsize=FONT_SIZE - 2.5)
     axes.invert_yaxis()
-    for at in (-2.0, 2.0):
-        axes.axvline(at, color=GREY, lw=0.6, ls="--")
+    for end in (-2.0, 2.0):
+        axes.axvline(end, color=GREY, lw=0.6, ls="--")
     widest = max(3.0, *(abs(value) for value in values))
     axes.set_xlim(-1.1 * widest, 1.1 * widest)
     axes.axvline(0.0, color=BLACK, lw=0.6)

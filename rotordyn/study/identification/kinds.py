@@ -26,7 +26,9 @@ def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
     whole = AxialCurve(
         name=name,
         branch=words["branch"],
-        **numbers,
+        speed=numbers["speed"],
+        force=numbers["force"],
+        displacement=numbers["displacement"],
         **{key: given[key] for key in ("deviation", "of", "tare", "drift", "lowest", "highest")},
     )
     return whole if given["points"] is None else whole.reduced(given["points"])

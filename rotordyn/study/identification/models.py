@@ -50,7 +50,7 @@ def models(
     InvalidInput : a path or value that cannot be, an unknown that is none, too many models
     """
     for path, values in hypotheses.items():
-        if isinstance(values, str) or not isinstance(values, Sequence) or not len(values):
+        if isinstance(values, str) or not len(values):
             raise InvalidInput(f"{path}: a list of values is needed, got {shown(values)}")
         if not found_at(case, path):
             vary(case, {path: values[0]})  # which says where the path goes astray

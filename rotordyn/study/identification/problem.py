@@ -133,7 +133,7 @@ class Problem:
         """Differences from priors over their deviations (p,); 0 without one."""
         pairs = zip(self.unknowns, values.tolist(), strict=True)
         return np.array(
-            [0.0 if u.deviation is None else (u.prior - v) / u.deviation for u, v in pairs]  # type: ignore[operator]
+            [0.0 if u.deviation is None else (u.prior - v) / u.deviation for u, v in pairs]
         )
 
     @property

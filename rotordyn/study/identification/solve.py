@@ -43,7 +43,6 @@ from rotordyn.study.parameter import is_whole
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 SURVIVES = 6.0  # difference of BIC up to which a model is kept
@@ -212,15 +211,14 @@ class Identification:
 
         return summary(self)
 
-    def plot(self, name: str) -> Figure:
+    def plot(self, name: str) -> Any:
         """A figure by its name; ``figures`` lists them."""
         from rotordyn.study.identification.figures import figures
 
         known = dict(figures(self))
         if name not in known:
             raise InvalidInput(f"no figure {shown(name)}; allowed: {', '.join(known)}")
-        drawn: Figure = known[name]()
-        return drawn
+        return known[name]()
 
     @property
     def figures(self) -> list[str]:

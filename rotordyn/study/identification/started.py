@@ -163,9 +163,9 @@ def _read(path: Path, signature: str) -> dict[tuple[int, int], Search]:
                 "folder, or remove that one"
             )
         found = [
-            Search(**{k: tuple(v) if isinstance(v, list) else v for k, v in line.items()})
+            Search(**line | {"number": tuple(line["number"]), "values": tuple(line["values"])})
             for line in lines
         ]
-    except (ValueError, TypeError):
+    except (ValueError, TypeError, KeyError):
         raise InvalidInput(f"{path}: is no record of searches: choose another folder") from None
     return {each.number: each for each in found}

@@ -90,7 +90,7 @@ def sought(case: Case, asked: Mapping[str, Unknown]) -> tuple[Sought, ...]:
     ------
     InvalidInput : a path that leads nowhere or to no number, ends or a prior that cannot be
     """
-    if not isinstance(asked, Mapping) or not asked:
+    if not asked:
         raise InvalidInput("nothing is unknown: map at least one dotted path to its ends")
     found = [_sought(case, path, each) for path, each in asked.items()]
     names = [each.name for each in found]
