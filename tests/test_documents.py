@@ -50,7 +50,7 @@ GENERATED = OUTPUTS | {
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {
-        *("bearings", "comparison", "left-out", "rest", "speed"),
+        *("axial", "bearings", "comparison", "left-out", "phases", "rest", "speed"),
         *("identified", "predicted"),
     },
     "docs/theory/identification.md": {"twins"},
