@@ -13,10 +13,10 @@ from docs.generate.marked import table
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
-from rotordyn.case.keys import Range, extra, keys_of
-from rotordyn.case.schema import about, title
 from rotordyn.case.identification import KINDS as MEASURED
 from rotordyn.case.identification import IdentificationFile
+from rotordyn.case.keys import Range, extra, keys_of
+from rotordyn.case.schema import about, title
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.field import Field, descriptions
 from rotordyn.machine.reference import Reference

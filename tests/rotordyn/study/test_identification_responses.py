@@ -162,7 +162,7 @@ def test_sections_and_dampings_from_modes_alone() -> None:
 
 
 def test_modes_are_paired_by_their_whirl() -> None:
-    """A backward one, higher by most of the way to the forward one, is nearer to the forward one, and still the backward one;
+    """A backward one, most of the way to the forward one, is nearer to that and still the backward;
     elements of another fineness move both by 1e-5."""
     scene = Scene(spindle(), Conditions(), np.array([700.0]), 2500.0)
     found = scene.system(scene.with_motions(("bending",))[0])
