@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 import time
 from dataclasses import replace
 from typing import Any
@@ -125,7 +126,8 @@ def main() -> None:
             found[number] = twin(number)
             with FILE.open("a") as file:
                 file.write(json.dumps(found[number]) + "\n")
-        print(_said(list(found.values())), flush=True)
+        sys.stdout.write(_said(list(found.values())) + "\n")
+        sys.stdout.flush()
     keep("identification", **_summed(list(found.values())))
 
 

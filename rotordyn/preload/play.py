@@ -251,8 +251,8 @@ class Axial:
     """A machine run up from rest through ``speed`` [rad/s], under the static ``force`` [N].
 
     ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
-    preloads alone, ``still`` under that force too; ``idle`` (speeds, bodies): at every speed after
-    the run-up [m].
+    preloads alone, ``still`` under that force and at the temperatures, too; ``idle`` (speeds,
+    bodies): at every speed after the run-up [m].
     """
 
     bodies: tuple[str, ...]
@@ -329,7 +329,9 @@ def axial(
     tables = tables or Tables()
     resting, moving = tables.of(at_rest(joined))[0], tables.of(joined)
     still = _resting(joined, resting)
-    rest = _instant(spindle, at_rest(joined), 0, resting, still, without_stop)
+    standing = arrangement(spindle, np.zeros(1), force, law, temperatures)
+    warm = tables.of(standing)[0]
+    rest = _instant(spindle, standing, 0, warm, still, without_stop)
     states = [rest.solved(np.array([force]), still)[0]]
     instants = []
     for row, curves in enumerate(moving):

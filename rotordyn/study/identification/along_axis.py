@@ -53,6 +53,8 @@ class _Axial:
             return
         if acts_across(spindle, case.conditions):
             yield f"measurement {self.name}: takes no loads across the axis: leave them out"
+        if case.conditions.history:
+            yield f"measurement {self.name}: is run up from rest: leave out the history"
         if case.conditions.heat_flow is not None:
             yield f"measurement {self.name}: takes no heat flow: give temperatures"
         body = self._body

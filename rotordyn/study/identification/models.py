@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at
+from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
+from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.study.identification.unknown import Sought
+from rotordyn.units import parse_unit
 
 MOST = 200
 
@@ -82,7 +85,20 @@ def _model(
     held = {each.path for each in wanted} & {*phase.values}
     if held:
         raise InvalidInput(f"phase {name}: {min(held)} is sought and held: one of both")
-    words = [f"{path.rsplit('.', 1)[-1]} {value}" for path, value in chosen.items()]
+    words = [_said(case, path, value) for path, value in chosen.items()]
     label = ", ".join(part for part in (name, *words) if part) or "the case"
     holds = {**phase.values, **chosen}
     return Model(label, vary(case, holds), wanted, holds)
+
+
+def _said(case: Case, path: str, value: Any) -> str:
+    """A hypothesis in a few words."""
+    name = path.rsplit(".", 1)[-1].replace("_", " ")
+    quantity = quantity_of(found_at(case, path)[0][1])
+    if quantity is None or not isinstance(value, float | int):
+        return f"{name} {value}"
+    if math.isinf(value):
+        return f"{name} {quantity.infinite or value}"
+    unit = usual_unit(quantity, [float(value)])
+    scale = parse_unit(unit).scale if unit else 1.0
+    return f"{name} {value / scale:.4g} {unit}".rstrip()

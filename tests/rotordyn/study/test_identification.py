@@ -170,7 +170,7 @@ def test_hypotheses_are_ranked(case: Case) -> None:
         hypotheses={FRONT + "friction": [0.0, 80.9]},
         workers=1,
     )
-    assert found.surviving == ["friction 80.9"]
+    assert found.surviving == ["friction 80.9 N"]
     assert found.evidence[1] > 100.0
     assert "no machine" not in found.summary
 
