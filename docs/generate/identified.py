@@ -113,4 +113,4 @@ def twins_table(found: dict[str, Any]) -> str:
             f"{found['seconds']:.1f}, {found['longest']:.0f}",
         ),
     ]
-    return table((f"of {found['twins']} twins", ""), rows)
+    return table((f"of {found['twins']} machines", ""), rows)

@@ -1,4 +1,4 @@
-"""How sure identified values are: intervals, what data cannot tell apart, ends that bind.
+"""How sure identified values are: intervals, what data cannot separate, ends that bind.
 
 Covariance from the derivatives at the best machine, (JᵀJ)⁻¹, with priors as rows; where residuals
 are larger than the stated noise it is scaled up by their χ² over the degrees of freedom (R. Birge,
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 COVERED = 0.95
 BINDING = 1e-3  # of the way between ends: an unknown that near stands on one
-VAGUE = 0.5  # of what was known before: a deviation above tells nothing
+VAGUE = 0.5  # of what was known before: a deviation above says nothing
 BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
 PART = 0.2  # of the largest part of a direction: named
 TIED = 0.95  # correlation from which two unknowns are named together
@@ -39,7 +39,7 @@ BY_ITS_PRIOR = "known by its prior alone"
 class Certainty:
     """``deviation`` (p,) and ``interval`` (p, 2) of the unknowns [SI] at 95 %, their ``covariance``
     over scales (p, p), rows of those on a bound 0; ``words`` of each; ``singular`` values (q,) and
-    ``directions`` (q, p) that the data do not tell, softest first; ``degrees`` of freedom,
+    ``directions`` (q, p) that the data do not determine, softest first; ``degrees`` of freedom,
     ``birge``: factor of all deviations."""
 
     values: Array
@@ -120,7 +120,7 @@ def _inverse(rows: Array) -> Array:
 
 
 def _soft(data: Array, free: Flags, birge: float) -> tuple[Array, Array]:
-    """Singular values and directions (q, p) along which data tell less than was known before."""
+    """Singular values and directions (q, p) along which data say less than was known before."""
     if not data.shape[1]:
         return np.empty(0), np.empty((0, len(free)))
     _, singular, v = np.linalg.svd(data, full_matrices=True)
@@ -152,7 +152,8 @@ def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
         signs = ["−" if direction[k] * first < 0.0 else "+" for k in order]
         words = " ".join(f"{s} {p}" for s, p in zip(signs, parts, strict=True)).removeprefix("+ ")
         sentences.append(
-            f"the data do not tell {words}" + (" (each over its scale)" if len(order) > 1 else "")
+            f"the data do not determine {words}"
+            + (" (each over its scale)" if len(order) > 1 else "")
         )
     correlation = sure.correlation
     soft = np.abs(sure.directions)
@@ -163,7 +164,7 @@ def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
             if abs(rho) >= TIED and not any(row[j] and row[k] for row in named):
                 what = "difference" if rho > 0.0 else "sum"
                 sentences.append(
-                    f"{unknowns[j].name} and {one.name} can hardly be told apart: ρ {rho:+.2f}, "
+                    f"{unknowns[j].name} and {one.name} can hardly be separated: ρ {rho:+.2f}, "
                     f"their {what} is known best"
                 )
     return sentences
