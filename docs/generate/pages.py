@@ -105,7 +105,9 @@ def write_identified() -> None:
 
 def write_twins() -> None:
     """Random twins, as measured last."""
-    rewrite(THEORY / "identification.md", {"found-again": twins_table(measured()["identification"])})
+    rewrite(
+        THEORY / "identification.md", {"found-again": twins_table(measured()["identification"])}
+    )
 
 
 def write_outputs() -> None:
