@@ -55,6 +55,7 @@ GENERATED = OUTPUTS | {
         *("identified", "predicted"),
     },
     "docs/theory/identification.md": {"found-again"},
+    "docs/theory/rotor_from_responses.md": {"identified-rotors"},
     "docs/benchmarks.md": {
         *(
             "machine",

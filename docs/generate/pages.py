@@ -27,6 +27,7 @@ from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
 from docs.generate.places import DOCS, THEORY
 from docs.generate.rotor_rows import rotor_rows
+from docs.generate.rotor_twins import rotor_twins
 from docs.generate.rows import HEAD, Row
 from docs.generate.snippets import write_snippets
 from docs.generate.times import benchmark_parts, measured
@@ -90,6 +91,12 @@ def write_heat() -> None:
     rewrite(THEORY / "life.md", fresh)
 
 
+def write_rotor_twins() -> None:
+    """Random rotors identified from their responses."""
+    fresh = {"identified-rotors": rotor_twins(measured()["rotor_twins"])}
+    rewrite(THEORY / "rotor_from_responses.md", fresh)
+
+
 def write_debongnie() -> None:
     """Power laws of Debongnie's approximation, and how far it is off."""
     rewrite(THEORY / "debongnie.md", {"power-laws": law_table(), "errors": error_table()})
@@ -125,6 +132,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
     "docs/theory/life.md": write_heat,
+    "docs/theory/rotor_from_responses.md": write_rotor_twins,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,

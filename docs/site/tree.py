@@ -23,8 +23,8 @@ GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
     "How to": _in(
         "howto",
-        "bearing_data preload compare studies optimum report measured_frf measured_spindle life "
-        "stability_lobes hypotheses intervals identification editor",
+        "bearing_data preload compare studies optimum report measured_frf measured_spindle "
+        "rotor_from_responses life stability_lobes hypotheses intervals identification editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),

@@ -49,6 +49,7 @@ class MeasuredResponse(Description):
     imaginary: Annotated[tuple[float, ...], HIDDEN]
     speed: Annotated[Speed, "at which it was measured"] = 0.0
     quantity: Annotated[str, Choice(QUANTITIES), HIDDEN] = QUANTITIES[0]
+    coherence: Annotated[tuple[float, ...], HIDDEN] = ()
 
     @property
     def pair(self) -> str:

@@ -246,6 +246,7 @@ def measured(files: Reader) -> Any:
             "frequency": record.frequency,
             "real": tuple(value.real for value in record.values),
             "imaginary": tuple(value.imag for value in record.values),
+            "coherence": record.coherence,
         }
         return reading.made(MeasuredResponse, values, node)
 

@@ -6,14 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
+from rotordyn.analyses.measured_response import MeasuredResponse
 from rotordyn.quantity import (
     Choice,
+    DampingRatio,
     Force,
+    Frequency,
     Growth,
     Items,
     Key,
     Name,
     Rigidity,
+    Share,
     Speed,
     Travel,
     Whole,
@@ -119,6 +123,46 @@ class NumbersEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class ResponsesEntry:
+    """Frequency responses at any speeds, of UFF or CSV files, `kind: frequency responses`."""
+
+    kind: Annotated[str, "`frequency responses`"]
+    responses: Annotated[
+        tuple[MeasuredResponse, ...],
+        Items(),
+        "each with its file, response, excitation and speed; those of one speed at the same "
+        "frequencies",
+    ]
+    noise: Annotated[
+        Share | None, "standard deviation of real and imaginary part each, over the response"
+    ] = None
+    averages: Annotated[
+        Annotated[int, Whole(1, 1_000_000)] | None,
+        "spectra averaged: noise follows from the coherence in the files instead",
+    ] = None
+    gain: Annotated[
+        Share, "standard deviation of an unknown factor of every response over 1, as of sensors"
+    ] = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ModesEntry:
+    """Frequencies and dampings of bending modes over speed, `kind: modes`."""
+
+    kind: Annotated[str, "`modes`"]
+    speeds: Annotated[Speeds, Items(), "of the modes, one for each"]
+    frequencies: Annotated[tuple[Frequency, ...], Items(), "without damping, |λ|/2π"]
+    deviation: Annotated[Share, "standard deviation of frequencies, over each"]
+    dampings: Annotated[tuple[DampingRatio, ...] | None, Items(), "ratios"] = None
+    damping_deviation: Annotated[Share | None, "of dampings, over each"] = None
+    whirls: Annotated[
+        tuple[Annotated[str, Choice(("forward", "backward"))], ...] | None,
+        Items(),
+        "which way each whirls; else the nearest frequency counts",
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
 class PhaseEntry:
     """A model of a story: which unknowns it seeks, what it holds."""
 
@@ -175,4 +219,6 @@ KINDS: dict[str, type] = {
     "axial stiffness": AxialStiffnessEntry,
     "stop met": StopEntry,
     "numbers": NumbersEntry,
+    "frequency responses": ResponsesEntry,
+    "modes": ModesEntry,
 }

@@ -169,7 +169,7 @@ class FreeMotions:
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """At ``omega`` > 0, (f,) or (s, f) of every speed's own, of paired rows (pairs, n):
-        (s, pairs, f)."""
+        (s, pairs, f). Under a force e^(iωt) that grows, Im ω < 0, poles are seen less sharply."""
         if self.solved_once and omega.ndim > 1:
             once = self.receptance(omega.ravel(), responses, excitations)[0]
             return np.swapaxes(once.reshape(len(responses), *omega.shape), 0, 1)
@@ -177,7 +177,7 @@ class FreeMotions:
         if not self.whirling:
             folded = self._folded(responses), self._folded(excitations)
             return self._each(answer(omega, *folded))
-        both = np.concatenate([omega, -omega], axis=-1)
+        both = np.concatenate([omega, -omega.conj()], axis=-1)
         whole = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
         return self._each(whole)
 

@@ -212,7 +212,7 @@ class Hysteretic:
         """Receptance at i·``omega`` (f,) or (s, f) of paired rows (pairs, n), every frequency with
         its own signs: (s, pairs, f)."""
         omega = np.broadcast_to(omega, (len(self.spin), omega.shape[-1]))
-        signs = signs_of(omega, self.spin[:, None], whirling=self.whirling)
+        signs = signs_of(omega.real, self.spin[:, None], whirling=self.whirling)
         total = np.empty((len(self.spin), len(responses), omega.shape[-1]), dtype=complex)
         for each, at in gathered(signs):
             motions = self.answering(each)

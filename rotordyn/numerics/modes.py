@@ -94,7 +94,7 @@ class Modes:
         """Receptance at i·``omega`` (f,), or (…, f) of each system's own, of paired rows:
         (…, pairs, f).
 
-        ``responses`` and ``excitations`` (pairs, n).
+        ``responses`` and ``excitations`` (pairs, n). ``omega`` of Im < 0 is a force that grows.
         """
         batch = self.pole.shape[:-1]
         each = np.broadcast_to(omega, (*batch, omega.shape[-1]))
@@ -103,7 +103,8 @@ class Modes:
 
         def fill(part: slice) -> None:
             for place in places[part]:
-                method = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
+                summed = self.condition[place] < WELL_CONDITIONED and not np.iscomplexobj(omega)
+                method = self._summed if summed else self._solved
                 total[place] = method(place, each[place], responses, excitations)
 
         in_threads(fill, len(places), LEAST)

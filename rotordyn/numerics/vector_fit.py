@@ -31,15 +31,18 @@ class Fit(NamedTuple):
     constant: Array
     error: Complex
 
-    def __call__(self, omega: Array) -> Complex:
-        """At angular frequencies (f,): (f, e)."""
-        return _columns(omega, self.pole) @ _real(self.pole, self.residue) + self.constant
+    def __call__(self, omega: Array | Complex) -> Complex:
+        """At angular frequencies (f,), below the real axis under a force that grows: (f, e)."""
+        return columns(omega, self.pole) @ _real(self.pole, self.residue) + self.constant
 
 
-def vector_fit(omega: Array, values: Complex, count: int, weight: Array) -> Fit:
+def vector_fit(
+    omega: Array, values: Complex, count: int, weight: Array, start: Complex | None = None
+) -> Fit:
     """Fit ``count`` pairs of poles to ``values`` (f, e) at ``omega`` (f,) [rad/s], ascending, with
-    a ``weight`` of every sample, (f, e) or (f, 1) of all entries."""
-    pole = _start(omega, weight * values, count)
+    a ``weight`` of every sample, (f, e) or (f, 1) of all entries; ``start``: poles (count,) to
+    begin with, instead of the highest samples."""
+    pole = _start(omega, weight * values, count) if start is None else start
     size = max(float(np.abs(weight * values).max()), 1e-300)
     weight = np.broadcast_to(weight / size, values.shape)
     for _ in range(ROUNDS):
@@ -53,16 +56,16 @@ def vector_fit(omega: Array, values: Complex, count: int, weight: Array) -> Fit:
 
 def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit:
     """The sum over known poles."""
-    columns = np.concatenate([_columns(omega, pole), np.ones((len(omega), 1))], axis=1)
+    basis = np.concatenate([columns(omega, pole), np.ones((len(omega), 1))], axis=1)
     weight = np.broadcast_to(weight, values.shape)
-    found = np.empty((columns.shape[1], values.shape[1]))
+    found = np.empty((basis.shape[1], values.shape[1]))
     for k, (own, entry) in enumerate(zip(weight.T, values.T, strict=True)):
-        left = _split(own[:, None] * columns)
+        left = split(own[:, None] * basis)
         scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
-        right = _split((own * entry)[:, None])
+        right = split((own * entry)[:, None])
         found[:, k] = np.linalg.lstsq(left / scale, right, rcond=None)[0][:, 0] / scale
     own = _complex(pole, found[:-1])
-    fitted = columns @ found
+    fitted = basis @ found
     return Fit(pole, own, found[-1], values - fitted)
 
 
@@ -76,7 +79,7 @@ def _start(omega: Array, values: Complex, count: int) -> Complex:
     return np.asarray(-START_DAMPING * at + 1j * at)
 
 
-def _columns(omega: Array, pole: Complex) -> Complex:
+def columns(omega: Array | Complex, pole: Complex) -> Complex:
     """Functions of real coefficients (f, 2 per pair and 1 per real pole)."""
     s = 1j * omega[:, None]
     found = []
@@ -109,21 +112,22 @@ def _real(pole: Complex, residue: Complex) -> Array:
     return np.array(found).reshape(-1, residue.shape[1])
 
 
-def _split(rows: Complex) -> Array:
+def split(rows: Complex) -> Array:
+    """Real parts above imaginary ones."""
     return np.concatenate([rows.real, rows.imag], axis=0)
 
 
 def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Complex:
     """Zeros of the common denominator, which become the poles."""
-    plain = _columns(omega, pole)
+    plain = columns(omega, pole)
     n, rows, right = plain.shape[1] + 1, [], []
     for share, entry in zip(weight.T, values.T, strict=True):
         if not np.abs(entry).any():
             continue
         basis = share[:, None] * plain
         whole = np.concatenate([basis, share[:, None].astype(complex)], axis=1)
-        own = _split(np.concatenate([whole, -entry[:, None] * basis], axis=1))
-        target = _split((share * entry)[:, None])
+        own = split(np.concatenate([whole, -entry[:, None] * basis], axis=1))
+        target = split((share * entry)[:, None])
         r = np.asarray(np.linalg.qr(np.concatenate([own, target], axis=1), mode="r"))
         rows.append(r[n:-1, n:-1])
         right.append(r[n:-1, -1])

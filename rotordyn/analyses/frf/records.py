@@ -19,7 +19,7 @@ from rotordyn.results.display import response_unit
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
-_FRF, _COMPLEX = 4, (5, 6)
+_FRF, _COHERENCE, _COMPLEX = 4, 6, (5, 6)
 _COLUMN = re.compile(r"\s*(.*?)\s*\[([^\[\]]*)\]\s*")
 _WORDS = {
     "frequency": "frequency",
@@ -28,16 +28,20 @@ _WORDS = {
     "imag": "imaginary",
     "amplitude": "amplitude",
     "phase": "phase",
+    "coherence": "coherence",
 }
+_SAME = ("rsp_node", "rsp_dir", "ref_node", "ref_dir", "z_axis_value")
 _FORMS = "frequency with real and imaginary, or with amplitude and phase"
 
 
 class Record(NamedTuple):
-    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]."""
+    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² where the file has
+    it."""
 
     quantity: str
     frequency: tuple[float, ...]
     values: tuple[complex, ...]
+    coherence: tuple[float, ...] = ()
 
 
 def read_record(path: Path, pair: str, number: int | None) -> Record:
@@ -60,18 +64,28 @@ def read_record(path: Path, pair: str, number: int | None) -> Record:
 
 def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     sets = _sets_58(path)
-    if number is None and len(sets) > 1:
+    alone = [data_set for data_set in sets if data_set.get("func_type") == _FRF]
+    if number is None and len(sets) > 1 and len(alone) != 1:
         raise InvalidInput(f"{len(sets)} records of type 58: say which by record, 1 to {len(sets)}")
     if number is not None and number > len(sets):
         raise InvalidInput(f"no record {number}: the file has {len(sets)} of type 58")
-    data_set = sets[(number or 1) - 1]
+    data_set = sets[number - 1] if number is not None else [*alone, *sets][0]
     if data_set.get("func_type") != _FRF or data_set.get("ord_data_type") not in _COMPLEX:
         raise InvalidInput("the record is no complex frequency response function")
     frequency, values = [float(f) for f in data_set["x"]], [complex(v) for v in data_set["data"]]
     if _label(data_set, "abscissa") not in ("", "Hz"):
         raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
     quantity, scale = _uff_unit(data_set, pair)
-    return _record(quantity, frequency, [scale * value for value in values])
+    coherence = next((own for own in sets if _coherence_of(data_set, own)), None)
+    known = () if coherence is None else [complex(value).real for value in coherence["data"]]
+    return _record(quantity, frequency, [scale * value for value in values], known)
+
+
+def _coherence_of(data_set: dict[str, Any], other: dict[str, Any]) -> bool:
+    """Whether another record is the coherence of a response."""
+    return other.get("func_type") == _COHERENCE and all(
+        other.get(key) == data_set.get(key) for key in _SAME
+    )
 
 
 def _sets_58(path: Path) -> list[dict[str, Any]]:
@@ -146,6 +160,8 @@ def _from_table(path: Path, pair: str) -> Record:
     numbers = _numbers(rows)
     frequency = _scaled(numbers, columns["frequency"], _hertz(columns["frequency"][1]))
     first, second = (("real", "imaginary"), ("amplitude", "phase"))["amplitude" in columns]
+    known = columns.get("coherence")
+    coherence = [] if known is None else _scaled(numbers, known, 1.0)
     quantity, scale = _unit(columns[first][1], pair)
     one = _scaled(numbers, columns[first], scale)
     if second == "imaginary":
@@ -153,11 +169,12 @@ def _from_table(path: Path, pair: str) -> Record:
         if other != quantity:
             raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
         two = _scaled(numbers, columns[second], factor)
-        return _record(quantity, frequency, list(map(complex, one, two)))
+        return _record(quantity, frequency, list(map(complex, one, two)), coherence)
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
     if min(one, default=0.0) < 0.0:
         raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
-    return _record(quantity, frequency, [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)])
+    values = [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)]
+    return _record(quantity, frequency, values, coherence)
 
 
 def _holds(row: Sequence[str]) -> bool:
@@ -180,7 +197,7 @@ def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
         if len(places) > 1 and len(named) != 1:
             raise InvalidInput(f"{len(places)} columns for {word}: one must name {pair}")
         place, unit, cell = (named or places)[0]
-        if not unit.strip():
+        if not unit.strip() and word != "coherence":
             raise InvalidInput(f"column {shown(cell)} has no unit: write it as '{word} [unit]'")
         chosen[word] = (place, unit)
     complete = {"real", "imaginary"} <= chosen.keys() or {"amplitude", "phase"} <= chosen.keys()
@@ -232,7 +249,12 @@ def _plain(text: str, like: str, what: str, allowed: str) -> float:
     return unit.scale
 
 
-def _record(quantity: str, frequency: list[float], values: list[complex]) -> Record:
+def _record(
+    quantity: str,
+    frequency: list[float],
+    values: list[complex],
+    coherence: Sequence[float] = (),
+) -> Record:
     if len(frequency) != len(values):
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
     if len(frequency) < 2:
@@ -247,4 +269,14 @@ def _record(quantity: str, frequency: list[float], values: list[complex]) -> Rec
         raise InvalidInput(NO_RESPONSE)
     if not all(map(cmath.isfinite, values)):
         raise InvalidInput("a value is not a finite number")
-    return Record(quantity, tuple(frequency), tuple(values))
+    return Record(quantity, tuple(frequency), tuple(values), _coherence(coherence, frequency))
+
+
+def _coherence(values: Sequence[float], frequency: Sequence[float]) -> tuple[float, ...]:
+    """Values of γ², none or one at every frequency."""
+    if values and len(values) != len(frequency):
+        raise InvalidInput(f"{len(values)} values of coherence at {len(frequency)} frequencies")
+    for value in values:
+        if not 0.0 <= value <= 1.0:
+            raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
+    return tuple(values)

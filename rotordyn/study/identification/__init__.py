@@ -1,17 +1,20 @@
 """Numbers of a case sought so that the machine shows what was measured, and how sure they are.
 
-``measurement`` the contract of a measurement, ``along_axis`` and ``numbers`` its kinds, ``kinds``
-what files say of them, ``unknown`` what is sought, ``trial`` a machine with trial values,
-``weighing`` differences without tare and drift, ``problem`` predictions and derivatives, ``search``
-the best values, ``models`` hypotheses and phases, ``started`` searches on disk, ``certainty`` how
-sure values are, ``criterion`` when a model suffices, ``prediction`` what it would show, ``solve``
-the call that joins these.
+``measurement`` the contract of a measurement, ``along_axis``, ``responses``, ``measured_modes`` and
+``numbers`` its kinds, ``paired_modes`` modes of responses beside those of a machine, ``kinds`` what
+files say of them, ``unknown`` what is sought, ``trial`` a machine with trial values, ``weighing``
+differences without tare and drift, ``problem`` predictions and derivatives, ``search`` the best
+values, ``models`` hypotheses and phases, ``started`` searches on disk, ``certainty`` how sure
+values are, ``criterion`` when a model suffices, ``prediction`` what it would show, ``solve`` the
+call that joins these.
 """
 
 from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
+from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.models import Phase
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.prediction import Predicted
+from rotordyn.study.identification.responses import Responses
 from rotordyn.study.identification.solve import Identification, identify
 from rotordyn.study.identification.unknown import Unknown
 
@@ -19,10 +22,12 @@ __all__ = [
     "AxialCurve",
     "AxialStiffness",
     "Identification",
+    "Modes",
     "NoLoad",
     "Numbers",
     "Phase",
     "Predicted",
+    "Responses",
     "StopMet",
     "Unknown",
     "identify",

@@ -23,6 +23,8 @@ from rotordyn.figures.style import (
     head,
     new_figure,
 )
+from rotordyn.study.identification import response_figures
+from rotordyn.study.identification.responses import Responses
 from rotordyn.study.identification.solve import Explained, Identification
 
 if TYPE_CHECKING:
@@ -39,8 +41,10 @@ MOST_WRITTEN = 14  # unknowns of which every correlation is written
 
 def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
     """Name and drawing of every figure."""
-    yield "measured", partial(_measured, found)
-    yield "residuals", partial(_residuals, found)
+    if any(_panels(found)):
+        yield "measured", partial(_measured, found)
+        yield "residuals", partial(_residuals, found)
+    yield from response_figures.figures(found)
     if len(found.explained.problem.unknowns) > 1:
         yield "correlation", partial(_correlation, found)
     if len(found.models) > 1:
@@ -53,9 +57,10 @@ def _titled(found: Identification) -> str:
 
 def _panels(found: Identification) -> tuple[list[int], list[int]]:
     """Places of the measurements that are curves, and of single points."""
-    sizes = [len(each.data.observed) for each in found.explained.problem.measurements]
-    curves = [k for k, n in enumerate(sizes) if n >= FEW]
-    return curves, [k for k, n in enumerate(sizes) if n < FEW]
+    every = enumerate(found.explained.problem.measurements)
+    sizes = {k: len(m.data.observed) for k, m in every if not isinstance(m, Responses)}
+    curves = [k for k, n in sizes.items() if n >= FEW]
+    return curves, [k for k, n in sizes.items() if n < FEW]
 
 
 def _measured(found: Identification) -> Figure:

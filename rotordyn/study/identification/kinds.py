@@ -11,9 +11,11 @@ import numpy as np
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
+from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.points import read_points
+from rotordyn.study.identification.responses import Responses
 
 Entry = Mapping[str, Any]
 COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "length"}
@@ -76,10 +78,33 @@ def _numbers(name: str, given: Entry, _: Path) -> Measurement:
     )
 
 
+def _responses(name: str, given: Entry, _: Path) -> Measurement:
+    return Responses(
+        name=name,
+        responses=tuple(given["responses"]),
+        **{key: given[key] for key in ("noise", "averages", "gain")},
+    )
+
+
+def _modes(name: str, given: Entry, _: Path) -> Measurement:
+    dampings = given["dampings"]
+    return Modes(
+        name=name,
+        speed=np.array(given["speeds"]),
+        frequency=np.array(given["frequencies"]),
+        deviation=given["deviation"],
+        damping=None if dampings is None else np.array(dampings),
+        damping_deviation=given["damping_deviation"],
+        whirl=tuple(given["whirls"] or ()),
+    )
+
+
 MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
     "axial curve": _axial_curve,
     "no load": _no_load,
     "axial stiffness": _axial_stiffness,
     "stop met": _stop_met,
     "numbers": _numbers,
+    "frequency responses": _responses,
+    "modes": _modes,
 }

@@ -16,6 +16,10 @@
    What has no solution raises ``NoSolution``, ``InvalidInput`` or ``BearingError``: the search then
    steps back. A number that does not exist is NaN and counts as that.
 6. Its entry in files: a line in ``kinds``.
+7. If it likes: ``step``, of an unknown's scale, by which ``predicted`` is differentiated;
+   ``blurred``, the same measurement seen less sharply, from the vaguest on, each with all of the
+   above: a search goes through them first; ``carried``, how many numbers its points tell, where
+   these are fewer; ``beside(trial)``, a ``Beside`` of the best machine.
 
 The search knows nothing of kinds: it weighs differences by deviations, takes out ``columns`` by
 linear least squares, and differentiates ``predicted`` by small steps.
@@ -25,7 +29,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,6 +81,16 @@ class Data:
         """Whether the noise is as large as all that the points differ by."""
         n = len(self.observed)
         return n > 2 and bool(np.ptp(self.observed) < self.deviation.min())
+
+
+class Beside(NamedTuple):
+    """What a measurement says of a machine beside differences: a table called ``name``, its
+    ``head`` and ``rows``, and ``remarks``, sentences for the verdict."""
+
+    name: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    remarks: tuple[str, ...]
 
 
 class Measurement(Protocol):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -42,6 +42,24 @@ class Problem:
         weights = self.weights or (None,) * len(self.measurements)
         pairs = zip(self.measurements, weights, strict=True)
         return [Weighing(each.data, weight) for each, weight in pairs]
+
+    @property
+    def blurred(self) -> list[Problem]:
+        """The same against measurements seen less sharply, in turn; none where all are smooth."""
+        stages = [getattr(each, "blurred", ()) for each in self.measurements]
+        most = max(map(len, stages), default=0)
+        return [
+            replace(
+                self,
+                weights=(),
+                evaluations=0,
+                measurements=tuple(
+                    stage[k - most] if len(stage) >= most - k else each
+                    for each, stage in zip(self.measurements, stages, strict=True)
+                ),
+            )
+            for k in range(most)
+        ]
 
     @property
     def start(self) -> Array:
@@ -135,8 +153,16 @@ class Problem:
         return [np.stack(parts, axis=1) for parts in zip(*columns, strict=True)]
 
     def _column(self, k: int, values: Array, at: list[Array], *, central: bool) -> list[Array]:
+        """Derivatives of predictions by one unknown, each by steps of the size it asks for."""
+        sizes = [getattr(each, "step", STEP) for each in self.measurements]
+        found = {size: self._by_steps(k, values, at, size, central=central) for size in {*sizes}}
+        return [found[size][place] for place, size in enumerate(sizes)]
+
+    def _by_steps(
+        self, k: int, values: Array, at: list[Array], size: float, *, central: bool
+    ) -> list[Array]:
         found = []
-        for step in self._steps(k, values):
+        for step in self._steps(k, values, size):
             moved = values.copy()
             moved[k] += step * self.scale[k]
             there = self.predicted(moved)
@@ -152,14 +178,14 @@ class Problem:
             (step, there), (base, before) = found
         return [(b - a) / (step - base) for a, b in zip(before, there, strict=True)]
 
-    def _steps(self, k: int, values: Array) -> Iterator[float]:
-        """Steps that stay between the ends, the roomier side first."""
+    def _steps(self, k: int, values: Array, size: float) -> Iterator[float]:
+        """Steps of a ``size`` that stay between the ends, the roomier side first."""
         low, high = (float(end[k]) for end in self.bounds)
         value, scale = float(values[k]), float(self.scale[k])
         for side in sorted((1.0, -1.0), key=lambda s: s * (2.0 * value - low - high)):
             room = (high - value if side > 0.0 else value - low) / scale
-            if room > 0.1 * STEP:
-                yield side * min(STEP, room)
+            if room > 0.1 * size:
+                yield side * min(size, room)
 
     def weighed_slopes(self, slopes: list[Array]) -> Array:
         """Derivatives of the rows of all measurements, without priors."""

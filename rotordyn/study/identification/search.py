@@ -44,6 +44,23 @@ class _Search:
         self.best: Fit | None = None
         self._last: tuple[bytes, list[Array] | None] = (b"", None)
 
+    def at(self, values: Array) -> Fit:
+        """The machine with such values, not ended.
+
+        Raises
+        ------
+        NoSolution : it has none
+        """
+        self.rows(values / self.problem.scale)
+        return self.reached
+
+    @property
+    def reached(self) -> Fit:
+        """The best machine so far; NoSolution where none has one."""
+        if self.best is None:
+            raise NoSolution(self.problem.why)
+        return self.best
+
     def rows(self, z: Array) -> Array:
         values = z * self.problem.scale
         predicted = self._predicted(values)
@@ -79,12 +96,23 @@ class _Search:
 
 
 def search(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
-    """The best from one start; interrupted, the best so far.
+    """The best from one start, led there by blurred measurements; interrupted, the best so far.
 
     Raises
     ------
     NoSolution : the machine at the start has none
     """
+    for blurred in problem.blurred:
+        led = _nearest(blurred, start, lambda _: None)
+        problem.evaluations += blurred.evaluations
+        start = led.values
+        if not led.ended:
+            return _Search(problem, progress).at(start)
+    return _nearest(problem, start, progress)
+
+
+def _nearest(problem: Problem, start: Array, progress: Progress) -> Fit:
+    """The best about one start."""
     from scipy.optimize import least_squares
 
     seen = _Search(problem, progress)
@@ -92,16 +120,14 @@ def search(problem: Problem, start: Array, progress: Progress = lambda cost: Non
     begin = np.clip(start / problem.scale, low, high)
     room = 1e-6 * (high - low)
     begin = np.clip(begin, low + room, high - room)
-    seen.rows(begin)
-    if seen.best is None:
-        raise NoSolution(problem.why)
+    seen.at(begin * problem.scale)
     try:
         least_squares(
             seen.rows, begin, seen.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
         )
     except KeyboardInterrupt:
-        return seen.best
-    return replace(seen.best, ended=True)
+        return seen.reached
+    return replace(seen.reached, ended=True)
 
 
 def search_absolute(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:

@@ -31,7 +31,7 @@ from rotordyn.study.identification.certainty import (
     certainty,
 )
 from rotordyn.study.identification.criterion import Criterion
-from rotordyn.study.identification.measurement import Measurement
+from rotordyn.study.identification.measurement import Beside, Measurement
 from rotordyn.study.identification.models import Model, Phase, models
 from rotordyn.study.identification.prediction import Predicted, Prediction, numbers, predictions
 from rotordyn.study.identification.problem import Problem
@@ -86,6 +86,15 @@ class Explained:
     def case(self) -> Case:
         """The machine."""
         return self.problem.machine(self.fit.values)
+
+    @cached_property
+    def beside(self) -> list[Beside]:
+        """What measurements say of the machine beside differences."""
+        asked = [m for m in self.problem.measurements if hasattr(m, "beside")]
+        if not asked:
+            return []
+        trial = self.problem.trial(self.fit.values)
+        return [each.beside(trial) for each in asked]
 
     @property
     def on_bounds(self) -> list[str]:
@@ -179,6 +188,7 @@ class Identification:
             why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
         head = f"{INSUFFICIENT}: " + "; ".join(why) if why else self.criterion.kept(self.residual)
         lines.append(head)
+        lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
             names = [name for name, each in best.named if each == word]
             if names:
@@ -296,7 +306,7 @@ def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> No
 
 
 def _require_points(every: Sequence[Model], measurements: Sequence[Measurement]) -> None:
-    count = sum(len(each.data.observed) for each in measurements)
+    count = sum(getattr(each, "carried", len(each.data.observed)) for each in measurements)
     for model in every:
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:

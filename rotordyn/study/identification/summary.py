@@ -17,7 +17,7 @@ from rotordyn.study.identification.unknown import Sought
 if TYPE_CHECKING:
     from rotordyn.study.identification.solve import Explained, Identification
 
-MOST_MODELS = 12
+MOST_MODELS, MOST_ROWS = 12, 20
 
 
 def summary(found: Identification) -> str:
@@ -47,6 +47,11 @@ def _lines(found: Identification) -> Iterator[str]:
         yield from _table(rows)
     yield ""
     yield from _table([("measurement", "points", "mean difference", "noise"), *_differences(best)])
+    for beside in best.beside:
+        yield ""
+        yield from _table([beside.head, *beside.rows[:MOST_ROWS]])
+        if len(beside.rows) > MOST_ROWS:
+            yield f"… and {len(beside.rows) - MOST_ROWS} more: {beside.name}.csv"
     if len(found.models) > 1:
         yield ""
         yield from _table(
@@ -126,6 +131,9 @@ def write_tables(folder: Path, found: Identification) -> None:
         columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
     write_table(folder / "values.csv", [*columns, ("verdict", list(sure.words))])
     write_table(folder / "differences.csv", _points(best))
+    for beside in best.beside:
+        columns = [(h, [row[k] for row in beside.rows]) for k, h in enumerate(beside.head)]
+        write_table(folder / f"{beside.name}.csv", columns)
     models = list(zip(found.models, found.evidence, strict=True))
     write_table(
         folder / "models.csv",

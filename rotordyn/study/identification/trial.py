@@ -82,3 +82,15 @@ class Trial:
             self.known.tables,
             without_stop,
         )
+
+
+def require_all_speeds(scene: Scene) -> None:
+    """Go on only where every speed has a solution.
+
+    Raises
+    ------
+    NoSolution : the first speed without one says why
+    """
+    for word in scene.outcome:
+        if word:
+            raise NoSolution(word)

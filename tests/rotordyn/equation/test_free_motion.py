@@ -82,3 +82,22 @@ def test_planes_apart_answer_each_other_with_nothing() -> None:
         assert (found.receptance == 0.0).all() == apart
         assert (found.receptance != 0.0).all() != apart
         assert not (apart and found.error.any())
+
+
+@pytest.mark.parametrize(
+    "supports", [EVEN, SKEW, EVEN[:1] + SKEW[1:]], ids=["even", "skew", "both"]
+)
+def test_under_a_force_that_grows_poles_sum_up_as_at_real_frequencies(supports: tuple) -> None:
+    """Σ v w/(s − λ) and its conjugate poles at s = (0.2 + i) ω, in one complex plane and in two."""
+    linear = bending(supports, 9000.0)
+    found = free_motions(linear)
+    rows = np.array([linear.row("spindle", x, way) for x in (-0.05, 0.11) for way in ("y", "z")])
+    omega = OMEGA * (1.0 - 0.2j)
+    responses, excitations = np.repeat(rows, 4, axis=0), np.tile(rows, (4, 1))
+    given = found.receptance(omega, responses, excitations)[0]
+    s, pole = 1j * omega[:, None], found.pole[0]
+    residue = (responses @ found.vector[0]) * (found.left[0] @ excitations.T).T
+    swings = pole.imag > 0.0
+    summed = residue @ (1.0 / (s - pole)).T
+    summed += residue[:, swings].conj() @ (1.0 / (s - pole[swings].conj())).T
+    np.testing.assert_allclose(given, summed, rtol=1e-8, atol=1e-9 * np.abs(summed).max())

@@ -1,0 +1,132 @@
+"""Poles of a sum through samples, refined to the least squares proper, and how sure they are.
+
+    min over p of Σ |w (H − Σ R/(iω − p) − D)|², the residues R and D being the best at p
+
+Vector fitting weighs samples by a denominator that noise shifts. From its poles few steps of Gauss
+and Newton on the poles alone lead to the minimum (variable projection, with the derivative of
+Kaufman). Where weights are one over standard deviations, the inverse of the last normal matrix is
+the covariance of the poles, whatever the residues are.
+
+Source: Golub and Pereyra (2003).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.vector_fit import Fit, columns, residues
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+ROUNDS = 20
+BETTER = 1e-7  # of the sum of squares: less is no step forward
+HALVINGS = 6
+
+
+class Refined(NamedTuple):
+    """``fit``; ``deviation`` (m, 2): standard deviations of the real and imaginary part of every
+    pole; ``squares``: the sum of weighted squares; ``unknowns``: real numbers fitted."""
+
+    fit: Fit
+    deviation: Array
+    squares: float
+    unknowns: int
+
+
+class _Linearised(NamedTuple):
+    """Sum of squares; Jᵀr (k,) and JᵀJ (k, k) by the real unknowns of the poles over |p|."""
+
+    squares: float
+    slope: Array
+    normal: Array
+
+
+def refined(omega: Array, values: Complex, pole: Complex, weight: Array) -> Refined:
+    """Least squares from ``pole`` (m,) for ``values`` (f, e) at ``omega`` (f,), ``weight`` (f, e).
+
+    Poles stay on the left and keep their kind, real or of a pair.
+    """
+    pole = np.array(pole, dtype=complex)
+    here = _linearised(omega, values, pole, weight)
+    for _ in range(ROUNDS):
+        step = np.asarray(np.linalg.lstsq(here.normal, here.slope, rcond=1e-14)[0])
+        for half in range(HALVINGS):
+            moved = _moved(pole, step * 0.5**half)
+            there = _linearised(omega, values, moved, weight)
+            if there.squares < here.squares:
+                break
+        else:
+            break
+        gain = here.squares - there.squares
+        pole, here = moved, there
+        if gain < BETTER * here.squares:
+            break
+    fit = residues(omega, values, pole, weight)
+    unknowns = len(here.slope) + values.shape[1] * (len(here.slope) + 1)
+    return Refined(fit, _deviation(pole, here.normal), here.squares, unknowns)
+
+
+def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> _Linearised:
+    """About some poles, residues eliminated entry by entry."""
+    basis = np.concatenate([columns(omega, pole), np.ones((len(omega), 1))], axis=1)
+    q, r = np.linalg.qr(_stacked(weight.T[:, :, None] * basis))
+    right = _stacked((weight * values).T[:, :, None])
+    inside = np.swapaxes(q, 1, 2) @ right
+    rest = right - q @ inside
+    pairs = zip(r, inside, strict=True)
+    known = np.array([np.linalg.lstsq(a, b, rcond=None)[0][:, 0] for a, b in pairs])
+    moving = _stacked(weight.T[:, :, None] * _moving(omega, pole, known))
+    moving -= q @ (np.swapaxes(q, 1, 2) @ moving)
+    across = np.swapaxes(moving, 1, 2)
+    slope, normal = (across @ rest).sum(axis=0)[:, 0], (across @ moving).sum(axis=0)
+    return _Linearised(float((rest**2).sum()), slope, normal)
+
+
+def _stacked(rows: Complex) -> Array:
+    """Real parts above imaginary ones (e, 2f, k)."""
+    return np.concatenate([rows.real, rows.imag], axis=1)
+
+
+def _moving(omega: Array, pole: Complex, known: Array) -> Complex:
+    """Derivatives (e, f, k) by the real and imaginary part of every pole over its size, the real
+    part alone of real ones; ``known`` (e, k + 1): coefficients of the columns."""
+    s, found, at = 1j * omega, [], 0
+    for own in pole:
+        size = abs(own)
+        ahead = size / (s - own) ** 2
+        if own.imag == 0.0:
+            found.append(known[:, at, None] * ahead)
+            at += 1
+            continue
+        residue = (known[:, at] + 1j * known[:, at + 1])[:, None]
+        one = residue * ahead
+        other = residue.conj() * size / (s - own.conjugate()) ** 2
+        found += [one + other, 1j * (one - other)]
+        at += 2
+    return np.stack(found, axis=-1)
+
+
+def _moved(pole: Complex, step: Array) -> Complex:
+    """Poles after a step relative to their size, held left of the imaginary axis, a pair a pair."""
+    moved, at = pole.copy(), 0
+    for k, own in enumerate(pole):
+        size = abs(own)
+        real = min(own.real + size * step[at], 0.1 * own.real)
+        if own.imag == 0.0:
+            moved[k], at = real, at + 1
+            continue
+        moved[k] = real + 1j * max(own.imag + size * step[at + 1], 0.1 * own.imag)
+        at += 2
+    return moved
+
+
+def _deviation(pole: Complex, normal: Array) -> Array:
+    each = np.sqrt(np.maximum(np.diag(np.linalg.pinv(normal, hermitian=True)), 0.0))
+    found, at = np.zeros((len(pole), 2)), 0
+    for k, own in enumerate(pole):
+        many = 1 if own.imag == 0.0 else 2
+        found[k, :many], at = abs(own) * each[at : at + many], at + many
+    return found

@@ -1,0 +1,138 @@
+"""Frequencies and dampings of bending modes over speed, as modal software gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.numerics.threads import linear_algebra_alone
+from rotordyn.results.display import RPM
+from rotordyn.scene.scene import Scene
+from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.paired_modes import FAR, SWINGS, assigned
+from rotordyn.study.identification.trial import Trial, require_all_speeds
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+WHIRLS = {"forward": 1.0, "backward": -1.0, "": 0.0}
+BEYOND = 1.5  # of the highest frequency measured: modes of the machine that may be meant
+OTHER = 1.0  # cost of a mode that whirls the other way, as that of one ``FAR`` off
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Modes:
+    """``frequency`` |λ|/2π [Hz] at ``speed`` [rad/s], both (n,), with a relative ``deviation``.
+
+    ``damping`` ratios (n,) with a relative ``damping_deviation``, or none; ``whirl`` (n,):
+    "forward", "backward", or "" where it is not known. At each speed measured modes are paired with
+    those of the machine so that they lie nearest in all.
+    """
+
+    name: str
+    speed: Array
+    frequency: Array
+    deviation: float
+    damping: Array | None = None
+    damping_deviation: float | None = None
+    whirl: tuple[str, ...] = ()
+
+    step = 1e-3
+
+    def __post_init__(self) -> None:
+        for sentence in self._refusals():
+            raise InvalidInput(f"measurement {self.name}: {sentence}")
+
+    def _refusals(self) -> Iterator[str]:
+        n = len(self.speed)
+        sizes = [len(self.frequency), n if self.damping is None else len(self.damping)]
+        sizes.append(len(self.whirl) or n)
+        if {*sizes} != {n}:
+            yield f"as many frequencies, dampings and whirls as speeds: got {n}, {sizes}"
+            return
+        if (self.damping is None) != (self.damping_deviation is None):
+            yield "dampings have a deviation: give both or none"
+        for word in sorted({*self.whirl} - {*WHIRLS}):
+            yield f"whirl {word!r}; allowed: forward, backward"
+        seen: set[tuple[float, float]] = set()
+        for pair in zip(self.speed.tolist(), self.frequency.tolist(), strict=True):
+            if pair in seen:
+                yield f"{pair[1]:g} Hz at {pair[0] * RPM.factor:.0f} rpm is given twice"
+            seen.add(pair)
+
+    @cached_property
+    def data(self) -> Data:
+        """Frequencies, then ζ |λ|/2π [Hz]."""
+        observed, deviation = [self.frequency], [self.deviation * self.frequency]
+        series = ["frequency"] * len(self.frequency)
+        if self.damping is not None and self.damping_deviation is not None:
+            decay = self.damping * self.frequency
+            observed.append(decay)
+            deviation.append(self.damping_deviation * decay)
+            series += ["decay"] * len(decay)
+        return Data(
+            self.name,
+            np.concatenate(observed),
+            np.concatenate(deviation),
+            "Hz",
+            1.0,
+            np.tile(self.speed * RPM.factor, len(observed)),
+            "speed [rpm]",
+            tuple(series),
+        )
+
+    def faults(self, case: Case) -> Iterator[str]:
+        """A machine without a rotor."""
+        if case.spindle is None:
+            yield f"measurement {self.name}: needs a spindle"
+
+    def speeds(self, case: Case) -> tuple[float, ...]:
+        """None: solved at its own speeds by itself."""
+        return ()
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None: the equation of motion is enough."""
+        return {}
+
+    def predicted(self, trial: Trial) -> Array:
+        """Rows as those of ``data`` [Hz]."""
+        each = np.unique(self.speed)
+        highest = BEYOND * float(self.frequency.max())
+        size, decay = np.empty(len(self.speed)), np.empty(len(self.speed))
+        with linear_algebra_alone():
+            assert trial.case.spindle is not None, "asked for by faults"
+            scene = Scene(trial.case.spindle, trial.case.conditions, each, highest)
+            require_all_speeds(scene)
+            for row, speed in enumerate(each):
+                here = np.flatnonzero(self.speed == speed)
+                pole = self._paired(here, *_bending(scene, row))
+                size[here] = np.abs(pole) / (2.0 * np.pi)
+                decay[here] = -pole.real / (2.0 * np.pi)
+        return size if self.damping is None else np.concatenate([size, decay])
+
+    def _paired(self, here: NDArray[np.intp], pole: Complex, whirl: Array) -> Complex:
+        """The poles of the machine that measured modes are (n,)."""
+        apart = np.abs(np.log(2.0 * np.pi * self.frequency[here, None] / np.abs(pole)))
+        cost = apart / FAR
+        if self.whirl:
+            wanted = np.array([WHIRLS[self.whirl[k]] for k in here])
+            cost = cost + OTHER * (wanted[:, None] * whirl < 0.0)
+        rows, columns = assigned(cost, apart)
+        if len(rows) < len(here):
+            raise NoSolution(f"measurement {self.name}: the machine has too few modes")
+        return np.asarray(pole[columns])[np.argsort(rows)]
+
+
+def _bending(scene: Scene, row: int) -> tuple[Complex, Array]:
+    """Poles that swing in bending at a speed, and their whirl (k,)."""
+    every = [scene.system(k).at(np.array([row])) for k in scene.with_motions(("bending",))]
+    pole = np.concatenate([motions.pole[0] for motions in every])
+    whirl = np.concatenate([motions.whirl[0] for motions in every])
+    swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
+    return pole[swings], whirl[swings]

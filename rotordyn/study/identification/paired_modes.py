@@ -1,0 +1,205 @@
+"""Modes that measured responses have in common beside those of a machine, speed by speed.
+
+Pairs are those of the least sum of ln(frequency ratio)/``FAR`` + 1 − MAC over all modes of a speed,
+the MAC being that of the residues in the measured pairs (H. Kuhn's assignment). Responses in two
+planes turn the phase of residues by the direction of whirl, so that forward goes with forward.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.results.display import RPM
+from rotordyn.study.identification.measurement import Beside
+from rotordyn.study.identification.trial import Trial
+
+if TYPE_CHECKING:
+    from rotordyn.study.identification.responses import Responses
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+FAR = 0.2  # of a frequency: as far apart as modes of MAC 0
+SWINGS = 1e-3  # Im λ over |λ| below which nothing swings
+APART = 0.5  # ln of frequencies beyond which two modes are no pair
+SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no mode
+DAMPED = 0.3  # damping ratio above which it is none
+WIDTHS = 4.0  # half-widths within which a mode hides beside another
+SEEN = 5.0  # deviations of the noise above which a mode of the machine should be measured
+NOISIER = 1.2  # scatter about the modes over the stated noise
+HEAD = (
+    "speed [rpm]",
+    "measured [Hz]",
+    "deviation [Hz]",
+    "damping [%]",
+    "deviation [%]",
+    "machine [Hz]",
+    "its damping [%]",
+    "MAC",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """A mode at a ``speed`` [rad/s]: ``frequency`` [Hz] and ``damping`` ratio as ``measured`` with
+    their standard deviations, and as ``computed``; ``mac`` of its residues. NaN where there is
+    none."""
+
+    speed: float
+    measured: float
+    deviation: float
+    damping: float
+    damping_deviation: float
+    computed: float
+    computed_damping: float
+    mac: float
+
+
+def paired_modes(of: Responses, trial: Trial) -> list[Mode]:
+    """Every measured mode within the band, and every computed one that should have been seen."""
+    return [mode for speed in of.speed for mode in _at(of, trial, speed)]
+
+
+def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
+    """What the modes say against the machine, and the number of poles against the noise."""
+    for mode in modes:
+        at = f"at {mode.speed * RPM.factor:.0f} rpm"
+        if np.isnan(mode.computed):
+            yield f"{at} a mode is measured at {mode.measured:.1f} Hz that the machine lacks"
+        elif np.isnan(mode.measured):
+            yield f"{at} the machine has a mode at {mode.computed:.1f} Hz that is not measured"
+    for speed, fit in of.modes.items():
+        if fit.misfit > NOISIER:
+            yield (
+                f"at {speed * RPM.factor:.0f} rpm responses scatter {fit.misfit:.2g} times as much "
+                f"as stated about the {len(fit.best.fit.pole)} modes fitted to them"
+            )
+
+
+def beside(of: Responses, trial: Trial) -> Beside:
+    """Both as a table, and what they say against the machine."""
+    modes = paired_modes(of, trial)
+    rows = [
+        (
+            f"{each.speed * RPM.factor:.0f}",
+            _written(each.measured, 2),
+            _written(each.deviation, 2),
+            _written(100.0 * each.damping, 3),
+            _written(100.0 * each.damping_deviation, 3),
+            _written(each.computed, 2),
+            _written(100.0 * each.computed_damping, 3),
+            _written(each.mac, 3),
+        )
+        for each in modes
+    ]
+    return Beside(f"{of.word}_modes", HEAD, tuple(rows), tuple(_remarks(of, modes)))
+
+
+def _written(value: float, digits: int) -> str:
+    return "" if np.isnan(value) else f"{value:.{digits}f}"
+
+
+def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
+    pole, residue = _computed(of, trial, speed)
+    fit = of.modes[speed].best
+    omega = 2.0 * np.pi * np.array(of.of_speed(speed)[0].frequency)
+    size = np.abs(fit.fit.pole)
+    relative = fit.deviation / size[:, None]
+    mode = (
+        (fit.fit.pole.imag >= omega[0])
+        & (fit.fit.pole.imag <= omega[-1])
+        & (relative[:, 1] < SURE)
+        & (-fit.fit.pole.real < DAMPED * size)
+    )
+    known, shape = fit.fit.pole[mode], fit.fit.residue[mode]
+    pole, residue = _merged(pole, residue)
+    mac = _mac(shape, residue)
+    apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
+    rows, columns = assigned(apart / FAR + 1.0 - mac, apart)
+    partner = dict(zip(rows, columns, strict=True))
+    for k in np.argsort(known.imag).tolist():
+        j = partner.get(k)
+        yield Mode(
+            speed,
+            float(np.abs(known[k])) / (2.0 * np.pi),
+            float(fit.deviation[mode][k, 1]) / (2.0 * np.pi),
+            float(-known[k].real / np.abs(known[k])),
+            float(relative[mode][k, 0]),
+            *(_said(complex(pole[j]), mac[k, j]) if j is not None else (np.nan, np.nan, np.nan)),
+        )
+    for j in set(range(len(pole))) - set(columns):
+        one, inside = complex(pole[j]), omega[0] < pole[j].imag < omega[-1]
+        beside = np.abs(known - one) < WIDTHS * (np.abs(known.real) + abs(one.real))
+        if inside and not beside.any() and _visible(of, speed, one, residue[j]):
+            none = (np.nan,) * 4
+            yield Mode(speed, *none, *_said(one, np.nan))
+
+
+def _said(pole: complex, mac: float) -> tuple[float, float, float]:
+    return abs(pole) / (2.0 * np.pi), -pole.real / abs(pole), float(mac)
+
+
+def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Complex]:
+    """Poles (k,) that swing and their residues (k, pairs) in the responses of a speed."""
+    scene = of.scene(trial)
+    at = np.array([of.speed.index(speed)])
+    every = of.of_speed(speed)
+    poles, residues = [], []
+    owned = [of.owners(scene, one) for one in every]
+    for k in sorted({a for a, b in owned if a == b}):
+        motions: FreeMotions = scene.system(k).at(at)
+        rows = np.zeros((2, len(every), motions.linear.size))
+        for place, (one, owner) in enumerate(zip(every, owned, strict=True)):
+            if owner == (k, k):
+                rows[:, place] = of.rows(scene, k, one)
+        poles.append(motions.pole[0])
+        residues.append(((rows[0] @ motions.vector[0]) * (motions.left[0] @ rows[1].T).T).T)
+    pole, residue = np.concatenate(poles), np.concatenate(residues)
+    swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
+    return pole[swings], residue[swings]
+
+
+def _merged(pole: Complex, residue: Complex) -> tuple[Complex, Complex]:
+    """Without poles that no pair sees; of those nearer than their widths one, as they are seen."""
+    size = np.abs(residue).sum(axis=1)
+    order = np.argsort(pole.imag)
+    kept: list[tuple[complex, Complex, float]] = []
+    for k in order[size[order] > 1e-9 * size.max(initial=0.0)]:
+        if kept and abs(kept[-1][0] - pole[k]) < abs(pole[k].real):
+            before, shape, weight = kept.pop()
+            share = size[k] / (size[k] + weight)
+            mean = (1.0 - share) * before + share * pole[k]
+            kept.append((complex(mean), shape + residue[k], weight + size[k]))
+        else:
+            kept.append((complex(pole[k]), residue[k], float(size[k])))
+    if not kept:
+        return np.zeros(0, dtype=complex), np.zeros((0, residue.shape[1]), dtype=complex)
+    return np.array([each[0] for each in kept]), np.array([each[1] for each in kept])
+
+
+def _mac(one: Complex, other: Complex) -> Array:
+    across = np.abs(one.conj() @ other.T) ** 2
+    sizes = [(np.abs(each) ** 2).sum(axis=1) for each in (one, other)]
+    return np.asarray(across / np.maximum(np.outer(*sizes), 1e-300))
+
+
+def assigned(cost: Array, apart: Array) -> tuple[list[int], list[int]]:
+    """Rows and columns of the pairs of least cost, none farther ``apart`` than ``APART``."""
+    from scipy.optimize import linear_sum_assignment
+
+    rows, columns = linear_sum_assignment(np.where(apart > APART, 1e3, cost))
+    good = apart[rows, columns] <= APART
+    return rows[good].tolist(), columns[good].tolist()
+
+
+def _visible(of: Responses, speed: float, pole: complex, residue: Complex) -> bool:
+    """Whether a mode stands above the noise in any response."""
+    omega = 2.0 * np.pi * np.array(of.of_speed(speed)[0].frequency)
+    near = int(np.abs(omega - pole.imag).argmin())
+    height = np.abs(residue / (1j * omega[near] - pole))
+    return bool((height > SEEN * of.deviation_at(speed, near)).any())

@@ -1,0 +1,369 @@
+"""Measured frequency responses of several pairs at several speeds, at rest and in rotation.
+
+The modes that the responses of a speed have in common are fitted first (``pole_count``). Their sum
+is known off the axis of real frequencies too, at s = (b + i) ω, under a force that grows: there
+every peak is as wide as b, and machines whose frequencies lie far from those measured are led to
+them. So a search begins with ``blurred`` responses and ends with those measured, each sample
+weighed by its noise.
+
+Theory: docs/theory/rotor_from_responses.md.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, Port, as_quantity
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.assembly import unknown
+from rotordyn.numerics.pole_count import Counted, counted
+from rotordyn.numerics.threads import linear_algebra_alone
+from rotordyn.results.display import RPM, is_rotation
+from rotordyn.scene.scene import Scene
+from rotordyn.study.identification.measurement import Beside, Data
+from rotordyn.study.identification.paired_modes import beside
+from rotordyn.study.identification.trial import Trial, require_all_speeds
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+BLURS = (0.3, 0.05)  # b above, in turn: as wide as the distance of modes, then of their pairs
+POINTS = 40  # frequencies of blurred responses
+STEP = 1e-4  # of an unknown's scale, of differences: a sharp peak moves by its width soon
+FLOOR = 0.02  # of the median of a response: noise in proportion to the response ends there
+MOST_MODES = 40
+SWAMPED = 0.5  # noise over response
+INCOHERENT = 1e-3  # 1 − γ² below which noise comes from elsewhere
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Responses:
+    """``responses`` of any pairs and speeds, those of one speed at the same frequencies.
+
+    Each sample has a standard deviation, of its real and of its imaginary part: ``noise`` times its
+    size, or by its coherence γ² over ``averages`` spectra √((1 − γ²)/(2 n γ²)) times its size (J.
+    Bendat and A. Piersol, Random data). ``gain``: standard deviation of an unknown factor of each
+    response, as sensors and hammers have, over 1.
+    """
+
+    name: str
+    responses: tuple[MeasuredResponse, ...]
+    noise: float | None = None
+    averages: int | None = None
+    gain: float = 0.0
+
+    step = STEP
+
+    def __post_init__(self) -> None:
+        for sentence in self._refusals():
+            raise InvalidInput(f"measurement {self.name}: {sentence}")
+
+    def _refusals(self) -> Iterator[str]:
+        if not self.responses:
+            yield "holds no responses"
+        if self.noise is not None and not 0.0 < self.noise < SWAMPED:
+            yield f"noise: given {self.noise:g}; allowed: above 0, below {SWAMPED:g} of a response"
+        if self.averages is not None and not self.averages >= 1:
+            yield f"averages: given {self.averages}; allowed: at least 1"
+        if not 0.0 <= self.gain < 1.0:
+            yield f"gain: given {self.gain:g}; allowed: from 0, below 1"
+        seen: dict[tuple[str, float], None] = {}
+        for one in self.responses:
+            at = f"{one.pair} at {_rpm(one.speed)}"
+            if (one.pair, one.speed) in seen:
+                yield f"{at} is given twice"
+            seen[one.pair, one.speed] = None
+            first = next(other for other in self.responses if other.speed == one.speed)
+            if one.frequency != first.frequency:
+                yield (
+                    f"{at} has {len(one.frequency)} frequencies from {one.frequency[0]:g} to "
+                    f"{one.frequency[-1]:g} Hz, {first.pair} has {len(first.frequency)} from "
+                    f"{first.frequency[0]:g} to {first.frequency[-1]:g} Hz: responses of one speed "
+                    "are needed at the same frequencies"
+                )
+            yield from self._noise_refusals(one, at)
+
+    def _noise_refusals(self, one: MeasuredResponse, at: str) -> Iterator[str]:
+        if self.averages is not None and not one.coherence:
+            yield f"{at} has no coherence, which averages are for: give noise instead"
+        elif self.averages is None and self.noise is None:
+            yield f"{at}: give noise, or averages beside a coherence"
+        elif np.median(self._relative(one)) >= SWAMPED:
+            yield (
+                f"{at}: noise swamps it, {100.0 * np.median(self._relative(one)):.0f} % of the "
+                "response at half of the frequencies"
+            )
+
+    def _relative(self, one: MeasuredResponse) -> Array:
+        """Standard deviation of each part over the size of a response (f,)."""
+        if self.averages is None:
+            return np.full(len(one.frequency), self.noise)
+        coherence = np.clip(np.array(one.coherence), 1e-6, 1.0 - INCOHERENT)
+        return np.asarray(np.sqrt((1.0 - coherence) / (2.0 * self.averages * coherence)))
+
+    @property
+    def word(self) -> str:
+        """Its name as of a file."""
+        return re.sub(r"\W+", "_", self.name)
+
+    @cached_property
+    def speed(self) -> tuple[float, ...]:
+        """Each once, ascending [rad/s]."""
+        return tuple(sorted({one.speed for one in self.responses}))
+
+    def of_speed(self, speed: float) -> tuple[MeasuredResponse, ...]:
+        """The responses of a speed."""
+        return tuple(one for one in self.responses if one.speed == speed)
+
+    @cached_property
+    def modes(self) -> Mapping[float, Counted]:
+        """The modes fitted to the responses of every speed.
+
+        Raises
+        ------
+        InvalidInput : noise swamps the responses; too few frequencies
+        """
+        return {speed: self._fitted(speed) for speed in self.speed}
+
+    def _fitted(self, speed: float) -> Counted:
+        every = self.of_speed(speed)
+        values = np.array([as_quantity(one, QUANTITIES[0]) for one in every]).T
+        relative = np.array([self._relative(one) for one in every]).T
+        most = min(MOST_MODES, (len(values) - 2) // 4)
+        if most < 1:
+            raise InvalidInput(
+                f"measurement {self.name}: {len(values)} frequencies at {_rpm(speed)}; allowed: at "
+                "least 6"
+            )
+        omega = 2.0 * np.pi * np.array(every[0].frequency)
+        with linear_algebra_alone():
+            found = counted(omega, values, _deviation(relative, values), most)
+        apart = np.abs(found.best.fit.error) ** 2
+        if (apart.sum(axis=0) > SWAMPED**2 * (np.abs(values) ** 2).sum(axis=0)).any():
+            raise InvalidInput(
+                f"measurement {self.name}: noise swamps the responses at {_rpm(speed)}: no sum of "
+                f"modes comes nearer than {100.0 * SWAMPED:.0f} % of their size"
+            )
+        return found
+
+    @cached_property
+    def data(self) -> Data:
+        """Real, then imaginary part of every response, one after the other; a gain of each."""
+        values, deviations, gains = [], [], []
+        for one in self.responses:
+            size = self._smooth(one)
+            deviation = _deviation(self._relative(one)[:, None], size[:, None])[:, 0]
+            values.append(as_quantity(one, QUANTITIES[0]))
+            deviations += [deviation, deviation]
+        observed = [_rows(one) for one in values]
+        if self.gain:
+            gains = [f"gain of {one.pair} at {_rpm(one.speed)}" for one in self.responses]
+        columns = np.zeros((sum(map(len, observed)), len(gains)))
+        ends = np.cumsum([0, *map(len, observed)])
+        for k in range(len(gains)):
+            columns[ends[k] : ends[k + 1], k] = observed[k]
+        return Data(
+            self.name,
+            np.concatenate(observed),
+            np.concatenate(deviations),
+            *_unit(self.responses),
+            np.concatenate([np.tile(one.frequency, 2) for one in self.responses]),
+            "frequency [Hz]",
+            tuple(series for one in self.responses for series in _series(one)),
+            columns,
+            np.full(len(gains), self.gain),
+            tuple(gains),
+        )
+
+    def _smooth(self, one: MeasuredResponse) -> Complex:
+        """A response by the modes of its speed (f,)."""
+        place = self.of_speed(one.speed).index(one)
+        return self.modes[one.speed].best.fit(2.0 * np.pi * np.array(one.frequency))[:, place]
+
+    @property
+    def carried(self) -> int:
+        """Real numbers that the modes fitted to it consist of."""
+        return sum(each.best.unknowns for each in self.modes.values())
+
+    @property
+    def blurred(self) -> tuple[Blurred, ...]:
+        """The same seen through peaks ever sharper."""
+        return tuple(Blurred(self, share) for share in BLURS)
+
+    def faults(self, case: Case) -> Iterator[str]:
+        """Unknown points, directions that nothing joins, a machine without a rotor."""
+        spindle = case.spindle
+        if spindle is None:
+            yield f"measurement {self.name}: needs a spindle"
+            return
+        for one in self.responses:
+            for port in (one.response, one.excitation):
+                for sentence in unknown("point", port.point, [*spindle.places]):
+                    yield f"measurement {self.name}: {sentence}"
+                    return
+
+    def speeds(self, case: Case) -> tuple[float, ...]:
+        """None: solved at its own speeds by itself."""
+        return ()
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None: the equation of motion is enough."""
+        return {}
+
+    def predicted(self, trial: Trial) -> Array:
+        """Rows as those of ``data`` (n,) [SI]."""
+        frequency = {s: np.array(self.of_speed(s)[0].frequency) for s in self.speed}
+        found = self.computed(trial, {s: 2.0 * np.pi * f for s, f in frequency.items()})
+        return np.concatenate([_rows(found[one.speed][one.pair]) for one in self.responses])
+
+    def beside(self, trial: Trial) -> Beside:
+        """Measured modes beside those of the machine."""
+        return beside(self, trial)
+
+    def scene(self, trial: Trial) -> Scene:
+        """The machine of a trial at the speeds of the responses."""
+        spindle, case = trial.case.spindle, trial.case
+        assert spindle is not None, "asked for by faults"
+        places = {spindle.place(p.point) for one in self.responses for p in _ports(one)}
+        highest = max(one.frequency[-1] for one in self.responses)
+        speed, ports = np.array(self.speed), tuple(sorted(places))
+        scene = Scene(spindle, case.conditions, speed, highest, ports)
+        require_all_speeds(scene)
+        return scene
+
+    def computed(self, trial: Trial, omega: Mapping[float, Any]) -> dict[float, dict[str, Complex]]:
+        """Receptances by speed and pair, at angular frequencies of every speed (f,)."""
+        with linear_algebra_alone():
+            scene = self.scene(trial)
+            return {s: self._at(scene, row, s, omega[s]) for row, s in enumerate(self.speed)}
+
+    def _at(
+        self, scene: Scene, row: int, speed: float, omega: Array | Complex
+    ) -> dict[str, Complex]:
+        found: dict[str, Complex] = {}
+        systems: dict[int, list[MeasuredResponse]] = {}
+        for one in self.of_speed(speed):
+            owners = self.owners(scene, one)
+            found[one.pair] = np.zeros(len(omega), dtype=complex)
+            if owners[0] == owners[1]:
+                systems.setdefault(owners[0], []).append(one)
+        at = np.array([row])
+        for k, every in systems.items():
+            rows = np.array([self.rows(scene, k, one) for one in every])
+            values = scene.system(k).at(at).receptance(np.asarray(omega), rows[:, 0], rows[:, 1])[0]
+            for one, value in zip(every, values, strict=True):
+                found[one.pair] = np.asarray(value)
+        return found
+
+    @staticmethod
+    def owners(scene: Scene, one: MeasuredResponse) -> tuple[int, int]:
+        """Subsystems in which response and excitation move."""
+        first, second = (scene.owner(port.point, port.direction) for port in _ports(one))
+        return first, second
+
+    @staticmethod
+    def rows(scene: Scene, k: int, one: MeasuredResponse) -> Array:
+        """Motions at response and excitation by the coordinates of a subsystem (2, n)."""
+        linear = scene.system(k).linear
+        places = [(scene.spindle.place(port.point), port.direction) for port in _ports(one)]
+        return np.array([linear.row(place.rotor, place.x, way) for place, way in places])
+
+    def deviation_at(self, speed: float, place: int) -> Array:
+        """Standard deviation of each part of the responses of a speed at one frequency (e,)."""
+        every, size = self.of_speed(speed), self.modes[speed].best.fit
+        omega = 2.0 * np.pi * np.array(every[0].frequency)
+        relative = np.array([self._relative(one) for one in every]).T
+        return _deviation(relative, size(omega))[place]
+
+
+@dataclass(frozen=True, eq=False)
+class Blurred:
+    """Responses ``of`` a measurement under a force that grows, s = (``share`` + i) ω."""
+
+    of: Responses
+    share: float
+    step = STEP
+
+    @cached_property
+    def _omega(self) -> dict[float, Complex]:
+        turn = 2.0 * np.pi * (1.0 - 1j * self.share)
+        each = {speed: _across(self.of.of_speed(speed)[0]) for speed in self.of.speed}
+        return {speed: np.asarray(turn * hertz, dtype=complex) for speed, hertz in each.items()}
+
+    @cached_property
+    def data(self) -> Data:
+        """Rows as those of the measurement at few frequencies, by the modes fitted to it."""
+        observed, deviations = [], []
+        for one in self.of.responses:
+            place = self.of.of_speed(one.speed).index(one)
+            values = self.of.modes[one.speed].best.fit(self._omega[one.speed])[:, place]
+            typical = float(np.median(self.of._relative(one)))
+            observed.append(_rows(values))
+            deviations.append(np.tile(typical * np.abs(values), 2))
+        at = [np.tile(_across(one), 2) for one in self.of.responses]
+        return Data(
+            self.of.name,
+            np.concatenate(observed),
+            np.concatenate(deviations),
+            *_unit(self.of.responses),
+            np.concatenate(at),
+            "frequency [Hz]",
+            ("",) * sum(map(len, at)),
+        )
+
+    def faults(self, case: Case) -> tuple[str, ...]:
+        """None beside those of the measurement."""
+        return ()
+
+    def speeds(self, case: Case) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None."""
+        return {}
+
+    def predicted(self, trial: Trial) -> Array:
+        """Rows as those of ``data`` (n,) [SI]."""
+        found = self.of.computed(trial, self._omega)
+        return np.concatenate([_rows(found[one.speed][one.pair]) for one in self.of.responses])
+
+
+def _across(one: MeasuredResponse) -> Array:
+    return np.geomspace(one.frequency[0], one.frequency[-1], POINTS)
+
+
+def _ports(one: MeasuredResponse) -> tuple[Port, Port]:
+    return one.response, one.excitation
+
+
+def _rows(values: Complex) -> Array:
+    return np.concatenate([values.real, values.imag])
+
+
+def _deviation(relative: Array, values: Complex) -> Array:
+    """Of each part (f, e), with a floor where a response has its zeros."""
+    size = np.abs(values)
+    floor = np.maximum(FLOOR * np.median(size, axis=0), 1e-300)
+    return np.asarray(relative * np.maximum(size, floor))
+
+
+def _unit(responses: tuple[MeasuredResponse, ...]) -> tuple[str, float]:
+    turned = {is_rotation(port.direction) for one in responses for port in _ports(one)}
+    return ("", 1.0) if True in turned else ("µm/N", 1e6)
+
+
+def _series(one: MeasuredResponse) -> list[str]:
+    at = f"{one.pair}, {_rpm(one.speed)}"
+    return [f"{at}, {part}" for part in ("real", "imaginary") for _ in one.frequency]
+
+
+def _rpm(speed: float) -> str:
+    return f"{speed * RPM.factor:.0f} rpm"

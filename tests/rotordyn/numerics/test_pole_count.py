@@ -1,0 +1,92 @@
+"""Poles of noisy samples: as many as there are, where they are, as sure as is said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.numerics.pole_count import Counted, counted
+from rotordyn.numerics.pole_refinement import refined
+
+HERTZ = np.array([180.0, 300.0, 304.0, 520.0])
+RATIO = np.array([0.01, 0.008, 0.008, 0.002])
+POLE = 2.0 * np.pi * HERTZ * (-RATIO + 1j * np.sqrt(1.0 - RATIO**2))
+SHAPE = np.array([[1.0, 0.6, -0.4], [0.8, -1.0, 0.3], [-0.7, 0.5, 1.0], [0.5, 0.4, 0.9]])
+OMEGA = 2.0 * np.pi * np.linspace(100.0, 600.0, 300)
+NOISE = 0.02
+
+
+def values() -> np.ndarray:
+    """Receptances of three places under a force at the first (f, 3)."""
+    residue = SHAPE * SHAPE[:, :1] / (2j * POLE.imag[:, None])
+    s = 1j * OMEGA[:, None]
+    ahead = (1.0 / (s - POLE)) @ residue
+    return ahead + (1.0 / (s - POLE.conj())) @ residue.conj()
+
+
+def measured(seed: int) -> tuple[np.ndarray, np.ndarray]:
+    rng, exact = np.random.default_rng(seed), values()
+    noise = rng.normal(size=(2, *exact.shape))
+    return exact * (1.0 + NOISE * (noise[0] + 1j * noise[1])), NOISE * np.abs(exact)
+
+
+def inside(found: Counted) -> np.ndarray:
+    pole = found.best.fit.pole
+    return (pole.imag > OMEGA[0]) & (pole.imag < OMEGA[-1])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_number_of_poles_follows_from_the_evidence(seed: int) -> None:
+    """A pair 4 Hz apart, whose peaks are 5 Hz wide, is two; one pole fewer leaves more than the
+    noise, one more has no evidence."""
+    found = counted(OMEGA, *measured(seed), 12)
+    assert inside(found).sum() == len(POLE)
+    assert found.misfit == pytest.approx(1.0, abs=0.08)
+    evidence = {each.poles: each.evidence for each in found.trials}
+    count = len(found.best.fit.pole)
+    assert evidence[count + 1] > evidence[count]
+    few = counted(OMEGA, *measured(seed), len(POLE) - 1)
+    assert few.misfit > 1.5
+
+
+def test_deviations_are_those_of_repeated_measurements() -> None:
+    """Of 24: the scatter over what is said has a standard error of 15 % in each of eight parts."""
+    apart = []
+    for seed in range(24):
+        samples, deviation = measured(seed)
+        found = refined(OMEGA, samples, POLE, 1.0 / deviation)
+        error = found.fit.pole - POLE
+        apart.append(np.stack([error.real, error.imag], axis=1) / found.deviation)
+    scatter = np.sqrt(np.mean(np.square(apart), axis=0))
+    assert scatter.mean() == pytest.approx(1.0, abs=0.15)
+    assert np.abs(np.mean(apart, axis=0)).max() < 0.8
+
+
+def test_least_squares_have_no_slope_at_the_refined_poles() -> None:
+    samples, deviation = measured(5)
+    found = refined(OMEGA, samples, 1.003 * POLE, 1.0 / deviation)
+    assert np.abs(found.fit.pole / POLE - 1.0).max() < 2e-3
+    for k in range(len(POLE)):
+        for step in (found.deviation[k, 0], 1j * found.deviation[k, 1]):
+            moved = found.fit.pole.copy()
+            moved[k] += 0.1 * step
+            basis = np.concatenate(
+                [1.0 / (1j * OMEGA[:, None] - q) for q in (moved, moved.conj())], 1
+            )
+            columns = np.concatenate([basis, np.ones((len(OMEGA), 1))], axis=1)
+            assert squares(columns, samples, deviation) > found.squares - 0.05
+
+
+def squares(columns: np.ndarray, samples: np.ndarray, deviation: np.ndarray) -> float:
+    """Of residues that need not be conjugate of one another, in real arithmetic of both."""
+    half, total = (columns.shape[1] - 1) // 2, 0.0
+    one, other = columns[:, :half], columns[:, half : 2 * half]
+    real = np.concatenate([one + other, 1j * (one - other), columns[:, -1:]], axis=1)
+    for k in range(samples.shape[1]):
+        left = real / deviation[:, k, None]
+        rows = np.concatenate([left.real, left.imag])
+        right = samples[:, k] / deviation[:, k]
+        both = np.concatenate([right.real, right.imag])
+        rest = both - rows @ np.linalg.lstsq(rows, both, rcond=None)[0]
+        total += float(rest @ rest)
+    return total
