@@ -247,6 +247,11 @@ def test_an_optimum_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str
         for along, name in zip("xy", shown, strict=True):
             values = array(marks[group][along]["values"], numbers)[names.index(name)]
             assert values == pytest.approx([float(table[k][name]) for k in rows], rel=1e-6)
+    pairs = {k: [float(table[k][name]) for name in shown] for k in places["keeps all limits"]}
+    beaten = {
+        k for k, (a, b) in pairs.items() for c, d in pairs.values() if c >= a and d <= b != d
+    } | {k for k, (a, b) in pairs.items() for c, d in pairs.values() if c > a and d <= b}
+    assert sorted(about["front"]) == sorted(pairs.keys() - beaten)
     best = max(places["keeps all limits"], key=lambda k: float(table[k][shown[0]]))
     assert about["best"] == best
     (folder / "optimum.json").unlink()
