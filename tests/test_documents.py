@@ -49,7 +49,7 @@ GENERATED = OUTPUTS | {
     "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
-    "docs/mfw2310.md": {"bearings", "comparison", "left-out", "rest", "speed"},
+    "docs/mfw2310.md": {"axial", "bearings", "comparison", "left-out", "phases", "rest", "speed"},
     "docs/benchmarks.md": {
         *(
             "machine",

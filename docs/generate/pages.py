@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+from docs.generate.axial_rows import axial_table, phase_table
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
@@ -38,6 +39,8 @@ def write_flagship() -> None:
         "left-out": omitted(known),
         "rest": _accuracy(rest_rows()),
         "speed": _accuracy(speed_rows()),
+        "axial": axial_table(),
+        "phases": phase_table(),
     }
     rewrite(DOCS / "mfw2310.md", fresh)
 

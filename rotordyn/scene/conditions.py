@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from bearings.ball.law import DYNAMICS, KINEMATICS, MOMENT_SHARING, Law
-from rotordyn.description import Description
+from rotordyn.description import Description, Faults
+from rotordyn.machine.history import HistoryStep, history_faults
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
@@ -87,6 +88,13 @@ class Conditions(Description):
         "conductances by which the heat of every bearing leaves, instead of `temperatures`: these "
         "and the preload follow from it ([theory](theory/life.md#temperatures))",
     ] = None
+    history: Annotated[
+        tuple[HistoryStep, ...],
+        "what happened from assembly on, step by step; dry friction of sleeves remembers it. By "
+        "default the spindle takes its temperatures and runs up through the speeds of the case. "
+        "At each of them the temperatures and forces of the conditions follow in the end "
+        "([how](theory/network.md#friction-in-all-analyses))",
+    ] = ()
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4
@@ -101,6 +109,10 @@ class Conditions(Description):
     axial_stiffening: Annotated[
         bool, "the axial force in the shaft stiffens or softens its bending"
     ] = True
+
+    def _faults(self) -> Faults:
+        for path, sentence in history_faults(self.history):
+            yield ("history", *path), sentence
 
     @property
     def pull(self) -> tuple[float, float, float]:

@@ -38,12 +38,12 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             "its interference"
         )
     yield from _yielding(scene)
-    for sleeve in scene.spindle.sleeves:
-        if sleeve.friction > 0.0:
-            yield (
-                f"sleeve {sleeve.name}: its friction acts in axial_cycle alone; all other analyses "
-                "take the state without friction"
-            )
+    rubbing = any(sleeve.friction > 0.0 for sleeve in scene.spindle.sleeves)
+    if scene.conditions.history and not rubbing:
+        yield (
+            "history: no sleeve has friction, so that nothing is left of what happened before; "
+            "give friction to a sleeve, or leave the history out"
+        )
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
     for support in scene.spindle.supports:
@@ -51,6 +51,20 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
+
+
+def friction_notes(scene: Scene) -> Iterator[str]:
+    """How sleeves that rub are taken."""
+    names = [sleeve.name for sleeve in scene.spindle.sleeves if sleeve.friction > 0.0]
+    if names and "preload" in scene.solved:
+        held = scene.preload.net.held[:, 1:] & (scene.preload.rubs[1:] > 0.0)
+        past = "the history of the case" if scene.conditions.history else "a run-up from rest"
+        yield (
+            f"dry friction holds sleeve {', '.join(names)}: the state is the one after {past}; "
+            "vibrations are taken as too small to move the sleeve along the axis"
+            + "; at a stop only the sum of stop and friction force is determined"
+            * bool(held.any())
+        )
 
 
 def _yielding(scene: Scene) -> Iterator[str]:

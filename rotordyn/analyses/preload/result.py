@@ -50,5 +50,7 @@ class PreloadResult:
     position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
     spring_force: Array = quantity("speed", "sleeve", unit="N", label="spring force")
     stop_force: Array = quantity("speed", "sleeve", unit="N", label="stop force")
+    friction_force: Array = quantity("speed", "sleeve", unit="N", label="friction force")
+    friction_limit: Array = quantity("sleeve", unit="N", label="limit of friction")
     stop_reached: Flags = quantity("speed", "sleeve", unit="", label="stop reached")
     stop_speed: Array = quantity("sleeve", unit="rad/s", label="speed at which the stop is reached")

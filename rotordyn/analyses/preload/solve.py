@@ -12,7 +12,7 @@ from bearings.ring.state import BearingState
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.preload.arrangement import rigid
+from rotordyn.preload.arrangement import SHAFT, rigid
 from rotordyn.preload.mounting import ring_offset
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
@@ -65,6 +65,8 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         position=shown(state.shift),
         spring_force=shown(state.spring_force),
         stop_force=shown(state.stop_force),
+        friction_force=shown(state.friction_force),
+        friction_limit=state.rubs[SHAFT + 1 :],
         stop_reached=state.net.held[rows][:, 1:] & good[:, None],
         stop_speed=scene.stop_speeds,
         **balls,

@@ -17,7 +17,7 @@ SAME = 0.5  # N
 
 
 def summary(result: PreloadResult) -> list[str]:
-    """Axial loads of the bearings at the first and last speed, and when stops are reached."""
+    """Axial loads of the bearings at the first and last speed, when stops are reached, friction."""
     loads = ", ".join(
         unbroken(f"{name} {_mounted(mounted, load)}{from_to(load, 0)}")
         for name, mounted, load in zip(
@@ -36,6 +36,11 @@ def summary(result: PreloadResult) -> list[str]:
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")
+    for name, force, limit in zip(
+        result.sleeve, result.friction_force.T, result.friction_limit, strict=True
+    ):
+        if limit > 0.0:
+            lines.append(f"friction   {name}: {from_to(force, 1)} N, within ± {limit:.4g} N")
     return lines
 
 
