@@ -295,8 +295,8 @@ def test_bearings_are_seldom_solved_by_themselves(
     monkeypatch: pytest.MonkeyPatch, compiled: bool, count: int
 ) -> None:
     """Under their likely loads to seat them, to confirm the answer, and to start at rest and at
-    speed where nothing is compiled; at speed
-    balls come into balance with the network, though a stop closes on the way."""
+    speed where nothing is compiled; at speed balls come into balance with the network, though a
+    stop closes on the way."""
     monkeypatch.setattr(states, "loaded", lambda kind: compiled)
     solves = []
     solve = Network.solve_bearings
