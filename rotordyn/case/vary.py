@@ -45,14 +45,20 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
     InvalidInput : a path that leads nowhere, a value of the wrong type or out of its range, or an
         outcome that contradicts itself; one sentence that names the path and what is allowed
     """
+    other = changed(description, changes)
+    return _signed(other) if isinstance(other, Case) else other
+
+
+def changed(description: D, changes: Mapping[str, object]) -> D:
+    """The same without a digest of its own: that of what was changed."""
     if not is_dataclass(description) or isinstance(description, type):
         raise InvalidInput(f"vary takes a description, such as a Case: given {shown(description)}")
     if not isinstance(changes, Mapping):
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
     listed = [_change(path, value) for path, value in changes.items()]
-    if not isinstance(description, Case):
-        return _fields(description, listed)
-    return _signed(_fields(description, [*_of_variants(description, listed), *listed]))
+    if isinstance(description, Case):
+        listed = [*_of_variants(description, listed), *listed]
+    return _fields(description, listed)
 
 
 def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:

@@ -23,7 +23,7 @@ from rotordyn.figures.style import (
     round_ticks,
 )
 from rotordyn.results.headline import Curve
-from rotordyn.results.interval import Interval
+from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
@@ -34,7 +34,6 @@ PANELS, BARS = 6, 8  # numbers in a figure, sources of each
 BAR, ROOM = 4.6, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
 NARROW = 1e-6
 SEEN = 3e-3  # of the largest change of a number: less is no bar
-OVER_HYPOTHESES, OVER_TOLERANCES = "over hypotheses", "over tolerances, 95 %"
 
 
 def rules_figure(held: Interval) -> Figure:
@@ -71,7 +70,7 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     size = np.nan_to_num(np.abs(effects).max(axis=1, initial=0.0))
     seen, several = SEEN * size.max(initial=0.0), len(held.combination) > 1
     sources = [int(s) for s in np.argsort(-size, kind="stable")[:BARS] if size[s] > seen]
-    names = [*(["hypotheses"] if several else []), *(_end(held.source[s]) for s in sources)]
+    names = [*(["hypotheses"] if several else []), *(short_path(held.source[s]) for s in sources)]
     if several:
         axes.barh(0, high - low, left=low, height=0.7, color=GREY, label=OVER_HYPOTHESES)
     for place, s in enumerate(sources, start=int(several)):
@@ -89,11 +88,6 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     axes.set_title(shortened(words, 48), fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 
-def _end(path: str, longest: int = 24) -> str:
-    words = ".".join(w for w in path.split(".") if w not in ("spindle", "conditions", "*", "model"))
-    return words if len(words) <= longest else "…" + words[1 - longest :]
-
-
 def slopes_figure(held: Interval) -> Figure:
     """Relative change of every number over that of a number of the case, as a map of colours."""
     values = np.nan_to_num(held.elasticity)
@@ -108,7 +102,7 @@ def slopes_figure(held: Interval) -> Figure:
     top = float(np.abs(values[rows]).max())
     axes.imshow(values[rows], cmap="RdBu_r", vmin=-top, vmax=top, aspect="auto")
     axes.set_xticks(
-        range(len(held.path)), [_end(p, 34) for p in held.path], rotation=20, ha="right"
+        range(len(held.path)), [short_path(p, 34) for p in held.path], rotation=20, ha="right"
     )
     axes.set_yticks(range(len(rows)), [shortened(held.number[k], 44) for k in rows])
     axes.tick_params(labelsize=FONT_SIZE - 1.5)

@@ -85,7 +85,7 @@ class Results(Mapping[str, "xr.Dataset"]):
 
     @property
     @abstractmethod
-    def _intervals(self) -> Mapping[str, Interval]:
+    def held_intervals(self) -> Mapping[str, Interval]:
         """How sure each part is, by its name; empty where that was not asked for."""
 
     @property
@@ -93,7 +93,7 @@ class Results(Mapping[str, "xr.Dataset"]):
         """How sure the results are, of each variant by its name ("" where there are none)."""
         from rotordyn.report.datasets import dataset
 
-        return {part: dataset(held) for part, held in self._intervals.items()}
+        return {part: dataset(held) for part, held in self.held_intervals.items()}
 
     @property
     def interval(self) -> xr.Dataset:
@@ -219,7 +219,7 @@ class Results(Mapping[str, "xr.Dataset"]):
         from rotordyn.job.side_by_side import scale_of
 
         parts = self.parts
-        sure = interval_figures(parts, self._intervals)
+        sure = interval_figures(parts, self.held_intervals)
         if "" in parts:
             return dict([*figures(*parts[""]), *sure])
         scale = scale_of([part.case for part in parts.values()])
@@ -311,7 +311,7 @@ class SolvedResults(Results):
         from rotordyn.report.side_by_side import comparison_summary
         from rotordyn.report.summary import summary
 
-        sure = [line for part in self._intervals.items() for line in ("", *_sure(*part))]
+        sure = [line for part in self.held_intervals.items() for line in ("", *_sure(*part))]
         if self.case.variants:
             shown = list(self.parts.values())
             text = comparison_summary(self.case, shown, self.warnings, notes)
@@ -320,7 +320,7 @@ class SolvedResults(Results):
         return "\n".join([text, *sure])
 
     @property
-    def _intervals(self) -> Mapping[str, Interval]:
+    def held_intervals(self) -> Mapping[str, Interval]:
         return self.solution.intervals
 
     @cached_property
@@ -336,7 +336,7 @@ class SolvedResults(Results):
     @cached_property
     def notes(self) -> tuple[str, ...]:
         found = self.solution.sentences(lambda answers: answers.notes)
-        if self.case.uncertain is None or self._intervals:
+        if self.case.uncertain is None or self.held_intervals:
             return found
         return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
 

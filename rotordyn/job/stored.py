@@ -83,7 +83,7 @@ class StoredResults(Results):
         return tuple(self._record["notes"])
 
     @cached_property
-    def _intervals(self) -> Mapping[str, Interval]:
+    def held_intervals(self) -> Mapping[str, Interval]:
         from rotordyn.report.interval import kept
 
         return kept(self._folder)

@@ -1,6 +1,7 @@
 "use strict";
 // Draws what the page holds: see the module rotordyn.page.packed for the form of the content.
 (async () => {
+  const FARTHER = 1.7;
   const element = (id) => document.getElementById(id);
   const held = async (id) => {
     const letters = atob(element(id).textContent), coded = new Uint8Array(letters.length);
@@ -46,12 +47,13 @@
     gridcolor: colours["@rule"], zerolinecolor: colours["@rule"], linecolor: colours["@faint"],
     automargin: true, ticks: "outside", tickcolor: colours["@faint"], exponentformat: "none",
   });
+  const narrow = matchMedia("screen and (max-width: 34rem)"), printed = matchMedia("print");
   const layoutOf = (layout) => {
     const own = revived(layout);
     const scene = { gridcolor: colours["@rule"], color: colours["@ink"], showbackground: false };
     const base = {
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      font: { color: colours["@ink"], family: "system-ui, sans-serif", size: 13 },
+      font: { color: colours["@ink"], family: "system-ui, sans-serif", size: narrow.matches || printed.matches ? 11 : 13 },
       margin: { l: 60, r: 15, t: 12, b: 50 }, hovermode: "closest", autosize: true,
       hoverlabel: { bgcolor: colours["@paper"], font: { color: colours["@ink"] } },
       legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0 },
@@ -62,8 +64,14 @@
     }
     if (result.scene) {
       for (const key of ["xaxis", "yaxis", "zaxis"]) result.scene[key] = { ...scene, ...result.scene[key] };
+      if (narrow.matches) result.scene.camera = fartherBack(result.scene.camera);
     }
     return result;
+  };
+  // What fills a wide frame is cut off by a narrow one.
+  const fartherBack = (camera) => {
+    const eye = { x: 1.25, y: 1.25, z: 1.25, ...camera?.eye };
+    return { ...camera, eye: Object.fromEntries(Object.entries(eye).map(([axis, at]) => [axis, FARTHER * at])) };
   };
   const settings = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d"] };
 
@@ -76,7 +84,7 @@
   // What moves has a leading axis for each control, or for those named under "by".
   const slice = (chart, moving) => {
     const by = moving.by ?? chart.spec.controls.map((_, axis) => axis);
-    const at = place(chart, by), of = moving.values ?? moving;
+    const at = place(chart, by), of = moving.by ? moving.values : moving;
     if (Array.isArray(of)) return of[at];
     const shape = of.w.slice(by.length), size = shape.reduce((a, b) => a * b, 1);
     return rows(array(of).subarray(at * size, (at + 1) * size), shape);
@@ -208,10 +216,11 @@
   };
   const redraw = () => { look(); all.filter((chart) => chart.drawn).forEach(draw); };
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
-  matchMedia("print").addEventListener("change", (event) => {
+  printed.addEventListener("change", (event) => {
     look();
     for (const chart of all) {
-      const width = chart.figure.classList.contains("wide") ? 680 : 335; // of A4 within its margins
+      const alone = chart.figure.matches(".wide, :only-child");
+      const width = alone ? 680 : 335; // of A4 within its margins
       draw(chart, event.matches ? { width, autosize: false } : {});
     }
   });

@@ -290,13 +290,12 @@ def _seated(network: Network) -> Array:
     likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
     likely = np.where(network.both_ways, np.copysign(likely, share), likely)
     carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
-    deflection = [
-        bearing.model.equilibrium(
-            load=[load, 0.0, 0.0, 0.0, 0.0], static_growth=bearing.static_growth
-        ).displacement[0]
-        for bearing, load in zip(network.arrangement.bearings, likely, strict=True)
-    ]
-    return np.linalg.lstsq(b[carries], np.array(deflection)[carries], rcond=None)[0]
+    load = np.zeros((1, len(likely), 5))
+    load[0, :, 0] = likely
+    deflection = np.empty(len(likely))
+    for alike in network.solve_bearings(range(len(likely)), None, load=load).values():
+        deflection[alike.places] = alike.state.displacement[0, :, 0]
+    return np.linalg.lstsq(b[carries], deflection[carries], rcond=None)[0]
 
 
 def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:

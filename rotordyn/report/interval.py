@@ -27,27 +27,30 @@ HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
 
 def interval_lines(held: Interval, part: str = "") -> list[str]:
     """Ranges of the numbers that vary most, and what rules them."""
+    of = f"of {part} " if part else ""
+    lines = wrapped(f"interval   {of}over {interval_over(held)}; machines solved: {held.runs}")
+    rows = interval_ranges(held)
+    widths = [max(len(row[k]) for row in rows) for k in range(5)]
+    if len(rows) > 1:
+        lines += ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+    if len(rows) <= len(held.number):
+        lines.append(f"… and {len(held.number) - len(rows) + 1} more numbers: interval.csv")
+    lines += [part for sentence in interval_doubts(held) for part in wrapped(sentence)]
+    return lines
+
+
+def interval_over(held: Interval) -> str:
+    """What the machine was solved over, in words."""
     combinations, sources = len(held.combination), len(held.source)
     words = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
     if sources:
         words.append(f"{sources} tolerances (95 % of the machines within them)")
-    of = f"of {part} " if part else ""
-    over = " and ".join(words) or "nothing"
-    lines = wrapped(f"interval   {of}over {over}; machines solved: {held.runs}")
-    chosen = _chosen(held)
-    rows = [HEAD, *(_row(held, k) for k in chosen)]
-    widths = [max(len(row[k]) for row in rows) for k in range(5)]
-    if len(rows) > 1:
-        lines += ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
-    if len(chosen) < len(held.number):
-        lines.append(f"… and {len(held.number) - len(chosen)} more numbers: interval.csv")
-    lines += [part for sentence in _doubts(held) for part in wrapped(sentence)]
-    return lines
+    return " and ".join(words) or "nothing"
 
 
-def _chosen(held: Interval) -> list[int]:
-    """The numbers that vary most, in their order."""
-    return sorted(held.apart(held.varying())[:MOST])
+def interval_ranges(held: Interval) -> list[tuple[str, ...]]:
+    """Ranges of the numbers that vary most, in their order, below a row of headings."""
+    return [HEAD, *(_row(held, k) for k in sorted(held.apart(held.varying())[:MOST]))]
 
 
 def _row(held: Interval, k: int) -> tuple[str, ...]:
@@ -74,7 +77,8 @@ def _source(path: str) -> str:
     return last if len(last) <= LONGEST_SOURCE else last.rpartition(".")[2]
 
 
-def _doubts(held: Interval) -> Iterator[str]:
+def interval_doubts(held: Interval) -> Iterator[str]:
+    """What these ranges do not hold, a sentence each below a word."""
     if np.any(held.without) or np.any(held.without_within):
         unmet = "a stop that is not met, a bearing that is unloaded"
         yield f"{NONE}          some of these machines have no such number: {unmet}"

@@ -15,6 +15,8 @@ ENDS = ("lowest", "highest")
 NARROW = 1e-6  # relative width: nothing changes the number
 ORDERED = 5  # decimals of the logarithm of a width by which numbers are put in order
 ALIKE = 0.05  # of the largest change of two numbers
+OVER_HYPOTHESES, OVER_TOLERANCES = "over hypotheses", "over tolerances, 95 %"
+COMMON = ("spindle", "conditions", "*", "model")  # steps of a path that tell little
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,3 +108,9 @@ class Interval:
         total = widths.sum()
         order = np.argsort(-widths, kind="stable")
         return [(self.source[k], float(widths[k] / total)) for k in order if total and widths[k]]
+
+
+def short_path(path: str, longest: int = 24) -> str:
+    """The end of a dotted path, by which it is known."""
+    words = ".".join(step for step in path.split(".") if step not in COMMON)
+    return words if len(words) <= longest else "…" + words[1 - longest :]

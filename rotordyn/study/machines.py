@@ -17,7 +17,7 @@ from rotordyn.analyses.registry import analysis
 from rotordyn.case.asked import certain
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at
-from rotordyn.case.vary import vary
+from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.values import Values, values_of
 from rotordyn.study.neighbours import Neighbours
@@ -63,7 +63,7 @@ class Machines:
     def _solved(self, changes: Mapping[str, Any]) -> Values:
         self.solved += 1
         try:
-            case = vary(self.case, changes)
+            case = changed(self.case, changes)
             return values_of(case, self._neighbours.solve(case)[0].results)
         except (InvalidInput, BearingError, NoSolution) as error:
             self.lost.append(str(error))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import pickle
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
@@ -15,7 +15,7 @@ from bearings.geometry import geometry
 from bearings.ring.compiled.states import expect
 from rotordyn.analyses.registry import analysis, place
 from rotordyn.case.case import Case
-from rotordyn.case.vary import vary
+from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
@@ -95,7 +95,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     InvalidInput : its values contradict one another
     NoSolution : no speed has a solution
     """
-    case = vary(study.case, study.design.point(number))
+    case = lean(changed(study.case, study.design.point(number)), study.results)
     neighbours = neighbours or Neighbours()
     answers, error = neighbours.solve(case, checked=bool(study.results))
     return Outcome(
@@ -106,6 +106,15 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
         error=error,
         results={name: answers.results[name] for name in study.results},
     )
+
+
+def lean(case: Case, whole: Sequence[str]) -> Case:
+    """The case asked for numbers alone, but for analyses whose results are kept ``whole``."""
+    specs = {
+        name: spec if name in whole else analysis(name).lean(spec)
+        for name, spec in case.analyses.items()
+    }
+    return replace(case, analyses=specs)
 
 
 def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]]:

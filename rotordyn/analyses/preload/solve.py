@@ -34,11 +34,15 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         return taken
 
     seats = state.seat_states()
-    balls = {
-        name: shown(np.stack([_of_heaviest(getattr(s, name), s, c) for s, c in seats], axis=1))
-        for name in BALL_QUANTITIES
-    }
-    slips = np.stack([_of_heaviest(s.slipping, s, column) for s, column in seats], axis=1)[rows]
+    heaviest = [_heaviest(s, column) for s, column in seats]
+
+    def of_heaviest(name: str) -> NDArray[Any]:
+        return np.stack(
+            [getattr(s, name)[:, c][at] for (s, c), at in zip(seats, heaviest, strict=True)], axis=1
+        )
+
+    balls = {name: shown(of_heaviest(name)) for name in BALL_QUANTITIES}
+    slips = of_heaviest("slipping")[rows]
     pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
     factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
     return PreloadResult(
@@ -70,11 +74,11 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
     )
 
 
-def _of_heaviest(values: NDArray[Any], state: BearingState, column: int) -> NDArray[Any]:
-    """Of values (speeds, bearings, balls) those of the ball of a bearing with the largest load on
-    its inner race (speeds,); without loads across the axis all of them are alike."""
-    heaviest = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
-    return np.take_along_axis(values[:, column], heaviest[:, None], axis=1)[:, 0]
+def _heaviest(state: BearingState, column: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Of values (speeds, balls) of a bearing those of the ball with the largest load on its inner
+    race (speeds,); without loads across the axis all balls are alike."""
+    ball = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
+    return np.arange(len(ball)), ball
 
 
 def _by_films(state: PreloadState) -> Array:

@@ -9,6 +9,7 @@ import rotordyn
 from rotordyn.errors import InvalidInput
 from rotordyn.job.pages.asked import analysis_blocks, numbers_table
 from rotordyn.job.pages.inputs import input_blocks
+from rotordyn.job.pages.intervals import interval_blocks
 from rotordyn.job.pages.machine import bearings_table, machine_blocks, single_table
 from rotordyn.job.pages.origin import known_table, origin_blocks
 from rotordyn.job.pages.variants import variant_blocks
@@ -87,6 +88,7 @@ def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
     yield from (("Inputs", block) for block in input_blocks(first))
     yield from ((BEARINGS, table) for table in _bearings(parts))
     yield from analysis_blocks(list(parts.values()))
+    yield from (("How sure", block) for block in interval_blocks(parts, results.held_intervals))
     if (table := known_table(parts)) is not None:
         yield table.title, table
     yield from (("Accuracy and origin", block) for block in origin_blocks(parts, origin))

@@ -11,7 +11,7 @@ from rotordyn.case.written import write_changed
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum, Progress
-from rotordyn.study.optimum.summary import summary, write_trials
+from rotordyn.study.optimum.summary import summary, write_about, write_trials
 
 BEST, SUMMARY = "best.yaml", "summary.txt"
 
@@ -37,6 +37,7 @@ def deliver(
     text = summary(found)
     (folder / SUMMARY).write_text(text + "\n", encoding="utf-8")
     write_trials(folder, found)
+    write_about(folder, found)
     if found.best is not None:
         title = f"{problem.case.title or problem.case.name}: the best"
         write_changed(problem.case, _as_written(problem, found.best), folder / BEST, title=title)

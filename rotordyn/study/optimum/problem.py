@@ -14,7 +14,7 @@ import numpy as np
 
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
-from rotordyn.case.vary import vary
+from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
@@ -134,7 +134,7 @@ def trial(problem: Problem, place: Place, neighbours: Neighbours | None = None) 
     InvalidInput : its values contradict one another, or a goal or limit asks for what is not there
     NoSolution : no speed has a solution
     """
-    return _read(problem, place, vary(problem.case, problem.values(place)), neighbours)
+    return _read(problem, place, changed(problem.case, problem.values(place)), neighbours)
 
 
 def as_it_stands(problem: Problem) -> Trial:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from rotordyn import __version__
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
 from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
+
+TABLE, ABOUT = "trials.csv", "optimum.json"
 
 
 def summary(found: Optimum) -> str:
@@ -25,11 +29,7 @@ def _lines(found: Optimum) -> Iterator[str]:
     yield problem.case.title or problem.case.name
     yield f"{len(found.trials)} trials, {good} of them keep all limits"
     yield ""
-    heads = ("the case as it stands", "best" if found.best else "nearest, no best")
-    rows: list[tuple[str, ...]] = [("", *heads)]
-    for p in problem.parameters:
-        rows.append((p.heading, _as_it_stands(found, p), written(problem, p, near)))
-    rows += _readings(found)
+    rows = _beside(found)
     widths = [max(len(row[k]) for row in rows) for k in range(3)]
     for row in rows:
         cells = zip(row, widths, strict=True)
@@ -47,6 +47,35 @@ def _lines(found: Optimum) -> Iterator[str]:
             ways = (f"{g.words} {value:.4g} {unit}" for g, value, unit in goals)
             chosen = (f"{p.path} {written(problem, p, each)}" for p in problem.parameters)
             yield from wrapped(f"- {', '.join(ways)}: {', '.join(chosen)}")
+
+
+def _beside(found: Optimum) -> list[tuple[str, ...]]:
+    """What was chosen, goals and limits: of the case as it stands, and of the best."""
+    heads = ("the case as it stands", "best" if found.best else "nearest, no best")
+    chosen = [
+        (p.heading, _as_it_stands(found, p), written(found.problem, p, found.nearest))
+        for p in found.problem.parameters
+    ]
+    return [("", *heads), *chosen, *_readings(found)]
+
+
+def write_about(folder: Path, found: Optimum) -> None:
+    """``optimum.json``: the summary as data, trials by their rows in the table."""
+    case, trials = found.problem.case, list(found.trials)
+    words = {
+        "title": case.title or case.name,
+        "source": f"rotordyn {__version__}",
+        "digest": case.digest,
+        "parameters": len(found.problem.parameters),
+        "goals": len(found.problem.goals),
+        "best": None if found.best is None else trials.index(found.best),
+        "front": [trials.index(each) for each in found.front] if len(found.front) > 1 else [],
+        "rows": _beside(found),
+        "verdict": found.verdict,
+        "warnings": found.nearest.warnings,
+    }
+    text = json.dumps(words, ensure_ascii=False, indent=1) + "\n"
+    (folder / ABOUT).write_text(text, encoding="utf-8")
 
 
 def _as_it_stands(found: Optimum, p: Any) -> str:
@@ -102,7 +131,7 @@ def write_trials(folder: Path, found: Optimum) -> None:
         columns.append((head, values))
     columns.append(("keeps all limits", ["yes" if t.feasible else "no" for t in found.trials]))
     columns.append(("not solved", [each.sentence for each in found.trials]))
-    write_table(folder / "trials.csv", columns)
+    write_table(folder / TABLE, columns)
 
 
 def _row(trial: Trial, place: int) -> str:

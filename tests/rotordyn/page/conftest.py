@@ -15,7 +15,16 @@ import pytest
 import rotordyn
 from rotordyn.job import deliver
 
-OPTIONS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+OPTIONS = [
+    "--no-sandbox",  # which root has to do without
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-quic",
+    "--disable-sync",
+    "--no-first-run",
+]
 
 
 def evil() -> Any:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -18,9 +20,11 @@ import pytest
 
 import rotordyn
 from rotordyn import cli
+from rotordyn.case.uncertain import Uncertain
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
+from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
 from tests.rotordyn.page.conftest import array, evil, held
 
 CASES = (
@@ -193,6 +197,109 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     (folder / "points.csv").unlink()
     assert cli.main(["report", str(folder)]) == 2
     assert "a study that is not complete" in capsys.readouterr().err
+
+
+OPTIMUM = """title: <b>Two</b> goals
+case: case.yaml
+vary:
+  spindle.sleeves.rear.spring.preload: {from: 600 N, to: 2400 N}
+goals:
+  - {highest: preload.axial_load}
+  - {lowest: "preload: sum"}
+limits:
+  - {of: "preload: sum", at_most: 1900 N}
+trials: 14
+"""
+
+
+def test_an_optimum_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    (tmp_path / "case.yaml").write_text(
+        "spindle: grinding_spindle\nspeeds: [0 rpm, 12000 rpm]\nanalyses: {preload: {}}\n"
+    )
+    (tmp_path / "optimum.yaml").write_text(OPTIMUM)
+    folder = tmp_path / "out"
+    words_of = ["optimise", str(tmp_path / "optimum.yaml"), "-o", str(folder)]
+    assert cli.main([*words_of, "--no-figures", "--workers", "1"]) == 0
+    assert cli.main(["report", str(folder)]) == 0
+    about = json.loads((folder / "optimum.json").read_text(encoding="utf-8"))
+    with (folder / "trials.csv").open(encoding="utf-8-sig") as file:
+        table = list(csv.DictReader(file))
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    assert "&lt;b&gt;Two&lt;/b&gt; goals" in text
+    kept = sum(row["keeps all limits"] == "yes" for row in table)
+    assert f"{len(table)} trials, {kept} of them keep all limits" in text
+    assert all(word in words(text) for row in about["rows"] for word in row)
+    content, numbers = held(text)
+    trade = next(c for c in content.values() if len(c["controls"]) == 2)
+    names = [unescape(word) for word in trade["controls"][0]["options"]]
+    shown = [names[control["start"]] for control in trade["controls"]]
+    assert [name[: name.index(" ")] for name in shown] == ["highest", "lowest"]
+    marks = {unescape(trace["name"]): trace["moving"] for trace in trade["traces"]}
+    places = {
+        "keeps all limits": [k for k, r in enumerate(table) if r["keeps all limits"] == "yes"],
+        "breaks a limit": [k for k, r in enumerate(table) if r["keeps all limits"] == "no"],
+        "trade-off": sorted(about["front"]),
+        "best": [about["best"]],
+    }
+    assert marks.keys() == places.keys()
+    for group, rows in places.items():
+        for along, name in zip("xy", shown, strict=True):
+            values = array(marks[group][along]["values"], numbers)[names.index(name)]
+            assert values == pytest.approx([float(table[k][name]) for k in rows], rel=1e-6)
+    pairs = {k: [float(table[k][name]) for name in shown] for k in places["keeps all limits"]}
+    beaten = {
+        k for k, (a, b) in pairs.items() for c, d in pairs.values() if c >= a and d <= b != d
+    } | {k for k, (a, b) in pairs.items() for c, d in pairs.values() if c > a and d <= b}
+    assert sorted(about["front"]) == sorted(pairs.keys() - beaten)
+    best = max(places["keeps all limits"], key=lambda k: float(table[k][shown[0]]))
+    assert about["best"] == best
+    (folder / "optimum.json").unlink()
+    assert cli.main(["report", str(folder)]) == 2
+    assert "an optimum that is not complete" in capsys.readouterr().err
+
+
+def test_intervals_stand_on_the_page(tmp_path: Path) -> None:
+    """Bars of the tornado are the effects, bands the ranges of the curves."""
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    spring = "spindle.sleeves.rear.spring.preload"
+    uncertain = Uncertain(
+        hypotheses={"conditions.kinematics": ("outer", "hybrid")}, tolerances={spring: "± 10 %"}
+    )
+    case = rotordyn.load("grinding_spindle")
+    case = replace(
+        case,
+        speeds=(0.0, 400.0 * math.pi),
+        analyses={"preload": case.analyses["preload"]},
+        uncertain=uncertain,
+    )
+    results = rotordyn.run(case, interval=True)
+    content, numbers = held(results.report(tmp_path / "sure.html").read_text(encoding="utf-8"))
+    sure = results.interval
+    (tornado,) = (c for c in content.values() if c["traces"][0].get("type") == "bar")
+    for place, name in enumerate(map(unescape, tornado["controls"][0]["options"])):
+        one = sure.sel(number=name)
+        low, high, over = tornado["traces"]
+        assert low["moving"]["y"][place][0] == "hypotheses"
+        wanted = one["effect"].values
+        size = np.abs(wanted).max(axis=1)
+        wanted = wanted[size > 3e-3 * size.max()] if size.max() else wanted[:0]
+        for trace, effect in zip((low, high), wanted.T, strict=True):
+            assert trace["moving"]["x"][place][1:] == pytest.approx(effect)
+        ends = one["hypotheses"].values - float(one["nominal"])
+        assert over["moving"]["base"][place][0] == pytest.approx(ends[0])
+        assert over["moving"]["x"][place][0] == pytest.approx(ends[1] - ends[0])
+    traces = [t for c in content.values() for t in c.get("traces", ()) if t.get("fill")]
+    over = {OVER_HYPOTHESES, OVER_TOLERANCES}
+    bands = [trace for trace in traces if unescape(trace["name"]) in over]
+    assert {unescape(band["name"]) for band in bands} == over
+    drawn = [array(band["y"], numbers) for band in bands]
+    for k in range(sure.sizes["curve"]):
+        ends = sure["curve_tolerances"].values[sure["curve_of"].values == k]
+        around = [*ends[:, 0], *ends[::-1, 1]]
+        assert not np.ptp(ends, axis=1).any() or any(
+            len(y) == len(around) and np.allclose(y, around, rtol=1e-6) for y in drawn
+        )
 
 
 def test_the_command_writes_the_page_beside_the_results(

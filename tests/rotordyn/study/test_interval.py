@@ -69,7 +69,7 @@ def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
     widths = {SPRING: "± 10 %"}
     rpm = tuple(np.linspace(0.0, 24000.0, 17))
     case = _case(("preload", "campbell"), rpm, hypotheses=asked, tolerances=widths)
-    held = rotordyn.run(case, interval=True)._intervals[""]
+    held = rotordyn.run(case, interval=True).held_intervals[""]
     row = held.number.index("preload: sum at 24000 rpm")
     points = held.rows_of(next(k for k, c in enumerate(held.curve) if "sum of preloads" in c))
     assert len(points) == 17
@@ -87,7 +87,7 @@ def test_rounding_does_not_order_twins() -> None:
     """Both whirls of a mode at rest have one frequency, which of them is named must not depend on
     the last digit."""
     case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
-    held = rotordyn.run(case, interval=True)._intervals[""]
+    held = rotordyn.run(case, interval=True).held_intervals[""]
     order, rng = held.varying(), np.random.default_rng(7)
     assert len(order) > 4
     for _ in range(8):
@@ -178,7 +178,7 @@ def test_few_runs_cover_95_of_100_machines() -> None:
     """Of 120 drawn within the tolerances 90 to 99 % lie in the range, all within the worst case."""
     widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "+3/-2 deg"}
     case = _case(("preload", "stiffness"), (0.0, 16000.0), tolerances=widths)
-    few = rotordyn.run(case, interval=True)._intervals[""]
+    few = rotordyn.run(case, interval=True).held_intervals[""]
     machines = Machines(lean(case))
     drawn = [machines.values(each) for each in sampled(asked_of(case).tolerances, 120, 2)]
     for name in ("preload: sum at 16000 rpm", "stiffness: full at 16000 rpm"):
@@ -190,7 +190,7 @@ def test_few_runs_cover_95_of_100_machines() -> None:
         assert (values >= few.worst[k, 0] - slack).all()
         assert (values <= few.worst[k, 1] + slack).all()
     asked = Uncertain(tolerances=widths, samples=40, seed=3)
-    again = rotordyn.run(replace(case, uncertain=asked), interval=True)._intervals[""]
+    again = rotordyn.run(replace(case, uncertain=asked), interval=True).held_intervals[""]
     assert again.runs >= few.runs + 40 - 2
     inside = again.tolerances[k]
     assert few.worst[k, 0] <= inside[0] < inside[1] <= few.worst[k, 1]
@@ -212,7 +212,7 @@ def test_what_rules_is_what_moves_most() -> None:
     widths = {SPRING: "± 1 %", "spindle.bearings.*.model.contact_angle": "± 10 %"}
     held = rotordyn.run(
         _case(("stiffness",), (0.0, 24000.0), tolerances=widths), interval=True
-    )._intervals[""]
+    ).held_intervals[""]
     k = held.number.index("stiffness: full at 24000 rpm")
     source, share = held.ruling(k)[0]
     assert source.endswith("contact_angle")
