@@ -19,8 +19,9 @@ from pathlib import Path
 from tests.hostile import calls, kills, machines
 from tests.hostile.files import FILES
 from tests.hostile.grid import grid
-from tests.hostile.judged import SECONDS, Verdict, command, judged, loaded, words_of_nan
+from tests.hostile.judged import SECONDS, Verdict, command, judged, loaded
 from tests.hostile.mutants import files, written
+from tests.hostile.numbers import words_of_nan
 
 Trial = tuple[str, Verdict]
 FINE = Verdict(0, "", 0.0, 0.0)

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.judged import command, judged, loaded, words_of_nan
+from tests.hostile.judged import command, judged, loaded
 from tests.hostile.kills import kills
 from tests.hostile.machines import machine, written
+from tests.hostile.numbers import words_of_nan
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -16,7 +17,7 @@ def _loaded() -> None:
     loaded()
 
 
-@pytest.mark.parametrize("number", [0, 26, 75, 203, 309, 400])
+@pytest.mark.parametrize("number", [0, 26, 75, 110, 203, 309, 400])
 def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) -> None:
     assert machine(number) == machine(number)
     case, out = written(number, tmp_path), tmp_path / "out"
