@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -23,6 +24,7 @@ NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from 
 EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
+MATRICES = 2**20  # entries of matrices that are solved at once
 PIECE = 512  # frequencies summed at a time
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
@@ -134,16 +136,20 @@ class Modes:
     def _solved(
         self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
     ) -> Complex:
-        """The dynamic stiffness solved at every frequency; infinite where one has no inverse."""
+        """The dynamic stiffness solved at every frequency; infinite where one has no inverse.
+
+        Pieces of the frequencies share an array: beside one of those, all of them are infinite.
+        """
         k, d = self.stiffness[place], self.damping[place]
-        w = omega[:, None, None]
-        with np.errstate(over="ignore", invalid="ignore"):
-            try:
+        total = np.full((len(responses), len(omega)), np.inf + 0j)
+        size = max(1, MATRICES // k.size)
+        for first in range(0, len(omega), size):
+            w = omega[first : first + size, None, None]
+            with np.errstate(over="ignore", invalid="ignore"), suppress(np.linalg.LinAlgError):
                 dynamic = k + 1j * w * d - w**2 * np.eye(len(k))
-                displacement = np.linalg.solve(dynamic, excitations.T + 0j)
-            except np.linalg.LinAlgError:
-                return np.full((len(responses), len(omega)), np.inf + 0j)
-        return np.asarray(np.einsum("pn,fnp->pf", responses, displacement))
+                moved = np.linalg.solve(dynamic, excitations.T + 0j)
+                total[:, first : first + size] = np.einsum("pn,fnp->pf", responses, moved)
+        return total
 
 
 def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
