@@ -27,6 +27,7 @@ from bearings.geometry import Groove
 from bearings.ring.assembly import full_assembly
 from bearings.ring.linearised import tangent
 from bearings.ring.problem import Problem, turns
+from bearings.ring.request import sides
 from bearings.ring.tangents import alike
 
 if TYPE_CHECKING:
@@ -93,7 +94,7 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
         state = bearing.equilibrium(**common, displacement=place, growth=total + more)
         films = film(state, lubricant, temperature, starvation=starvation, heating=heating)
         before = more, axial
-        more, axial = _grown(state, films)
+        more, axial = grown(state, films)
         if max(np.abs(more - before[0]).max(), np.abs(axial - before[1]).max()) < CLOSE:
             break
     moved = _moved(state.displacement, -axial)
@@ -108,16 +109,34 @@ def _moved(displacement: ArrayLike, axial: Array) -> Array:
     return moved
 
 
-def _grown(state: BearingState, films: Film) -> tuple[Array, Array]:
-    """Radial and axial part of what films take from the distance of the grooves (…) [m]."""
+def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
+    """Radial and axial part of what films take from the distance of the grooves (…) [m], mean over
+    the loaded balls; 0 where there is no state."""
+    inner, outer = moved_races(state, films)
+    balls = np.maximum((np.asarray(state.contact_load) > 0.0).any(axis=-1).sum(axis=-1), 1)
+    mean = (inner + outer).sum(axis=-2) / balls[..., None]
+    known = np.asarray(state.outcome) == ""
+    return np.where(known, mean[..., 0], 0.0), np.where(known, mean[..., 1], 0.0)
+
+
+def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:
+    """By how much films hold the inner race, and the outer one, off every ball, radially and
+    axially (…, balls, 2) [m].
+
+    Along the normal of a single contact; of two, by the films along both normals, which have one
+    solution.
+    """
     loaded = np.asarray(state.contact_load) > 0.0
-    angle = np.where(loaded, state.contact_angle, 0.0)
-    balls = np.maximum(loaded.any(axis=-1).sum(axis=-1), 1)
-    thick = np.where(loaded, films.central, 0.0)
-    radial = (thick * np.cos(angle)).sum(axis=(-2, -1)) / balls
-    axial = (thick * np.sin(angle)).sum(axis=(-2, -1)) / balls
-    known = state.outcome == ""
-    return np.where(known, radial, 0.0), np.where(known, axial, 0.0)
+    geometry = state.operation.geometry
+    angle = np.where(loaded, state.contact_angle, 0.0) * sides(geometry)
+    normal = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * loaded[..., None]
+    thick = np.where(loaded, np.nan_to_num(films.central), 0.0)[..., None]
+    split = len(geometry.inner_grooves)
+    parts = (slice(split), slice(split, None))
+    inner, outer = (
+        (np.linalg.pinv(normal[..., race, :]) @ thick[..., race, :])[..., 0] for race in parts
+    )
+    return inner, outer
 
 
 @checked

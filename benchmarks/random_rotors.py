@@ -36,6 +36,7 @@ from rotordyn.scene.refinement import RESPONSES
 from rotordyn.scene.scene import Scene
 from tests.oracles.cylinders import NO_SEATS, cone_frequencies, of_cylinders
 from tests.oracles.dense_rotor.unreduced import dense_poles
+from tests.oracles.exact_shaft.coaxial import coaxial_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.stepped_rotors import coaxial, conical, jointed, stepped_rotor
@@ -53,6 +54,7 @@ EXACT = ("stepped", "conical")
 DENSE = ("dense", "tapered", "jointed", "coaxial")
 KEPT = {sort: f"{sort}_rotors" for sort in (*EXACT, *DENSE)} | {"stepped": "random_rotors"}
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 Rng = np.random.Generator
 Pairs = list[tuple[float, float, float]]  # errors, as reported, and from where on comparable
 
@@ -180,7 +182,40 @@ def _of_sort(rng: Rng, sort: str) -> Spindle:
 
 
 def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
-    """One rotor against all eigenvalues of its assembled matrices."""
+    """One rotor against all eigenvalues of its assembled matrices; a coaxial one of which these
+    have too few digits against its exact shafts."""
+    spindle, spin, near = _drawn(seed, sort)
+    highest = 2.0 * near / (2.0 * math.pi)
+    every = dense_poles(spindle, spin, highest, FINE if sort == "dense" else FINER)
+    edge = _edge(np.abs(every), near)
+    poles = _swinging(every, edge)
+    digits = [0.0] * len(poles)  # of the same elements: their share of the error is not there
+    known = [math.inf] * len(poles)
+    if sort != "dense":
+        digits = known = _digits(spindle, spin, highest, poles)
+    if sort == "coaxial" and max(digits, default=0.0) > FINE:
+        return against_exact_shafts(seed, every, edge)
+    return _compared(spindle, spin, edge, poles, known) | {"digits": max(digits, default=0.0)}
+
+
+def against_exact_shafts(
+    seed: int, near: Complex | None = None, edge: float = 0.0
+) -> dict[str, Any]:
+    """One coaxial rotor against its exact shafts, whose poles are counted. ``near``: poles to begin
+    with, ``edge`` [rad/s]: of the band; by default as ``against_dense`` has them."""
+    spindle, spin, lowest = _drawn(seed, "coaxial")
+    if near is None:
+        near = dense_poles(spindle, spin, 2.0 * lowest / (2.0 * math.pi), FINER)
+        edge = _edge(np.abs(near), lowest)
+    every, error = coaxial_poles(spindle, spin, near, edge)
+    kept = np.isin(every, _swinging(every, edge))
+    known = [max(KNOWN, 10.0 * float(one)) for one in error[kept]]
+    digits = {"digits": max(known, default=0.0), "exact": True}
+    return _compared(spindle, spin, edge, every[kept], known) | digits
+
+
+def _drawn(seed: int, sort: str) -> tuple[Spindle, float, float]:
+    """A rotor, its speed, and near which frequency its band ends [rad/s]."""
     rng = np.random.default_rng(seed)
     spindle = None
     while spindle is None:  # none longer than a station may be
@@ -188,13 +223,19 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
             spindle = _of_sort(rng, sort)
         except InvalidInput:
             continue
-    band = _plain(spindle)
-    still = whirl_frequencies(exact_rotor(band, 0.0, NO_SEATS), 6)
-    spin = rng.uniform(0.0, 5.0) * still[0]
-    fine = FINE if sort == "dense" else FINER
-    every = dense_poles(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), fine)
-    edge = _edge(np.abs(every), still[5])
-    poles = every[(np.abs(every) < edge) & (every.imag > SWINGING * np.abs(every))]
+    still = whirl_frequencies(exact_rotor(_plain(spindle), 0.0, NO_SEATS), 6)
+    return spindle, rng.uniform(0.0, 5.0) * still[0], float(still[5])
+
+
+def _swinging(poles: Complex, edge: float) -> Complex:
+    """Those below ``edge`` [rad/s] that are compared."""
+    return poles[(np.abs(poles) < edge) & (poles.imag > SWINGING * np.abs(poles))]
+
+
+def _compared(
+    spindle: Spindle, spin: float, edge: float, poles: Complex, digits: Sequence[float]
+) -> dict[str, Any]:
+    """Ours beside all true ``poles`` of the band, each with the error from which on it judges."""
     highest = edge / (2.0 * math.pi)
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
@@ -204,9 +245,6 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
     size = np.abs(result.pole[0])
     inside = bending & (size < edge) & (result.pole[0].imag > SWINGING * size)
     left = np.flatnonzero(inside).tolist()
-    digits = [math.inf] * len(poles)  # of the same elements: their share of the error is not there
-    if sort != "dense":
-        digits = _digits(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), poles)
     pairs, ratios = [], []
     for pole, known in zip(poles, digits, strict=True):
         apart = [abs(result.pole[0, k] / pole - 1.0) for k in left]
@@ -231,9 +269,7 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
     }
 
 
-def _digits(
-    spindle: Spindle, spin: float, highest: float, poles: NDArray[np.complex128]
-) -> list[float]:
+def _digits(spindle: Spindle, spin: float, highest: float, poles: Complex) -> list[float]:
     """Errors from which on poles of dense matrices can be compared with: ten times as much as
     those of finer and of coarser elements differ. Rounding moves each by chance, and one may agree
     in more digits than it has: so the largest difference of a rotor holds for all of its poles."""

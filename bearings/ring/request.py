@@ -160,7 +160,7 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     inner = len(g.inner_grooves)
     races = [g.inner] * inner + [g.outer] * len(g.outer_grooves)
     pressure = np.stack([race.peak_pressure(q) for race, q in zip(races, load, strict=True)])
-    side = np.array(_sides(g))[:, None, None]
+    side = np.array(sides(g))[:, None, None]
     angle = np.arctan2(side * sin, cos)
     inner_angle = angle[0] if g.single else np.arctan2(*b.inner_direction)
     idle = "lost contact" if problem.turning else "unloaded"
@@ -188,7 +188,7 @@ def _places(index: Index) -> Index | slice:
     return index
 
 
-def _sides(g: Geometry) -> list[float]:
+def sides(g: Geometry) -> list[float]:
     """Sign of the axial direction in which the angle of each contact counts."""
     inner = [1.0 if x.offset >= 0.0 else -1.0 for x in g.inner_grooves]
     return inner + [1.0 if x.offset <= 0.0 else -1.0 for x in g.outer_grooves]

@@ -71,9 +71,9 @@ for name, own in (
     ends = own[:, [[0, 1], [1, 2]]]  # tip and inner point
     tip = couple(tool, uncouple(blank, ends))[:, 0, 0]
     off = np.median(np.abs(tip - exact) / np.abs(exact))
-    larger = np.median(amplification(blank, ends))
-    said = f"{name}: median error {off:.1%}, of the blank's at most {larger:.0f}-fold"
+    larger = np.median(amplification(blank, ends)[:, 0, 0])
+    said = f"{name}: median error {off:.1%}, in the nose the noise is {larger:.0f}-fold"
     axes.semilogy(hertz, np.abs(tip) * 1e6, lw=1.0, label=said)
 axes.set(xlabel="frequency [Hz]", ylabel="receptance at the tip [µm/N]", title=TOOL)
-axes.legend()
+figure.legend(loc="outside lower center", fontsize="small")
 plt.savefig(sys.argv[1]) if len(sys.argv) > 1 else plt.show()

@@ -6,9 +6,11 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+from docs.generate.axial_rows import axial_table, phase_table
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
+from docs.generate.coupled_rows import damping_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.heat_rows import heat_table, published_heat_table
@@ -38,6 +40,8 @@ def write_flagship() -> None:
         "left-out": omitted(known),
         "rest": _accuracy(rest_rows()),
         "speed": _accuracy(speed_rows()),
+        "axial": axial_table(),
+        "phases": phase_table(),
     }
     rewrite(DOCS / "mfw2310.md", fresh)
 
@@ -57,6 +61,11 @@ def write_bending() -> None:
 def write_choosing() -> None:
     """What the choices of a case change."""
     rewrite(DOCS / "howto" / "hypotheses.md", {"choices": choice_table(), "linear": linear_table()})
+
+
+def write_coupled() -> None:
+    """What damping does to a coupled tool."""
+    rewrite(DOCS / "howto" / "measured_spindle.md", {"damping": damping_table()})
 
 
 def write_theory() -> None:
@@ -94,6 +103,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,
+    "docs/howto/measured_spindle.md": write_coupled,
     "docs/mfw2310.md": write_flagship,
     "docs/accuracy.md": write_accuracy,
     "README.md, docs/tutorial, docs/howto, docs/reference": write_outputs,

@@ -16,11 +16,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import finite, typed
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LOST = 1e-11  # of a receptance: what is left of a difference is rounding
+SILENT = (
+    "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
+    "a shorter or stiffer blank"
+)
+NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
+LARGEST = 1e15  # SI units
 SCALED = 8.0  # λL up to which a section is not split
 
 
@@ -33,6 +40,7 @@ class Ends(NamedTuple):
     r22: Complex
 
 
+@typed(InvalidInput, besides=("base", "joint"))
 def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     """Receptance at the tip (f, n, n) of a tool on a base.
 
@@ -45,40 +53,84 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     """
     _alike(tool, base)
     across = tool.r22 + base + _joint(joint, base)
-    return np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+    try:
+        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+    except np.linalg.LinAlgError:
+        tip = np.full_like(base, np.nan)
+    if not np.isfinite(tip).all():
+        raise InvalidInput(
+            "tool and base resonate without damping at one of the frequencies: give damping"
+        )
+    return tip
 
 
-def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None) -> Complex:
+@typed(InvalidInput, besides=("tip", "joint"))
+def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: float = 0.0) -> Complex:
     """Receptance of the base at the joint (f, n, n), from that at the tip of a known blank on it.
 
     It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
-    held at its joint, and with a blank as soft as the whole. A short and stiff blank is best, and a
-    modal fit of what was measured comes first.
+    held at its joint, and with a blank as soft or as stiff as the whole. A short and stiff blank
+    is best, and a modal fit of what was measured comes first.
+
+    noise : standard deviation of the entries of ``tip`` over their size; 0 asks for rounding alone
 
     Raises
     ------
-    InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base
+    InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base, or so
+        little that ``noise`` leaves nothing of the base at half of the frequencies
     """
     _alike(tool, tip)
     change = tool.r11 - tip
     size = np.abs(tool.r11).max(axis=(1, 2)) + np.abs(tip).max(axis=(1, 2))
     if (np.abs(change).max(axis=(1, 2)) <= LOST * size).any():
-        raise InvalidInput(
-            "the tip of the blank does not respond to the base, whose receptance then stays "
-            "unknown: take a shorter or stiffer blank"
-        )
-    return np.asarray(tool.r21 @ np.linalg.solve(change, tool.r12) - tool.r22 - _joint(joint, tip))
+        raise InvalidInput(SILENT)
+    try:
+        inverse = np.linalg.inv(change)
+    except np.linalg.LinAlgError:
+        raise InvalidInput(SILENT) from None
+    base = np.asarray(tool.r21 @ inverse @ tool.r12 - tool.r22 - _joint(joint, tip))
+    if not 0.0 <= noise < 1.0:
+        raise InvalidInput(f"noise: given {noise:.6g}; allowed: from 0 to below 1")
+    if noise > 0.0:
+        _refuse_noise(noise, tool, tip, base)
+    return base
 
 
 def amplification(tool: Ends, tip: Complex, joint: Complex | None = None) -> Array:
-    """By how much an error of the tip, over its size, is larger in the base that ``uncouple``
-    gives, over the size of the base (f,): at 100 and above nothing of 1 % of noise is left."""
-    base = uncouple(tool, tip, joint)
+    """By how much the noise of the entries of the tip, over their size, is larger in the base that
+    ``uncouple`` gives, over its entries (f, n, n): at 100 nothing of 1 % of noise is left.
+
+    Standard deviations of small errors that are independent in every entry.
+    """
+    return _amplified(tool, tip, uncouple(tool, tip, joint))
+
+
+def _amplified(tool: Ends, tip: Complex, base: Complex) -> Array:
     left = tool.r21 @ np.linalg.inv(tool.r11 - tip)
     right = np.linalg.solve(tool.r11 - tip, tool.r12)
-    sizes = (np.linalg.norm(each, 2, axis=(1, 2)) for each in (left, tip, right, base))
-    first, size, last, found = sizes
-    return np.asarray(first * size * last / found)
+    before, error, after = (np.abs(each) ** 2 for each in (left, tip, right))
+    return np.asarray(np.sqrt(before @ error @ after) / np.abs(base))
+
+
+def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None:
+    """Refuse a blank behind which noise leaves nothing of the base at half of the frequencies.
+
+    Once the noise rules, what it is compared with consists of noise: shares stay about 1.
+    """
+    inverse = np.linalg.inv(tool.r11 - tip)
+    within = np.abs(np.linalg.eigvals(np.abs(inverse) @ np.abs(tip))).max(axis=1)
+    if noise * np.median(within) >= NOISE_ALONE:
+        raise InvalidInput(
+            "the blank is as stiff as the spindle, by which its responses change no more than by "
+            f"their noise of {noise:.2%}: take a shorter blank, or measure with less noise"
+        )
+    larger = np.diagonal(_amplified(tool, tip, base), axis1=1, axis2=2)
+    if noise * np.median(larger, axis=0).min() >= NOISE_ALONE:
+        raise InvalidInput(
+            f"the blank is so soft that its joint is known no better than by the {noise:.2%} of "
+            "noise of its responses, which hides the spindle: take a shorter or thicker blank, or "
+            "measure with less noise"
+        )
 
 
 def between_points(front: Ends, rear: Ends) -> Ends:
@@ -150,6 +202,8 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
     """
     if not sections:
         raise InvalidInput("no sections: at least one is needed")
+    for section in sections:
+        _real(section)
     if not (omega > 0.0).all():
         raise InvalidInput("frequencies: a free body has receptances above 0 Hz only")
     whole: Ends | None = None
@@ -159,6 +213,27 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
             whole = piece if whole is None else _joined(whole, piece)
     assert whole is not None
     return whole
+
+
+def _real(section: Section) -> None:
+    positive = (section.length, section.young, section.density, section.outer)
+    others = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
+    stiff = section.stiff_diameter or section.outer
+    known = all(map(finite, (*positive, *others, section.poisson)))
+    if (
+        not known
+        or min(positive) < 1.0 / LARGEST
+        or max(*positive, *others) > LARGEST
+        or not -1.0 < section.poisson <= 0.5
+        or 0.0 < section.area < 1.0 / LARGEST
+        or min(others) < 0.0
+        or section.inner >= stiff
+    ):
+        raise InvalidInput(
+            f"{section}: allowed: length, diameter, young and density above 0, poisson above −1 "
+            "to 0.5, an inner diameter from 0 to below the outer (and the stiff) one, others from "
+            "0, in SI units"
+        )
 
 
 def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
@@ -264,13 +339,26 @@ def rotations(
 
 
 def _joint(joint: Complex | None, like: Complex) -> Complex:
-    return np.zeros_like(like) if joint is None else np.broadcast_to(joint, like.shape)
+    if joint is None:
+        return np.zeros_like(like)
+    if np.shape(joint) not in (like.shape, like.shape[1:]) or not np.isfinite(joint).all():
+        raise InvalidInput(
+            f"joint: given shape {np.shape(joint)}; allowed: finite numbers of shape {like.shape} "
+            f"or {like.shape[1:]}"
+        )
+    return np.broadcast_to(joint, like.shape)
 
 
 def _alike(tool: Ends, other: Complex) -> None:
-    for each in tool:
-        if each.shape != other.shape:
+    for each in (*tool, other):
+        if getattr(each, "dtype", np.dtype(object)).kind not in "fc":
+            raise InvalidInput("receptances: they must be arrays of complex numbers (f, n, n)")
+    for each in (*tool, other):
+        if each.shape != other.shape or each.ndim != 3 or each.shape[1] != each.shape[2]:
             raise InvalidInput(
-                f"receptances of unlike size: given {each.shape} and {other.shape}; allowed: the "
-                "same frequencies, and the same directions at tip, joint and base"
+                f"receptances of unlike size: given {each.shape} and {other.shape}; allowed: "
+                "(f, n, n) for all, of the same frequencies and the same directions at tip, joint "
+                "and base"
             )
+        if not (np.abs(each) < LARGEST).all():
+            raise InvalidInput("a receptance is no finite number: leave out its frequency")

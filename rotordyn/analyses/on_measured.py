@@ -28,6 +28,7 @@ from rotordyn.analyses.coupling import (
 from rotordyn.analyses.measured_response import QUANTITIES, as_quantity
 from rotordyn.analyses.measured_spindle import NOSE, MeasuredSpindle
 from rotordyn.analyses.modal_fit import ModalFit, modal_fit
+from rotordyn.errors import InvalidInput
 from rotordyn.machine import shaft
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
@@ -72,8 +73,17 @@ class OnMeasured:
         return {way: self._fit(way) for way in self.measured.planes}
 
     def tip(self, way: str, omega: Array) -> Complex:
-        """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N]."""
-        return self._tip(self.fits[way](omega), *self._parts(omega))
+        """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N].
+
+        Raises
+        ------
+        InvalidInput : a blank that hides the spindle behind the noise of its responses
+        """
+        fit = self.fits[way]
+        try:
+            return self._tip(fit(omega), *self._parts(omega), noise=fit.misfit)
+        except InvalidInput as error:
+            raise InvalidInput(f"measured_spindle: {error}") from None
 
     def error(self, way: str, omega: Array) -> Array:
         """Standard deviation of the same by the noise of the measurement (f,) [m/N].
@@ -119,14 +129,20 @@ class OnMeasured:
         return off, _flexibility(omega, _at_nose(blank.joints)), *tool
 
     def _tip(
-        self, values: Complex, blank: Ends | None, held: Complex, tool: Ends, joint: Complex
+        self,
+        values: Complex,
+        blank: Ends | None,
+        held: Complex,
+        tool: Ends,
+        joint: Complex,
+        noise: float = 0.0,
     ) -> Complex:
         front, across, behind = values.T
         if blank is None:
             base = rotations(front, across, self._spacing, behind)
         else:
             rows = np.stack([front, across], -1), np.stack([across, behind], -1)
-            base = uncouple(blank, np.stack(rows, -2), held)
+            base = uncouple(blank, np.stack(rows, -2), held, noise)
         return couple(tool, base, joint)[:, 0, 0]
 
 

@@ -347,6 +347,7 @@ COMMON: dict[type, tuple[Common, ...]] = {
         Common(("model", "bore_diameter"), ("growth", "fit", "bore_diameter"), InterferenceFit),
         Common(("model", "bore_diameter"), ("fits", "bore_diameter"), Fits),
         Common(("model", "outside_diameter"), ("fits", "outside_diameter"), Fits),
+        Common(("model", "width"), ("fits", "width"), Fits),
     ),
 }
 

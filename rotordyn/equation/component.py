@@ -9,6 +9,7 @@ Theory: docs/theory/reduction.md.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -23,6 +24,7 @@ from rotordyn.equation.term import Array, Part
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
 
+Solved = dict[tuple[Any, ...], tuple[Array, Array, Array]]  # reductions by what they follow from
 REDUCED = ("mass", "stiffness")  # matrices that the reduction of a shaft follows from
 WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
 
@@ -35,7 +37,7 @@ class Component:
     static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
     components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
     whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
-    ``coarse``: the same of a coarser model; ``nested``: DOF here and there of one shape function.
+    ``coarse``: the same of a coarser model; ``nested``: gives DOF here and there of one shape.
     ``pressed``: weighted slopes where an axial force may come near to buckling, None elsewhere.
     """
 
@@ -47,7 +49,7 @@ class Component:
     spindle: Spindle | None
     cutoff: float
     bends: bool
-    solved: dict[tuple[Any, ...], tuple[Array, Array, Array]]
+    solved: Solved
 
     @property
     def way(self) -> str:
@@ -144,7 +146,7 @@ class Component:
     band: float = 0.0
     pressed: tuple[int, list[Rows]] | None = None
     coarse: Component | None = None
-    nested: tuple[Indices, ...] = ()
+    nested: Callable[[], tuple[Indices, ...]] = tuple
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -191,7 +193,8 @@ class Component:
         if self.coarse is not None and self.large:
             vectors = self.coarse.vectors[:, ~self.coarse.is_rigid]
             known = np.zeros((len(self.dofs), vectors.shape[1]))
-            known[self.local(self.nested[0])] = vectors[self.coarse.local(self.nested[1])]
+            here, there = self.nested()
+            known[self.local(here)] = vectors[self.coarse.local(there)]
             basis = enriched(mass, stiffness, rigid, known, couplings)
         else:
             basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)

@@ -21,7 +21,7 @@ from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.term import Matrices
 from rotordyn.errors import InvalidInput
-from rotordyn.numerics.modes import Modes, grows, modes, residual
+from rotordyn.numerics.modes import Modes, grows, modes, residual, unsolved
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -273,6 +273,11 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
         return FreeMotions(linear, modes(stiffness, damping), None)
     lossy = Hysteretic(stiffness, damping, loss, linear.speed, ceiling)
     return FreeMotions(linear, lossy.free_motions(), lossy)
+
+
+def responding(linear: Linear) -> FreeMotions:
+    """The same without poles, for receptances at a few frequencies alone; without loss factors."""
+    return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
 
 
 def _circular(matrix: Matrices, half: int) -> Matrices:

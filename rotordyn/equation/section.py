@@ -30,12 +30,6 @@ def sections_at(spindle: Spindle, mesh: Mesh, xi: Array) -> tuple[Array, Array, 
     return shear, young * moment, density * ring, density * moment
 
 
-def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
-    """The same in the middle of every element (elements,)."""
-    shear, bend, mass, rotary = (e[:, 0] for e in sections_at(spindle, mesh, MIDDLE))
-    return shear, bend, mass, rotary
-
-
 def axial(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
     """E A [N] and ρ A [kg/m] at ``xi`` on [−1, 1], (elements, places)."""
     ring = area(*mesh.diameters(xi))
@@ -46,9 +40,3 @@ def torsion(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
     """G Ip [N·m²] and ρ Ip [kg·m] at ``xi`` on [−1, 1], (elements, places)."""
     polar = 2.0 * second_moment(*mesh.diameters(xi))
     return mesh.shear_modulus[:, None] * polar, mesh.density[:, None] * polar
-
-
-def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
-    """κ in the middle of every element (elements,)."""
-    outer, inner = (each[:, 0] for each in mesh.diameters(MIDDLE))
-    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, inner / outer)

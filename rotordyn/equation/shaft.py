@@ -20,7 +20,6 @@ import numpy as np
 from rotordyn.equation.dofs import Dofs, Indices, Line, position
 from rotordyn.equation.elements import beam as bending
 from rotordyn.equation.elements import rod
-from rotordyn.equation.elements.standard_beam import PlaneBending, shear_parameter
 from rotordyn.equation.fineness import (
     Fineness,
     bending_wave,
@@ -30,16 +29,7 @@ from rotordyn.equation.fineness import (
     rod_wave,
 )
 from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
-from rotordyn.equation.section import (
-    ENDS,
-    MIDDLE,
-    axial,
-    sections,
-    sections_at,
-    shear_coefficients,
-    sheared,
-    torsion,
-)
+from rotordyn.equation.section import ENDS, MIDDLE, axial, sections_at, sheared, torsion
 from rotordyn.equation.term import Array, Part
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
@@ -106,53 +96,40 @@ class Shaft:
         yield from self._rod_parts()
 
     def _bending_parts(self) -> Iterator[Part]:
-        for chosen, n, tapers in _alike(self.mesh, self.degree):
-            matrices = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
+        for n in np.unique(self.degree).tolist():
+            chosen = np.flatnonzero(self.degree == n)
+            sections = sections_at(self.spindle, self.mesh, bending.quadrature(n)[0])
+            along = (each[chosen] for each in sections)
+            place = self.mesh.length[chosen], self._phi[chosen]
+            matrices = bending.beam_matrices(*place, *along, degree=n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
+            mass, stiffness, softening, polar = (
+                _between(moves, each)
+                for each in (
+                    matrices.mass,
+                    matrices.stiffness,
+                    matrices.translational_mass,
+                    matrices.polar,
+                )
+            )
             for rows in (y, z):
-                yield Part("mass", rows, rows, _between(moves, matrices.mass))
-                yield Part("stiffness", rows, rows, _between(moves, matrices.stiffness))
-                yield Part("softening", rows, rows, _between(moves, matrices.translational_mass))
-            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
-
-    def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
-        mesh = self.mesh
-        every = (
-            mesh.length,
-            mesh.outer_diameter,
-            mesh.inner_diameter,
-            mesh.young_modulus,
-            mesh.shear_modulus,
-            mesh.density,
-            shear_coefficients(self.spindle, mesh),
-        )
-        return bending.hierarchic_bending(*(each[chosen] for each in every), degree=degree)
-
-    def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
-        xi, weight = bending.tapered_points(degree)
-        along = (each[chosen] for each in sections_at(self.spindle, self.mesh, xi))
-        place = self.mesh.length[chosen], self._phi[chosen]
-        return bending.tapered_bending(*place, *along, degree=degree, xi=xi, weight=weight)
+                yield Part("mass", rows, rows, mass)
+                yield Part("stiffness", rows, rows, stiffness)
+                yield Part("softening", rows, rows, softening)
+            yield Part("gyroscopic", y, z, self.ratio * polar)
 
     @cached_property
     def _phi(self) -> Array:
         """Shear parameter Φ of every element, of a cone in its middle (elements,)."""
-        shear, bend, *_ = sections(self.spindle, self.mesh)
-        return shear_parameter(self.mesh.length, bend, shear)
+        shear, bend = (e[:, 0] for e in sections_at(self.spindle, self.mesh, MIDDLE)[:2])
+        return bending.shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
-        mesh = self.mesh
         for way, section in (("x", axial), ("thx", torsion)):
-            for chosen, n, tapers in _alike(mesh, self.rod_degree):
-                if tapers:
-                    xi, weight = rod.tapered_points(n)
-                    rigidity, inertia = (each[chosen] for each in section(mesh, xi))
-                    matrices = rod.tapered_rod(
-                        mesh.length[chosen], rigidity, inertia, degree=n, xi=xi, weight=weight
-                    )
-                else:
-                    rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
-                    matrices = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
+            for n in np.unique(self.rod_degree).tolist():
+                chosen = np.flatnonzero(self.rod_degree == n)
+                along = (each[chosen] for each in section(self.mesh, rod.quadrature(n)[0]))
+                matrices = rod.rod_matrices(self.mesh.length[chosen], *along, degree=n)
                 rows, moves = self.rows(way, chosen)
                 yield Part("mass", rows, rows, _between(moves, matrices.mass))
                 yield Part("stiffness", rows, rows, _between(moves, matrices.stiffness))
@@ -271,16 +248,6 @@ def _by(shape: Array, moves: Array | None) -> Array:
 def _between(moves: Array | None, blocks: Array) -> Array:
     """Blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
     return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
-
-
-def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
-    """Elements of one degree, cylinders and cones apart: which, their degree, are they cones."""
-    tapers = mesh.tapers
-    for n in np.unique(degree):
-        for conical in (False, True):
-            chosen = np.flatnonzero((degree == n) & (tapers == conical))
-            if chosen.size:
-                yield chosen, int(n), conical
 
 
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:

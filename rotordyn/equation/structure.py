@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
 from rotordyn.equation.axial_force import Slopes, slope_rows
-from rotordyn.equation.component import Component
+from rotordyn.equation.component import Component, Solved
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
@@ -177,17 +177,18 @@ class Structure:
             joined = of_dof[part.rows[0]]
             if part.matrix in JOINING and (joined != joined[0]).any():
                 groups.join_where(joined, np.abs(part.blocks).max(axis=0) > 0.0)
-        solved: dict[tuple[Any, ...], tuple[Array, Array, Array]] = {}
-        components = []
-        for root in groups.roots():
-            mine = [k for k in range(len(lines)) if groups.find(k) == root]
-            of_mine = np.isin(of_dof, mine)
-            dofs = np.flatnonzero(of_mine)
-            if not len(dofs):
-                continue
-            parts = [cut for part in square if (cut := _cut(part, of_mine)) is not None]
-            joined = tuple(lines[k] for k in mine)
-            components.append(self._component(joined, dofs, parts, solved))
+        root_of = np.array([groups.find(k) for k in range(len(lines))])
+        parts: dict[int, list[Part]] = {root: [] for root in groups.roots()}
+        for part in square:
+            roots = root_of[of_dof[part.rows[0]]]
+            for root in set(roots.tolist()):
+                parts[root].append(_cut(part, roots == root))
+        components, solved = list[Component](), Solved()
+        for root, mine in parts.items():
+            joined = tuple(line for line, of in zip(lines, root_of, strict=True) if of == root)
+            dofs = np.flatnonzero(root_of[of_dof] == root)
+            if len(dofs):
+                components.append(self._component(joined, dofs, mine, solved))
         return components
 
     @cached_property
@@ -203,21 +204,22 @@ class Structure:
         lines: tuple[Line, ...],
         dofs: Indices,
         parts: list[Part],
-        solved: dict[tuple[Any, ...], tuple[Array, Array, Array]],
+        solved: Solved,
     ) -> Component:
-        shaft = self.shafts.get(lines[0].body)
+        shaft, mine = self.shafts.get(lines[0].body), np.zeros(self.dofs.count, dtype=bool)
+        mine[dofs] = True
         return Component(
             lines=lines,
             dofs=dofs,
             parts=parts,
             rigid=[] if shaft is None else list(shaft.rigid(lines[0].way)),
-            ports=self._ports[np.isin(self._ports, dofs)],
+            ports=self._ports[mine[self._ports]],
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
             bends=lines[0].motion == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
-            polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
+            polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
             pressed=self._pressed(lines[0]),
             **self._coarser(lines),
@@ -231,7 +233,7 @@ class Structure:
         component = next(each for each in self.coarse.components if each.lines == lines)
         return {
             "coarse": component,
-            "nested": self.shafts[body].nested(self.coarse.shafts[body], way),
+            "nested": partial(self.shafts[body].nested, self.coarse.shafts[body], way),
         }
 
     def _pressed(self, line: Line) -> tuple[int, list[Rows]] | None:
@@ -249,13 +251,13 @@ class Structure:
             (at, dofs, shapes * inside[at][:, :, None]) for at, dofs, shapes in rows
         ]
 
-    def _polar(self, dofs: Indices, way: str) -> list[Part]:
+    def _polar(self, mine: np.ndarray, way: str) -> list[Part]:
         """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""
         parts = []
         for part in self.parts:
             if part.matrix == "gyroscopic" and part.rows.size:
                 rows = part.rows if way == "y" else part.columns
-                if np.isin(rows[0, 0], dofs):
+                if mine[rows[0, 0]]:
                     parts.append(Part("gyroscopic", rows, rows, part.blocks))
         return parts
 
@@ -314,11 +316,10 @@ class Structure:
         return whole
 
 
-def _cut(part: Part, chosen: np.ndarray) -> Part | None:
-    """Of a part on rows = columns what is on chosen DOF."""
-    kept = chosen[part.rows[0]]
-    if kept.all() or not kept.any():
-        return part if kept.all() else None
+def _cut(part: Part, kept: np.ndarray) -> Part:
+    """Of a part on rows = columns what is on some of its DOF (r,)."""
+    if kept.all():
+        return part
     return Part(
         part.matrix, part.rows[:, kept], part.rows[:, kept], part.blocks[:, kept][:, :, kept]
     )

@@ -43,7 +43,8 @@ class Part(NamedTuple):
 
 class State(NamedTuple):
     """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 5, 5) of the bearings in
-    their own frames; sleeves at their ``stops`` (s, sleeves). ``standing``: loads stand still."""
+    their own frames; sleeves that stand at ``stops``, or by friction (s, sleeves). ``standing``:
+    loads stand still."""
 
     speed: Array
     tangents: Array

@@ -40,6 +40,14 @@ class Fits(Description):
     outside_diameter: Annotated[
         Diameter | None, "of the outer ring; in files by default that of the bearing model"
     ] = None
+    width: Annotated[
+        Diameter | None, "of the rings; in files by default that of the bearing model"
+    ] = None
+    under_balls: Annotated[
+        bool,
+        "the centrifugal force of the balls expands the outer ring "
+        "([how](theory/rings.md#outer-rings-under-their-balls))",
+    ] = False
     housing_diameter: Annotated[
         Diameter | None, "outside of the housing; by default 1.5 times that of the outer ring"
     ] = None
@@ -55,6 +63,13 @@ class Fits(Description):
                 yield (
                     (what,),
                     f"missing key: the fit {word} needs it; the model of this bearing gives none",
+                )
+        for key in ("outside_diameter", "width"):
+            if self.under_balls and getattr(self, key) is None:
+                yield (
+                    (key,),
+                    "missing key: how far balls expand the outer ring needs it; the model of this "
+                    "bearing gives none",
                 )
         if not (self.shaft or self.housing):
             yield (), "fits without a class: give shaft (such as k5), housing (such as JS5) or both"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -24,8 +23,7 @@ NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from 
 EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
-MATRICES = 2**20  # entries of matrices that are solved at once
-PIECE = 512  # frequencies summed at a time
+PIECE, FEW = 512, 32  # frequencies summed, and solved for, at a time
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -136,20 +134,35 @@ class Modes:
     def _solved(
         self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
     ) -> Complex:
-        """The dynamic stiffness solved at every frequency; infinite where one has no inverse.
-
-        Pieces of the frequencies share an array: beside one of those, all of them are infinite.
-        """
+        """The dynamic stiffness solved at every frequency; infinite where one has no inverse."""
         k, d = self.stiffness[place], self.damping[place]
-        total = np.full((len(responses), len(omega)), np.inf + 0j)
-        size = max(1, MATRICES // k.size)
-        for first in range(0, len(omega), size):
-            w = omega[first : first + size, None, None]
-            with np.errstate(over="ignore", invalid="ignore"), suppress(np.linalg.LinAlgError):
-                dynamic = k + 1j * w * d - w**2 * np.eye(len(k))
-                moved = np.linalg.solve(dynamic, excitations.T + 0j)
-                total[:, first : first + size] = np.einsum("pn,fnp->pf", responses, moved)
+        loads, which = np.unique(excitations, axis=0, return_inverse=True)
+        total = np.empty((len(responses), len(omega)), dtype=complex)
+        for first in range(0, len(omega), FEW):
+            part = slice(first, first + FEW)
+            w = omega[part, None, None]
+            with np.errstate(over="ignore", invalid="ignore"):
+                try:
+                    dynamic = k + 1j * w * d - w**2 * np.eye(len(k))
+                    displacement = np.linalg.solve(dynamic, loads.T + 0j)
+                except np.linalg.LinAlgError:
+                    return np.full_like(total, np.inf)
+            total[:, part] = np.einsum("pn,fnp->pf", responses, displacement[:, :, which.ravel()])
         return total
+
+
+def unsolved(stiffness: Matrix, damping: Matrix) -> Modes:
+    """The same without any poles, for receptances at a few frequencies alone."""
+    shape = np.broadcast_shapes(stiffness.shape, damping.shape)
+    none = np.zeros((*shape[:-1], 0), dtype=complex)
+    return Modes(
+        np.broadcast_to(stiffness, shape),
+        np.broadcast_to(damping, shape),
+        none[..., 0, :],
+        none,
+        np.swapaxes(none, -1, -2),
+        np.full(shape[:-2], np.inf),
+    )
 
 
 def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:

@@ -35,13 +35,3 @@ def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Mat
         value.append(blocks[filled])
     places = np.concatenate(row), np.concatenate(column)
     return coo_array((np.concatenate(value), places), shape=shape).tocsr()
-
-
-def is_sparse(matrix: Matrix) -> bool:
-    """True of compressed rows."""
-    return not isinstance(matrix, np.ndarray)
-
-
-def filled(matrix: Matrix) -> Array:
-    """As a dense array."""
-    return np.asarray(matrix.toarray() if is_sparse(matrix) else matrix)

@@ -14,6 +14,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
 from rotordyn.preload.mounting import mounted_preload
+from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, thermal_shifts
 
 Array = NDArray[np.float64]
@@ -28,7 +29,7 @@ class AxialBearing:
     ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
     what is assumed of its balls; ``thrust`` ±1;
     ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
-    shaft there (speeds,) [m].
+    shaft there (speeds,) [m], what films seem to add included.
     """
 
     seats: tuple[int, ...]
@@ -77,9 +78,10 @@ def arrangement(
     force: float = 0.0,
     law: Law = STANDARD,
     temperatures: Temperatures | None = None,
+    films: Films | None = None,
 ) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
-    by ``temperatures``.
+    by ``temperatures``, balls on ``films``.
 
     ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
     """
@@ -87,6 +89,8 @@ def arrangement(
     shifts = seat_shifts(spindle, speed)
     if temperatures is not None:
         shifts = shifts + thermal_shifts(spindle, speed, temperatures)
+    none = np.zeros_like(shifts)
+    by_films, along = (none, none) if films is None else films.at(speed)
     bearings: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
@@ -97,8 +101,8 @@ def arrangement(
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=static_growth(spindle, seat),
-            growth=ring_growth(spindle, seat, speed, temperatures),
-            shortening=shifts[:, k],
+            growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
+            shortening=shifts[:, k] + seat.thrust * along[:, k],
         )
         same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if same is None:

@@ -20,6 +20,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
+from rotordyn.preload.friction import Rubbing
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
@@ -72,7 +73,7 @@ class Balance:
     bearing of the arrangement stands for each seat; ``rows`` (seats, f, unknowns) give them between
     the rings, ``offset`` (seats, f) what misaligned seats add; ``rest`` and ``limit`` (bodies,);
     ``start`` (speeds, unknowns): the state to begin from; ``held`` (speeds, bodies): standing at
-    their stops.
+    their stops; ``rubbing``: the friction of bodies.
     """
 
     dof: tuple[int, ...]
@@ -85,12 +86,12 @@ class Balance:
     limit: Array
     start: Array
     held: Flags
+    rubbing: Rubbing
 
     @classmethod
     def at(cls, state: PreloadState, rotor: StaticRotor, index: NDArray[np.intp]) -> Balance:
         """The problem at some of a preload state's speeds."""
-        network = state.network
-        part = replace(network, arrangement=network.arrangement.at(index))
+        part = state.network.at(index)
         return cls(
             dof=rotor.dof,
             network=part,
@@ -102,6 +103,7 @@ class Balance:
             limit=state.limit,
             start=state.coordinates(len(rotor.point))[index],
             held=state.net.held[index],
+            rubbing=Rubbing.of(state, index),
         )
 
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
@@ -184,7 +186,8 @@ class Balance:
     def _fixed(self) -> Flags:
         """Unknowns that cannot move (speeds, unknowns)."""
         free = np.zeros((len(self.held), len(self.rotor.point)), dtype=bool)
-        return np.concatenate([free, self.held | self.network.springs.fixed], axis=1)
+        fixed = self.held | self.rubbing.stuck | self.network.springs.fixed
+        return np.concatenate([free, fixed], axis=1)
 
     def _matrix(self, here: Point) -> Array:
         """Tangent of all forces; fixed unknowns replaced by themselves."""
@@ -213,6 +216,7 @@ class Balance:
         total[:, :p] += self.rotor.constant + np.multiply.outer(force, self.rotor.point)
         total[:, :p] -= np.einsum("sij,sj->si", self.rotor.stiffness, here.coordinates[:, :p])
         total[:, p:] += springs.force - springs.stiffness * (here.coordinates[:, p:] - springs.rest)
+        total[:, p:] += self.rubbing.force
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
 
@@ -241,7 +245,8 @@ class Balance:
     def _placed(self, coordinates: Array) -> Array:
         """Coordinates with every body that cannot move where it stands."""
         p, springs = len(self.rotor.point), self.network.springs
-        position = np.where(self.held, self.limit, coordinates[:, p:])
+        position = np.where(self.rubbing.stuck, self.rubbing.place, coordinates[:, p:])
+        position = np.where(self.held, self.limit, position)
         position = np.where(springs.fixed, springs.rest, position)
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
@@ -253,15 +258,19 @@ class Balance:
         Shaft and balls together; where that fails, or balls know two branches, with every bearing
         solved by itself on the way.
         """
-        problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
+        begun = replace(self.rubbing, begun=near.coordinates[:, len(self.rotor.point) :])
+        problem, start = (
+            replace(self, rubbing=begun),
+            np.where(alive[:, None], guess[0], near.coordinates),
+        )
         if self.network.one_branch:
-            first = self._at([start, *guess[1:]], near)
+            first = problem._at([start, *guess[1:]], near)
             problem, there, converged = self._searched(first, force, alive, Balance.advance, 1)
             converged &= there.bearings.follows(near.bearings)
             if not (alive & ~converged).any():
                 return problem, there, converged
             start = np.where(converged[:, None], there.coordinates, start)
-            problem = replace(self, held=np.where(converged[:, None], problem.held, self.held))
+            problem = problem.where(converged, replace(self, rubbing=begun))
         there = problem.evaluate(problem._placed(start), None)
         return problem._searched(there, force, alive, Balance.evaluate, HALVINGS)
 
@@ -277,10 +286,10 @@ class Balance:
         for _ in range(ITERATIONS if tries == 1 else SEARCH):
             miss, error = problem._error(there, force)
             converged = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
-            wanted = problem._stops(there)
-            changed = converged & (wanted != problem.held).any(axis=1)
+            wanted = problem._contacts(there)
+            changed = converged & wanted.differs(problem)
             if changed.any():
-                problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
+                problem = wanted.where(changed, problem)
                 there = place(problem, problem._placed(there.coordinates), there)
                 continue
             moving = alive & np.isfinite(error) & ~(error < TOLERANCE)
@@ -290,12 +299,32 @@ class Balance:
             alive = alive & helped
         return problem, there, converged
 
-    def _stops(self, here: Point) -> Flags:
-        """Bodies that belong at their stops (speeds, bodies)."""
-        p = len(self.rotor.point)
-        free = replace(self, held=np.zeros_like(self.held))
-        force = free._unbalanced(here, 0.0)[:, p:]
-        return stops_wanted(self.network, here.coordinates[:, p:], force, self.held, self.limit)
+    def where(self, rows: Flags, other: Balance) -> Balance:
+        """Stops and friction of this one at some speeds, those of ``other`` at the rest."""
+        held = np.where(rows[:, None], self.held, other.held)
+        return replace(self, held=held, rubbing=self.rubbing.where(rows, other.rubbing))
+
+    def differs(self, other: Balance) -> Flags:
+        """Speeds at which another body stands at a stop or sticks."""
+        change = (self.held != other.held) | (self.rubbing.stuck != other.rubbing.stuck)
+        return np.asarray(change.any(axis=1))
+
+    def _contacts(self, here: Point) -> Balance:
+        """The same with the bodies at their stops that belong there, and friction as it must be."""
+        p, none = len(self.rotor.point), np.zeros_like(self.held)
+        free = replace(self, held=none, rubbing=replace(self.rubbing, stuck=none))
+        force, position = free._unbalanced(here, 0.0)[:, p:], here.coordinates[:, p:]
+        held = stops_wanted(self.network, position, force, self.held, self.limit)
+        bare = force - self.rubbing.force
+        rubbing = self.rubbing.after(bare, position, self.held, held)
+        return replace(self, held=held, rubbing=rubbing)
+
+    def friction(self, here: Point) -> Array:
+        """Friction on the bodies (speeds, bodies) [N]."""
+        p, none = len(self.rotor.point), np.zeros_like(self.held)
+        rubbing = replace(self.rubbing, stuck=none, force=0.0 * self.rubbing.force)
+        bare = replace(self, held=none, rubbing=rubbing)._unbalanced(here, 0.0)[:, p:]
+        return np.where(self.rubbing.stuck, -bare, self.rubbing.force)
 
     def _moved(
         self,

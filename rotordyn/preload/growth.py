@@ -72,11 +72,11 @@ def _fitted(
     chord = bearing.ball_diameter * math.cos(bearing.free_angle)
     balls = bearing.ball_material.thermal_expansion * chord * rises.balls
     inner = np.empty_like(speed)
-    outer = np.empty_like(speed)
+    outer = _under_balls(seat, speed, bearing.outer_raceway_radius)
     for rows, state in inner_ring(spindle, seat, speed, temperatures):
         inner[rows] = state.radial_growth(bearing.inner_raceway_radius)
     for rows, state in outer_ring(seat, speed, temperatures):
-        outer[rows] = state.radial_growth(bearing.outer_raceway_radius, body=0)
+        outer[rows] += state.radial_growth(bearing.outer_raceway_radius, body=0)
     return inner - outer + balls
 
 
@@ -113,14 +113,19 @@ def inner_ring(
 
 
 def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None) -> States:
-    """Outer ring and housing, which stand still, or the ring alone where no fit is known."""
+    """Outer ring and housing, which stand still, or the ring alone where no fit is known.
+
+    What balls expand the free ring by adds to its interference.
+    """
     from bearings.fit.compound import compound
 
     bearing, fits, fit = seat.bearing, seat.fits, outer_fit(seat)
     race = bearing.outer_raceway_radius
     rises = _rises(seat, speed, temperatures)
     states = []
-    for rows in _alike(rises.housing, rises.outer):
+    outside = race if fit is None else fit.radius
+    expanded = _under_balls(seat, speed, outside)
+    for rows in _alike(rises.housing, rises.outer, expanded):
         housing, warm = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
         if fit is None or fits is None:
             ring = [_cylinder(race, 1.1 * race, bearing.ring_material, warm)]
@@ -130,8 +135,27 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
             _cylinder(race, fit.radius, bearing.ring_material, warm),
             _cylinder(fit.radius, fits.housing_radius, fits.housing_material, housing),
         ]
-        states.append((rows, compound(bodies, [fit.interference], 0.0 * speed[rows])))
+        depth = fit.interference + float(expanded[rows[0]])
+        states.append((rows, compound(bodies, [depth], 0.0 * speed[rows])))
     return states
+
+
+def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
+    """Growth of the free outer ring at ``radius`` by the centrifugal force of the balls, as a
+    uniform pressure in its bore (speeds,) [m]; where the fits ask for it."""
+    from bearings.geometry import geometry
+    from bearings.ring.convex_stage import centrifugal_load
+
+    fits, bearing = seat.fits, seat.bearing
+    if fits is None or not fits.under_balls or fits.width is None or not fits.outside_diameter:
+        return np.zeros_like(speed)
+    race, outside = bearing.outer_raceway_radius, fits.outside_diameter / 2.0
+    load = np.asarray(centrifugal_load(geometry(bearing.grooves), speed**2))
+    pressure = load / (2.0 * math.pi * race * fits.width)
+    material = bearing.ring_material
+    nu, shape = material.poisson_ratio, race**2 / (outside**2 - race**2)
+    way = (1.0 - nu) * radius + (1.0 + nu) * outside**2 / radius
+    return np.asarray(pressure * shape * way / material.young_modulus)
 
 
 def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:

@@ -1,7 +1,7 @@
-"""The axial network of a spindle with its memory: run up from rest, then loaded along a path.
+"""The axial network of a spindle with its memory: its history from assembly on, then loads along a
+path.
 
-The states of ``rotordyn.preload.state`` are solved for all speeds at once and know no history; here
-friction holds sleeves where they were, so that every state is followed from the one before. The
+Friction holds sleeves where they were, so that every state is followed from the one before. The
 bearings are tables of their loads and tangents at every speed; between two speeds they go over into
 one another with the share of the way.
 """
@@ -9,14 +9,25 @@ one another with the share of the way.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement, AxialBearing, at_rest, rigid
+from rotordyn.machine.history import HistoryStep, Past
+from rotordyn.preload.arrangement import (
+    HOUSING,
+    SHAFT,
+    AxialBearing,
+    arrangement,
+    at_rest,
+    rigid,
+)
 from rotordyn.preload.network import Network as Instant
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
@@ -37,22 +48,42 @@ NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class History:
-    """``network`` of the spindle; what acts on it at ``rest`` and at every speed, ``loads``."""
+    """``network`` of the spindle; what acts on it at ``rest`` and at every speed in the end,
+    ``loads``; what did ``before`` the run-up, while it went ``through`` the speeds, and ``after``
+    at each of them; ``lower``: number of speeds below the one that the run-up begins at."""
 
     network: Network
     rest: Load
     loads: tuple[Load, ...]
+    before: tuple[Load, ...]
+    through: tuple[Load, ...]
+    after: tuple[tuple[Load, ...], ...]
+    lower: int
 
-    def run_up(self) -> Iterator[State | str]:
-        """The state at every speed after a run-up from rest, or why there is none."""
-        state, before, reason = mounted(self.network, self.rest), self.rest, ""
-        for load in self.loads:
+    def run_up(self) -> list[State | str]:
+        """The state at every speed at the end of the history, or why there is none."""
+        path = (self.rest, *self.before)
+        begun = self._followed(mounted(self.network, self.rest), path)
+        found: list[State | str] = [begun] * len(self.loads)
+        rows = range(len(self.loads))
+        for way in (rows[self.lower :], rows[: self.lower][::-1]):
+            there, load = begun, path[-1]
+            for row in way:
+                there = self._followed(there, (load, self.through[row]))
+                load = self.through[row]
+                found[row] = self._followed(there, (load, *self.after[row]))
+        return found
+
+    def _followed(self, state: State | str, path: Sequence[Load]) -> State | str:
+        """The state at the end of a path that begins in it, or why there is none."""
+        for start, end in pairwise(path):
+            if isinstance(state, str):
+                break
             try:
-                state = state if reason else along(Step(self.network, before, load), state)[0]
+                state = along(Step(self.network, start, end), state)[0]
             except NoEquilibrium as none:
-                reason = str(none)
-            before = load
-            yield reason or state
+                state = str(none)
+        return state
 
     def loaded(
         self, row: int, state: State, force: Sequence[float], start: Load | None = None
@@ -106,34 +137,123 @@ class History:
 
 
 def history(preload: PreloadState, reach: float) -> History:
-    """The network of a spindle with the friction of its sleeves, at the speeds of ``preload``.
+    """The network of a spindle with the friction of its sleeves, and its history up to the speeds
+    of ``preload``.
 
-    ``reach``: largest axial force of the paths [N].
+    ``reach``: largest axial force of the paths that go on from there [N].
     """
-    joined, still = preload.network.arrangement, preload.still
-    most = 2.0 * (reach + abs(preload.force) + float(np.abs(preload.network.springs.force).sum()))
-    resting = at_rest(joined)
-    start = Instant(resting, preload.network.springs).deflection(still.position)[0]
-    laws = _laws(resting, 0, most)
+    joined, still, past = preload.network.arrangement, preload.still, preload.past
+    known = [step.axial_force or 0.0 for step in past.steps]
+    pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
+    most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
+    tables = Tables(preload, most)
     deflection = [
         _where(law, load, d)
-        for law, load, d in zip(laws, still.response.load[0].tolist(), start.tolist(), strict=True)
+        for law, load, d in zip(
+            tables.at(0.0, warm=False)[0],
+            still.response.load[0].tolist(),
+            Instant(at_rest(joined), preload.network.springs).deflection(still.position)[0],
+            strict=True,
+        )
     ]
     network = _network(preload, np.array(deflection))
-    zero = np.zeros(len(joined.bodies))
-    force = zero.copy()
-    force[SHAFT] = preload.force
     gap = np.zeros(len(network.springs.force))
-    loads = tuple(
-        Load(
-            force,
-            np.array([bearing.shortening[row] for bearing in joined.bearings]),
-            gap,
-            _laws(joined, row, most),
-        )
-        for row in range(len(joined.speed))
+
+    def load(at: Moment) -> Load:
+        push = np.zeros(len(joined.bodies))
+        push[SHAFT] = at.force
+        laws, shift = tables.at(at.speed, warm=at.warm)
+        return Load(push, shift, gap, laws)
+
+    before, through, after = moments(past, joined.speed.tolist(), preload.force)
+    start = Moment(0.0, False, 0.0)
+    return History(
+        network,
+        load(start),
+        tuple(load(path[-1]) for path in after),
+        tuple(load(at) for at in before),
+        tuple(load(at) for at in through),
+        tuple(tuple(load(at) for at in path[1:]) for path in after),
+        bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
     )
-    return History(network, Load(zero, np.zeros(len(laws)), gap, laws), loads)
+
+
+class Moment(NamedTuple):
+    """A place of a history: speed [rad/s], at operating temperature or not, axial force [N]."""
+
+    speed: float
+    warm: bool
+    force: float
+
+
+def moments(
+    past: Past, speeds: Sequence[float], force: float
+) -> tuple[list[Moment], list[Moment], list[list[Moment]]]:
+    """Places before the run-up, at each of ``speeds`` on it, and there from that one on.
+
+    In the end every speed is at its temperatures, and the axial ``force`` [N] on the shaft.
+    """
+    here = Moment(0.0, False, past.weight)
+    before = [] if past.weight == 0.0 else [here]
+    for step in past.before:
+        before += _changed(step, here, past.weight, speeds)
+        here = before[-1]
+    through = [here._replace(speed=speed) for speed in speeds]
+    after = []
+    for there in through:
+        path = [there]
+        for step in past.after:
+            path += _changed(step, path[-1], past.weight, ())
+        path += [path[-1]._replace(warm=True), Moment(there.speed, True, force)]
+        after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
+    return before, through, after
+
+
+def _changed(
+    step: HistoryStep, here: Moment, weight: float, speeds: Sequence[float]
+) -> list[Moment]:
+    """Where a step goes from ``here``, by way of those of ``speeds`` in between."""
+    if step.warm is not None:
+        return [here._replace(warm=step.warm)]
+    if step.axial_force is not None:
+        return [here._replace(force=weight + step.axial_force)]
+    goal = here.speed if step.speed is None else step.speed
+    low, high = sorted((here.speed, goal))
+    way = [*(speed for speed in speeds if low < speed < high), high]
+    way = way if goal >= here.speed else [*way[-2::-1], low]
+    return [here._replace(speed=speed) for speed in way]
+
+
+class Tables:
+    """Laws of the bearings of a preload state up to a load ``most`` [N], and shifts of their seats,
+    at any speed; each is made once."""
+
+    def __init__(self, preload: PreloadState, most: float) -> None:
+        self.preload, self.most = preload, most
+        self._known: dict[tuple[float, bool], tuple[tuple[Law, ...], Array]] = {}
+
+    def at(self, speed: float, *, warm: bool) -> tuple[tuple[Law, ...], Array]:
+        """Laws, and shifts (bearings,) [m], at a speed [rad/s], at operating temperature or not."""
+        key = speed, warm and self.preload.temperatures is not None
+        if key not in self._known:
+            bearings = self._bearings(*key)
+            shift = np.array([bearing.shortening[0] for bearing in bearings])
+            laws = tuple(_table(bearing, speed, self.most) for bearing in bearings)
+            self._known[key] = laws, shift
+        return self._known[key]
+
+    def _bearings(self, speed: float, warm: bool) -> list[AxialBearing]:
+        """Those of the preload state, deformed by that speed and temperature."""
+        state = self.preload
+        temperatures = state.temperatures if warm else None
+        there = arrangement(
+            state.spindle, np.array([speed]), 0.0, state.law, temperatures, state.films
+        )
+        of_seat = {seat: bearing for bearing in there.bearings for seat in bearing.seats}
+        return [
+            replace(of_seat[bearing.seats[0]], seats=bearing.seats)
+            for bearing in state.network.arrangement.bearings
+        ]
 
 
 def _network(preload: PreloadState, deflection: Array) -> Network:
@@ -171,11 +291,7 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
     )
 
 
-def _laws(joined: Arrangement, row: int, most: float) -> tuple[Law, ...]:
-    return tuple(_table(bearing, joined.speed[row], row, most) for bearing in joined.bearings)
-
-
-def _table(bearing: AxialBearing, speed: float, row: int, most: float) -> Law:
+def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
     """Axial loads and tangents of one bearing, up to the load ``most`` [N]."""
     from bearings.ring.tangents import stiffness
 
@@ -189,7 +305,7 @@ def _table(bearing: AxialBearing, speed: float, row: int, most: float) -> Law:
             displacement=displacement,
             speed=speed,
             static_growth=bearing.static_growth,
-            growth=bearing.growth[row],
+            growth=bearing.growth[0],
             **asdict(bearing.law),
         )
         load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]

@@ -8,7 +8,7 @@ springs at their stated preload, fixes where each spring and stop is.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -59,10 +59,16 @@ class Response:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Network:
-    """An arrangement with its springs."""
+    """An arrangement with its springs; ``friction`` on bodies (speeds or 1, bodies or 1) [N]."""
 
     arrangement: Arrangement
     springs: Springs
+    friction: Array = field(default_factory=lambda: np.zeros((1, 1)))
+
+    def at(self, index: NDArray[np.intp]) -> Network:
+        """The network at some of its speeds."""
+        friction = self.friction if len(self.friction) == 1 else self.friction[index]
+        return replace(self, arrangement=self.arrangement.at(index), friction=friction)
 
     @property
     def one_branch(self) -> bool:
@@ -191,7 +197,7 @@ class Network:
     def forces(self, x: Array, response: Response) -> Array:
         """Sum of forces on each body towards +x (speeds, bodies) [N]."""
         springs = self.springs
-        total = springs.force - springs.stiffness * (x - springs.rest)
+        total = springs.force - springs.stiffness * (x - springs.rest) + self.friction
         total = total - (self.tandem * response.load) @ self.incidence
         total[:, SHAFT] += self.arrangement.force
         return total

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ring.state import BearingState
+from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import (
@@ -22,6 +23,7 @@ from rotordyn.preload.arrangement import (
     rigid,
 )
 from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.stops import meeting_speed, with_stops
 
@@ -38,7 +40,8 @@ class PreloadState:
     ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
     the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
     or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
-    across the axis, None without any; ``temperatures``: None where all are those of assembly.
+    across the axis, None without any; ``temperatures``: None where all are those of assembly;
+    ``films``: those that balls ride on, or None; ``past``: what the spindle went through before.
     """
 
     spindle: Spindle
@@ -51,6 +54,8 @@ class PreloadState:
     outcome: tuple[str, ...]
     lateral: Array | None = None
     temperatures: Temperatures | None = None
+    films: Films | None = None
+    past: Past = ASSEMBLED
 
     def coordinates(self, count: int) -> Array:
         """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
@@ -103,6 +108,16 @@ class PreloadState:
         ]
         return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
 
+    @property
+    def friction_force(self) -> Array:
+        """Friction on every sleeve towards +x (speeds, sleeves) [N]."""
+        return np.broadcast_to(self.network.friction, self.net.position.shape)[:, SHAFT + 1 :]
+
+    @property
+    def rubs(self) -> Array:
+        """Limit of the friction on every body (bodies,) [N]."""
+        return np.array([0.0, *(sleeve.friction for sleeve in self.spindle.sleeves)])
+
     def _unbalanced(self, body: int) -> Array:
         return self.network.forces(self.net.position, self.net.response)[:, body]
 
@@ -144,11 +159,17 @@ class PreloadState:
         return np.array([self.still.response.load[0, place[seat]] for seat in sorted(place)])
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
-        """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
+        """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
+        one, contacts in series with them."""
+        from bearings.on_film import softened
         from bearings.ring.tangents import stiffness as tangent_of
 
         seats = self.seat_states()
-        stiffness = {state: tangent_of(state, tangent) for state in {state for state, _ in seats}}
+        states = {state for state, _ in seats}
+        if (films := self.films) is not None:
+            stiffness = {state: softened(state, films.of(state)) for state in states}
+        else:
+            stiffness = {state: tangent_of(state, tangent) for state in states}
         return np.stack([stiffness[state][:, column] for state, column in seats], axis=1)
 
     def seat_growth(self) -> Array:
@@ -171,15 +192,15 @@ class PreloadState:
             replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
             for sleeve in self.spindle.sleeves
         )
-        part = self.network.arrangement.at(index)
+        part = self.network.at(index)
         pushes = tuple(
             replace(push, travel=sleeve.stop_travel)
-            for push, sleeve in zip(part.pushes, sleeves, strict=True)
+            for push, sleeve in zip(part.arrangement.pushes, sleeves, strict=True)
         )
-        network = replace(self.network, arrangement=replace(part, pushes=pushes))
+        network = replace(part, arrangement=replace(part.arrangement, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        state = _settled(spindle, self.law, network, self.still, self.net.position[index])
-        return replace(state, temperatures=self.temperatures)
+        other = replace(self, spindle=spindle, lateral=None)
+        return settled(other, network, self.net.position[index])
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -197,7 +218,7 @@ class PreloadState:
             lambda speed: replace(
                 self.network,
                 arrangement=arrangement(
-                    self.spindle, speed, self.force, self.law, self.temperatures
+                    self.spindle, speed, self.force, self.law, self.temperatures, self.films
                 ),
             ),
             self.rest,
@@ -214,31 +235,31 @@ def dynamic_preload(
     law: Law,
     axial_force: float = 0.0,
     temperatures: Temperatures | None = None,
+    films: Films | None = None,
 ) -> PreloadState:
     """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s].
 
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = arrangement(spindle, speed, axial_force, law, temperatures)
+    joined = arrangement(spindle, speed, axial_force, law, temperatures, films)
     still = _rest(joined)
     network = Network(joined, _springs(spindle, joined, still.position[0]))
-    return replace(_settled(spindle, law, network, still), temperatures=temperatures)
+    limit = _limits(joined, still.position[0])
+    start = PreloadState(
+        spindle, axial_force, law, network, still, limit, still, (), None, temperatures, films
+    )
+    return settled(start, network)
 
 
-def _settled(
-    spindle: Spindle,
-    law: Law,
-    network: Network,
-    still: NetworkState,
-    start: Array | None = None,
-) -> PreloadState:
-    """The network at its speeds, sought from rest or from ``start`` (speeds, bodies)."""
-    joined, rest = network.arrangement, still.position[0]
-    limit = _limits(joined, rest)
+def settled(state: PreloadState, network: Network, start: Array | None = None) -> PreloadState:
+    """Another ``network`` of the same spindle at its speeds, sought from rest or from ``start``
+    (speeds, bodies)."""
+    rest, still = state.rest, state.still
+    limit = _limits(network.arrangement, rest)
     net = confirmed(network, with_stops(network, rest, limit, start))
-    words = outcomes(spindle, network, still, net)
-    return PreloadState(spindle, joined.force, law, network, still, limit, net, words)
+    words = outcomes(state.spindle, network, still, net)
+    return replace(state, network=network, limit=limit, net=net, outcome=words)
 
 
 def _rest(joined: Arrangement) -> NetworkState:

@@ -102,7 +102,7 @@ def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
     """The balance under the whole loads, and where there is one (speeds,)."""
     begin = first.evaluate(first.start, None)
     solved = np.zeros(len(first.held), dtype=bool)
-    coordinates, held = begin.coordinates.copy(), first.held.copy()
+    coordinates, found = begin.coordinates.copy(), first
     for strides in STRIDES:
         alive = ~solved
         balance, here = first, begin
@@ -113,14 +113,13 @@ def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
             if not alive.any():
                 break
         coordinates = np.where(alive[:, None], here.coordinates, coordinates)
-        held = np.where(alive[:, None], balance.held, held)
+        found = balance.where(alive, found)
         solved |= alive
         if solved.all():
             break
-    balance = replace(first, held=held)
-    there = balance.evaluate(coordinates, None)
-    sure = balance.error(there, size) < SURE
-    return balance, there, solved & sure & (there.pressure <= HIGHEST_PRESSURE)
+    there = found.evaluate(coordinates, None)
+    sure = found.error(there, size) < SURE
+    return found, there, solved & sure & (there.pressure <= HIGHEST_PRESSURE)
 
 
 def _ahead(balance: Balance, here: Point, step: float, alive: Flags) -> list[Array]:
@@ -158,12 +157,20 @@ def _as_state(
     for places, each in there.bearings:
         load[:, places], slope[:, places] = each.load[..., 0], each.stiffness[..., 0, 0]
     response = Response(load, slope, there.states, there.bearings, there.imbalance)
-    network = Network(joined, state.network.springs)
+    network = Network(joined, state.network.springs, balance.friction(there))
     position = there.coordinates[:, p:]
     converged = np.array([word == "" for word in words])
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
-    return replace(state, network=network, net=net, outcome=words, lateral=lateral)
+    still = _by_seat(state.still, balance.bearings)
+    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+
+
+def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:
+    """The network at rest with a column for every seat, of ``bearings`` that stand for each."""
+    one = still.response
+    each = replace(one, load=one.load[:, list(bearings)], slope=one.slope[:, list(bearings)])
+    return replace(still, response=each)
 
 
 def _apart(joined: Arrangement) -> Arrangement:

@@ -135,6 +135,7 @@ def _warm(setting: Setting) -> Faults:
                 f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
             )
     yield from _heated(setting)
+    yield from _oiled(setting)
     if temperatures is None:
         return
     way = ("conditions", "temperatures")
@@ -166,6 +167,21 @@ def _heated(setting: Setting) -> Faults:
         yield way, "given beside temperatures, which follow from it; allowed: one of the two"
     if conditions.bearings == "static":
         yield way, "needs bearings at speed: given conditions.bearings: static"
+
+
+def _oiled(setting: Setting) -> Faults:
+    """Films are of bearings at speed, their oil of one temperature."""
+    conditions, way = setting.conditions, ("conditions", "films")
+    if conditions.films is None:
+        return
+    if not setting.spindle.seats:
+        yield way, "films carry balls, and this spindle has no bearings: leave out"
+    if conditions.heat_flow is not None:
+        yield way, "given beside heat_flow; allowed: one of the two"
+    if conditions.bearings == "static":
+        yield way, "needs bearings at speed: given conditions.bearings: static"
+    if conditions.tangent != "complete":
+        yield way, f"films have the complete tangent alone: given tangent {conditions.tangent}"
 
 
 def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:

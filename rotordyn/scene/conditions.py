@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from bearings.ball.law import DYNAMICS, KINEMATICS, MOMENT_SHARING, Law
-from rotordyn.description import Description
+from rotordyn.description import Description, Faults
+from rotordyn.machine.history import HistoryStep, history_faults
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
 from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.lubrication import Lubrication
 from rotordyn.units import STANDARD_GRAVITY
 
 TANGENTS = ("complete", "frozen", "difference")
@@ -87,6 +89,18 @@ class Conditions(Description):
         "conductances by which the heat of every bearing leaves, instead of `temperatures`: these "
         "and the preload follow from it ([theory](theory/life.md#temperatures))",
     ] = None
+    history: Annotated[
+        tuple[HistoryStep, ...],
+        "what happened from assembly on, step by step; dry friction of sleeves remembers it. By "
+        "default the spindle takes its temperatures and runs up through the speeds of the case. "
+        "At each of them the temperatures and forces of the conditions follow in the end "
+        "([how](theory/network.md#friction-in-all-analyses))",
+    ] = ()
+    films: Annotated[
+        Lubrication | None,
+        "oil on whose films the balls of every bearing ride: they let them grow and soften them "
+        "([theory](theory/life.md#films)); by default balls touch their races",
+    ] = None
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4
@@ -101,6 +115,10 @@ class Conditions(Description):
     axial_stiffening: Annotated[
         bool, "the axial force in the shaft stiffens or softens its bending"
     ] = True
+
+    def _faults(self) -> Faults:
+        for path, sentence in history_faults(self.history):
+            yield ("history", *path), sentence
 
     @property
     def pull(self) -> tuple[float, float, float]:

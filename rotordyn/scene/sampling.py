@@ -80,7 +80,7 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
 def _stops(scene: Scene) -> NDArray[np.bool_]:
     """Which stops are closed at every speed (n, sleeves); none where there is no equilibrium."""
     held = np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
-    held[scene.usable] = scene.state.stops
+    held[scene.usable] = scene.stopped
     return held
 
 

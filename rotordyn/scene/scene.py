@@ -19,7 +19,7 @@ from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.free_motion import FreeMotions, free_motions
+from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
@@ -30,7 +30,7 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics
-from rotordyn.scene.warnings import machine_warnings
+from rotordyn.scene.warnings import friction_notes, machine_warnings
 
 Array = NDArray[np.float64]
 NARROWINGS, PIECES = 6, 16  # of the speeds between which a stop is met
@@ -136,7 +136,7 @@ class Scene(Statics):
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about choices of the case without which results are misread."""
-        return frame_notes(self.conditions.formulation)
+        return (*frame_notes(self.conditions.formulation), *friction_notes(self))
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -186,13 +186,14 @@ class Scene(Statics):
     @cached_property
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""
-        if not self.loaded:
+        if not self.loaded and not self.preload.rubs.any():
             return self.preload.stop_speeds()
         held = self.preload.net.held[:, 1:]
         return np.array([self._stop_speed(k, held[:, k]) for k in range(held.shape[1])])
 
     def _stop_speed(self, sleeve: int, held: NDArray[np.bool_]) -> float:
-        """The same under loads across the axis, narrowed down from the speeds of the case."""
+        """The same under loads across the axis or with friction, narrowed down from the speeds of
+        the case."""
         first = np.flatnonzero(held)
         if not first.size:
             return math.nan
@@ -212,12 +213,17 @@ class Scene(Statics):
 
     @cached_property
     def state(self) -> State:
-        """Speeds, tangents and stops at the usable speeds."""
-        speed, sleeves = self.speed[self.usable], len(self.spindle.sleeves)
-        stops = np.zeros((len(speed), sleeves), dtype=bool)
-        if self.spindle.seats:
-            stops = self.preload.net.held[self.bearing_row[self.usable], 1:]
-        return State(speed, self.seat_stiffness, stops)
+        """Speeds, tangents and sleeves that stand, at the usable speeds: those at stops, and those
+        that dry friction holds against motions that vanish."""
+        rubbing = np.array([sleeve.friction > 0.0 for sleeve in self.spindle.sleeves], dtype=bool)
+        return State(self.speed[self.usable], self.seat_stiffness, self.stopped | rubbing)
+
+    @property
+    def stopped(self) -> NDArray[np.bool_]:
+        """Sleeves at their stops at the usable speeds (usable, sleeves)."""
+        if not self.spindle.seats:
+            return np.zeros((len(self.usable), len(self.spindle.sleeves)), dtype=bool)
+        return self.preload.net.held[self.bearing_row[self.usable], 1:]
 
     @cached_property
     def force(self) -> Array | None:
@@ -249,20 +255,26 @@ class Scene(Statics):
             self.systems[k] = self.system_at(k)
         return self.systems[k]
 
-    def system_at(self, k: int, rows: NDArray[np.intp] | None = None) -> FreeMotions:
-        """The same at some ``rows`` of the usable speeds alone."""
+    def system_at(
+        self, k: int, rows: NDArray[np.intp] | None = None, *, few: bool = False
+    ) -> FreeMotions:
+        """The same at some ``rows`` of the usable speeds alone; ``few``: for receptances at a few
+        frequencies, for which modes are not always solved for."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        key = k, b"" if rows is None else rows.tobytes()
+        every = rows is None or len(rows) == len(self.usable)
+        key = k, b"" if every or rows is None else rows.tobytes()
         if key not in self._at_rows:
-            linear = self.linear(k, rows)
+            linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
+            if few and not linear.isotropic and linear.loss is None:
+                return self.timed(name, partial(responding, linear))
             require_modes(
-                f"{self.name_of(k)} modes",
+                name,
                 len(linear.speed) if "bending" in linear.motions else 1,
                 linear.size // 2 if linear.isotropic else linear.size,
             )
             solve = partial(free_motions, linear, self._ceiling)
-            self._at_rows[key] = self.timed(f"{self.name_of(k)} modes", solve)
+            self._at_rows[key] = self.timed(name, solve)
         return self._at_rows[key]
 
     @property

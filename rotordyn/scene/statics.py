@@ -14,12 +14,14 @@ from bearings.ball.law import Law
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
+from rotordyn.machine.history import Past
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.friction import operating_state
+from rotordyn.preload.state import PreloadState
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -99,8 +101,13 @@ class Statics(Staged):
     @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
+        return self.conditions.pushed + self.past.weight
+
+    @property
+    def past(self) -> Past:
+        """What happened from assembly on, and the weight along the axis that acts all the time."""
         weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
-        return self.conditions.pushed + weight
+        return Past(self.conditions.history, weight)
 
     @property
     def loaded(self) -> bool:
@@ -177,13 +184,19 @@ class Statics(Staged):
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
-        return dynamic_preload(
+        given = (
             self.grounded,
             self.bearing_speed,
             self.law,
             self.axial_force,
             self.temperatures,
+            self.past,
         )
+        if (oiled := self.conditions.films) is None:
+            return operating_state(*given)
+        from rotordyn.preload.on_films import on_films
+
+        return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -210,7 +223,7 @@ class Statics(Staged):
 
         def solve(temperatures: Temperatures) -> PreloadState:
             speed, force = self.bearing_speed, self.axial_force
-            return dynamic_preload(self.grounded, speed, self.law, force, temperatures)
+            return operating_state(self.grounded, speed, self.law, force, temperatures, self.past)
 
         return heat_balance(solve, self.bearing_speed, self.grounded, asked.flow)
 
@@ -293,8 +306,9 @@ class Statics(Staged):
         """What the preload state follows from."""
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
-        warm = conditions.heat_flow
-        inputs = (self.spindle, self.law, *forces, warm, self._pushes, self.bearing_speed.tobytes())
+        warm = conditions.heat_flow, conditions.films
+        acting = conditions.history, self._pushes, self.bearing_speed.tobytes()
+        inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
     @property
@@ -310,7 +324,9 @@ class Statics(Staged):
             if left + section.length > front
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
-        acting = self.law, self.axial_force, self.conditions.temperatures
+        conditions = self.conditions
+        oiled = conditions.temperatures, conditions.films
+        acting = self.law, self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

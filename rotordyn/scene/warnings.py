@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
+FILMS_RULE = 0.1  # of the axial load of a bearing
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
@@ -38,19 +39,34 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             "its interference"
         )
     yield from _yielding(scene)
-    for sleeve in scene.spindle.sleeves:
-        if sleeve.friction > 0.0:
-            yield (
-                f"sleeve {sleeve.name}: its friction acts in axial_cycle alone; all other analyses "
-                "take the state without friction"
-            )
+    rubbing = any(sleeve.friction > 0.0 for sleeve in scene.spindle.sleeves)
+    if scene.conditions.history and not rubbing:
+        yield (
+            "history: no sleeve has friction, so that nothing is left of what happened before; "
+            "give friction to a sleeve, or leave the history out"
+        )
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
+        yield from _films_rule(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
+
+
+def friction_notes(scene: Scene) -> Iterator[str]:
+    """How sleeves that rub are taken."""
+    names = [sleeve.name for sleeve in scene.spindle.sleeves if sleeve.friction > 0.0]
+    if names and "preload" in scene.solved:
+        held = scene.preload.net.held[:, 1:] & (scene.preload.rubs[1:] > 0.0)
+        past = "the history of the case" if scene.conditions.history else "a run-up from rest"
+        yield (
+            f"dry friction holds sleeve {', '.join(names)}: the state is the one after {past}; "
+            "vibrations are taken as too small to move the sleeve along the axis"
+            + "; at a stop only the sum of stop and friction force is determined"
+            * bool(held.any())
+        )
 
 
 def _yielding(scene: Scene) -> Iterator[str]:
@@ -64,6 +80,26 @@ def _yielding(scene: Scene) -> Iterator[str]:
                 f"{column[row] / 1e6:.0f} MPa after Tresca at "
                 f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
                 "the interference"
+            )
+
+
+def _films_rule(scene: Scene) -> Iterator[str]:
+    """Bearings whose axial load the films change by more than a tenth."""
+    state = scene.unloaded if scene.conditions.films is not None else None
+    if state is None or state.films is None:
+        return
+    without, load = state.films.without, state.seat_load()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)
+    for seat, column, before, now in zip(
+        scene.spindle.seats, share.T, without.T, load.T, strict=True
+    ):
+        if np.nanmax(column, initial=0.0) > FILMS_RULE:
+            row = int(np.nanargmax(column))
+            yield (
+                f"bearing {seat.name}: oil films change its axial load from {before[row]:.0f} to "
+                f"{now[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
+                "fully flooded ones, and starved ones do less"
             )
 
 

@@ -30,6 +30,7 @@ STILL = 1e-11  # m
 AFTER = 1e-10  # of what a condition is measured by: violated
 SNAPPED = 1e-9  # m
 PARTS = 4000  # of a step
+WITHIN = 0.5 ** np.arange(1.0, 31.0)  # of a bracket: where a condition at its limit is looked for
 SNAP = Condition("snap", -1)
 
 
@@ -190,11 +191,16 @@ def _root(
         known[share] = at
         return float(measures(step, at, step.load(share), [one])[0])
 
-    if value(between[0]) <= 0.0:
-        return between[0], known.get(between[0], start[1])
-    if value(between[1]) >= 0.0:  # violated by rounding alone, solved from elsewhere
-        return between[1], known[between[1]]
-    root = cast(float, brentq(value, *between, xtol=EXACT, rtol=EXACT))
+    met, past = between
+    if value(met) <= 0.0:  # at its limit: it may go within before it is violated
+        nearer = (met + (past - met) * share for share in WITHIN)
+        inside = next((share for share in nearer if value(share) > 0.0), None)
+        if inside is None:
+            return met, known.get(met, start[1])
+        met = inside
+    if value(past) >= 0.0:  # violated by rounding alone, solved from elsewhere
+        return past, known[past]
+    root = cast(float, brentq(value, met, past, xtol=EXACT, rtol=EXACT))
     return root, known[min(known, key=lambda other: abs(other - root))]
 
 

@@ -16,7 +16,7 @@ def between_nodes(node: Array, motion: Complex, phi: Array, x: Array) -> Complex
     """The six displacements at stations ``x``, shape (len(x), 6), beyond the ends those of the end.
 
     ``node``: stations (nodes,) [m], ascending; ``motion`` (nodes, 6): their displacements;
-    ``phi`` (nodes − 1,): shear parameter of each element (``plane_bending.shear_parameter``).
+    ``phi`` (nodes − 1,): shear parameter of each element (``beam.shear_parameter``).
     In bending these are the shapes of constant shear force (Nelson 1980, J. Mech. Des. 102, 793).
     """
     inside = np.clip(x, node[0], node[-1])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.elements.beam import shear_parameter
 from rotordyn.equation.elements.shear import shear_coefficient
-from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.shaft import Shaft
 from rotordyn.surface.body import Array, Surface

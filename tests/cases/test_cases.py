@@ -36,7 +36,9 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_lobes": ("period doubling limits",),
-    "mfw2310_axial_cycle": ("is unloaded under an axial force", "its friction acts in"),
+    "mfw2310_axial_cycle": ("is unloaded under an axial force",),
+    "mfw2310_phases": ("only if friction is above",),
+    "mfw2310_rigid_or_sprung": ("is unloaded under an axial force",),
     "friswell_internal_damping": (
         "viscous: bending 1 forward grows by itself",
         "hysteretic: bending 1 forward grows by itself",

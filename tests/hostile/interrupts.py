@@ -18,6 +18,7 @@ from typing import NamedTuple
 ROTOR = "title: long\nspindle: {spindle}\nspeeds: {speeds}\nanalyses:\n  {analysis}\n"
 BEARING = "title: long\nbearing: {bearing}\nspeeds: {speeds}\nanalyses:\n  {analysis}\n"
 TICK = os.sysconf("SC_CLK_TCK")
+MOST = 1.0  # s that may follow
 BEYOND = 30.0  # s of processor time after which a run is killed
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.hostile.interrupts import MOST, stopped
 from tests.hostile.judged import command, judged, loaded
 from tests.hostile.kills import kills
 from tests.hostile.machines import machine, written
@@ -27,3 +28,10 @@ def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) ->
 
 def test_killed_runs_leave_whole_results(tmp_path: Path) -> None:
     assert kills(tmp_path, 5) == []
+
+
+@pytest.mark.parametrize("name", ["frf", "stability_lobes"])
+def test_a_long_run_ends_soon_after_ctrl_c(name: str, tmp_path: Path) -> None:
+    found = stopped(name, tmp_path, 1.0, "--no-figures")
+    assert found.code == 130
+    assert found.after <= MOST

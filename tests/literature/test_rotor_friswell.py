@@ -17,7 +17,6 @@ from scipy.linalg import eigh
 import rotordyn
 from bearings.materials import Material
 from rotordyn.equation.elements.shear import shear_coefficient
-from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
@@ -32,6 +31,7 @@ from tests.oracles.dense_rotor.assemble import (
 from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.rotors import on_supports, support, uniform
 from tests.oracles.spindles import CASES
+from tests.oracles.standard_beam import shear_parameter
 from tests.oracles.whirl import eigenvalues, frequencies_at_rest
 
 HZ = 2 * math.pi

@@ -44,7 +44,7 @@ def of_cylinders(spindle: Spindle, count: int) -> Spindle:
     """Every part of a cone between two stations as ``count`` cylinders: a station in the middle of
     one would leave errors that are no even powers."""
     shaft, pieces = spindle.shaft, []
-    stations = np.array([item.x for item in (*spindle.supports, *spindle.lumped)])
+    stations = np.array([at.x for at in (*spindle.supports, *spindle.lumped, *spindle.joints)])
     for own, left in zip(shaft.sections, shaft.boundaries, strict=False):
         share = np.unique((stations - left) / own.length)
         cuts = [0.0, *share[(share > APART) & (share < 1.0 - APART)], 1.0]

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 
 from rotordyn.equation.elements.shear import shear_coefficient
-from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import turn
 from rotordyn.equation.support import node_matrix
@@ -20,6 +19,7 @@ from rotordyn.machine.spindle import Spindle
 from tests.oracles.beam_column import axial_force_stiffness
 from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL, Selection
+from tests.oracles.standard_beam import shear_parameter
 
 Array = NDArray[np.float64]
 

@@ -24,7 +24,9 @@ from rotordyn.figures.panels import Shown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.history import history
 from rotordyn.preload.state import dynamic_preload
-from tests.oracles.spindles import RPM, mfw2310, scene, with_sleeve
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.spec import Setting
+from tests.oracles.spindles import RPM, conditions, mfw2310, scene, with_sleeve
 
 LAW = Law("outer", "equal")
 FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
@@ -110,11 +112,19 @@ def test_the_falling_branch_is_stiffer_at_no_load() -> None:
 
 
 def test_past_the_unloading_of_the_front_the_slope_is_that_of_both_springs() -> None:
-    """11.69 N/µm of springs, in series with bearings behind them (Noël, point A)."""
+    """11.69 N/µm of springs, each in series with the bearings behind it (Noël, point A, who leaves
+    the bearings out)."""
     found = cycle(0.0, steps=35)
     unloaded = (found.axial_load[0, 0, :, 0] == 0.0) & (found.stop_force[0, 0, :, 0] == 0.0)
-    slope = found.stiffness[0, 0, unloaded]
-    assert ((slope > 0.93 * 11.69e6) & (slope < 11.69e6)).all()
+    places = np.flatnonzero(unloaded)
+    assert places.size >= 2
+    springs = np.array([6.2e6, 5.49e6])
+    for place in places:
+        state = dynamic_preload(mfw2310(), np.zeros(1), LAW, float(found.force[place]))
+        behind = (state.network.tandem * state.net.response.slope[0])[1:]
+        series = (springs * behind / (springs + behind)).sum()
+        assert found.stiffness[0, 0, place] == pytest.approx(series, rel=1e-6)
+        assert series == pytest.approx(springs.sum(), rel=0.07)
 
 
 def test_lines_numbers_and_warnings() -> None:
@@ -153,6 +163,13 @@ def test_every_branch_moves_one_way() -> None:
 def test_a_cycle_without_a_range_is_refused() -> None:
     with pytest.raises(InvalidInput, match="highest: no cycle: given"):
         AxialCycleSpec(lowest=100.0, highest=-100.0)
+
+
+def test_a_cycle_under_loads_across_the_axis_is_refused() -> None:
+    loads = (PointLoad(at="nose_face", Fy=10.0),)
+    setting = Setting(mfw2310(), conditions(loads=loads), (0.0,))
+    ((_, sentence),) = AxialCycleSpec().faults_on(setting)
+    assert sentence.startswith("a cycle of axial force takes the bearings under axial load alone")
 
 
 def test_cyclic_force_that_friction_holds() -> None:

@@ -16,10 +16,9 @@ import rotordyn
 from rotordyn.analyses import EccentricSpan, SectionForcesSpec, UnbalanceSpec
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.unbalance.loads import acting, node_loads
-from rotordyn.equation.elements.beam import tapered_bending, tapered_points
-from rotordyn.equation.elements.standard_beam import shear_parameter
-from rotordyn.equation.mesh import build_mesh, divided, station_mesh
-from rotordyn.equation.section import sections, sections_at
+from rotordyn.equation.elements.beam import PlaneBending, beam_matrices, quadrature, shear_parameter
+from rotordyn.equation.mesh import Mesh, build_mesh, divided, station_mesh
+from rotordyn.equation.section import MIDDLE, sections_at
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front, rotor_inertia
 from rotordyn.machine.shaft import STEEPEST, Section, Shaft
@@ -109,20 +108,19 @@ def test_refinement_shows_the_error_of_the_taper() -> None:
     assert np.abs(first - finer).max() == pytest.approx(np.abs(first - truth).max(), rel=0.5)
 
 
+def element_matrices(spindle: Spindle, mesh: Mesh, degree: int) -> PlaneBending:
+    """Of every element of a mesh."""
+    shear, bend, *_ = (each[:, 0] for each in sections_at(spindle, mesh, MIDDLE))
+    phi = shear_parameter(mesh.length, bend, shear)
+    along = sections_at(spindle, mesh, quadrature(degree)[0])
+    return beam_matrices(mesh.length, phi, *along, degree=degree)
+
+
 def element_frequency(parts: int, degree: int) -> float:
     """Lowest clamped-free frequency of the strong cone in equal elements of one degree."""
     spindle = Spindle("cone", Shaft(0.0, (STRONG,)))
     mesh = divided(station_mesh(spindle), np.array([parts]))
-    xi, weight = tapered_points(degree)
-    shear, bend, *_ = sections(spindle, mesh)
-    own = tapered_bending(
-        mesh.length,
-        shear_parameter(mesh.length, bend, shear),
-        *sections_at(spindle, mesh, xi),
-        degree=degree,
-        xi=xi,
-        weight=weight,
-    )
+    own = element_matrices(spindle, mesh, degree)
     inner = own.mass.shape[1] - 4
     size = 2 * (parts + 1) + parts * inner
     mass, stiffness = np.zeros((2, size, size))
@@ -146,10 +144,7 @@ def test_elements_converge_as_their_degree_says(degree: int, parts: int) -> None
 def test_an_element_moves_rigidly_and_bends_evenly(degree: int) -> None:
     spindle = Spindle("cone", Shaft(0.0, (STRONG,)))
     mesh = station_mesh(spindle)
-    xi, weight = tapered_points(degree)
-    shear, bend, *_ = sections(spindle, mesh)
-    phi, along = shear_parameter(mesh.length, bend, shear), sections_at(spindle, mesh, xi)
-    own = tapered_bending(mesh.length, phi, *along, degree=degree, xi=xi, weight=weight)
+    own = element_matrices(spindle, mesh, degree)
     h, rest = STRONG.length, np.zeros(own.mass.shape[1] - 4)
     shift, tilt = np.r_[1.0, 0.0, 1.0, 0.0, rest], np.r_[0.0, 1.0, h, 1.0, rest]
     size = np.abs(own.stiffness[0]).max()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -174,3 +176,39 @@ def test_refusals():
         beam(np.array([0.0]), HOLDER)
     with pytest.raises(InvalidInput, match="spacing"):
         rotations(tool.r11[:, 0, 0], tool.r12[:, 0, 0], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"base": None}, "arrays of complex numbers"),
+        ({"base": np.full((len(OMEGA), 2, 2), np.nan)}, "no finite number"),
+        ({"base": np.ones((len(OMEGA), 4, 4))}, "same directions"),
+        ({"tool": "hsk"}, "couple: tool must be a Ends"),
+        ({"joint": np.ones(3)}, r"joint: given shape \(3,\)"),
+        ({"tool": Ends(*[np.zeros((len(OMEGA), 2, 2))] * 4), "base": 0.0}, "resonate without"),
+    ],
+)
+def test_refusals_of_couple(given, sentence):
+    base = beam(OMEGA, SPINDLE).r11
+    known = {"tool": beam(OMEGA, HOLDER), "base": base, **given}
+    if isinstance(known["base"], float):
+        known["base"] = known["base"] * base
+    with pytest.raises(InvalidInput, match=sentence):
+        couple(**known)
+
+
+@pytest.mark.parametrize(
+    "section",
+    [
+        Section(0.0, 0.05),
+        Section(0.1, -0.05),
+        Section(0.1, 0.05, 0.06),
+        Section(0.1, 0.05, poisson=-1.0),
+        Section(0.1, 0.05, young=math.nan),
+        Section(0.1, 0.05, 0.02, stiff_diameter=0.02),
+    ],
+)
+def test_sections_that_are_none(section):
+    with pytest.raises(InvalidInput, match="allowed: length, diameter, young"):
+        beam(OMEGA, [section])

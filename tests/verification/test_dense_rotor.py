@@ -191,5 +191,6 @@ def test_the_matrices_of_the_product_are_the_same() -> None:
         (found.stiffness + found.held, stiffness),
         (found.damping, damping),
     ]
-    for ours, theirs in pairs:
-        np.testing.assert_allclose(sign * ours, theirs, rtol=1e-12, atol=1e-12)
+    for ours, theirs in pairs:  # entries that vanish are rounding of the integration in ours
+        rounding = 1e-12 + 1e-15 * np.abs(theirs).max()
+        np.testing.assert_allclose(sign * ours, theirs, rtol=1e-12, atol=rounding)

@@ -14,11 +14,11 @@ from bearings.materials import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.solving import answer_spindle
-from rotordyn.equation.elements.standard_beam import plane_bending
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.damping import RayleighDamping
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
+from tests.oracles.standard_beam import plane_bending
 
 LENGTH, DIAMETER, HELD = 0.8, 0.04, (0.0, 0.6)
 SPEEDS = (0.0, 6000.0 * RPM, 12000.0 * RPM)

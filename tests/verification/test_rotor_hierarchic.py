@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from rotordyn.equation.elements.beam import hierarchic_bending, inner_dofs
+from rotordyn.equation.elements.beam import inner_dofs
+from tests.oracles.cylinder_elements import hierarchic_bending
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.whirl import whirl_frequencies
 

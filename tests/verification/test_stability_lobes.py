@@ -220,3 +220,40 @@ def test_receptances_that_end_before_the_chatter_band():
 def test_refusals(given, sentence):
     with pytest.raises(InvalidInput, match=sentence):
         limit_depth(MACHINE.receptance, **given)
+
+
+def undamped(omega):
+    return MACHINE.receptance(omega).real
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"receptance": lambda w: MACHINE.receptance(w)[:, 0, 0]}, r"of shape \(\d+,\); allowed"),
+        ({"receptance": lambda w: MACHINE.receptance(w)[:-1]}, "complex numbers of shape"),
+        ({"receptance": lambda w: None}, "object of shape"),
+        ({"receptance": 3.0}, "must be a function"),
+        ({"receptance": lambda w: 1e9 * MACHINE.receptance(w)}, "displacement by a force"),
+        ({"receptance": lambda w: 0.0 * MACHINE.receptance(w)}, "displacement by a force"),
+        ({"receptance": lambda w: MACHINE.receptance(w).conj()}, "drives the tip"),
+        ({"receptance": undamped}, "nothing damps .* without damping no depth"),
+        ({"speed": 0.5}, "waves; allowed: 159: raise the speed"),
+        ({"speed": 1e-6, "method": "zero-order"}, "waves; allowed"),
+        ({"teeth": 2.5}, "teeth must be a whole number"),
+        ({"radial": math.nan}, "radial must be a number"),
+        ({"speed": "fast"}, "speed must be a number"),
+    ],
+)
+def test_receptances_and_numbers_that_are_none(given, sentence):
+    with pytest.raises(InvalidInput, match=sentence):
+        limit_depth(**{"receptance": MACHINE.receptance, "speed": 900.0, **given})
+
+
+def test_turning_refuses_what_is_not_damped():
+    """A motion across the force may have either sign in quadrature, but not none."""
+    across = turning_limit(lambda w: -MACHINE.receptance(w)[:, 0, 1], 1e9, 500.0)
+    assert math.isfinite(across.depth)
+    with pytest.raises(InvalidInput, match="nothing damps"):
+        turning_limit(lambda w: undamped(w)[:, 0, 0], 1e9, 500.0)
+    with pytest.raises(InvalidInput, match="complex numbers of shape"):
+        turning_limit(MACHINE.receptance, 1e9, 500.0)

@@ -15,9 +15,16 @@ from scipy.optimize import minimize_scalar, root
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, Material
 from bearings.materials import STEEL
 from bearings.ring.tangents import stiffness as tangent_of
-from rotordyn.analyses import BearingLoadsSpec, PointLoad, SectionForcesSpec, StiffnessSpec
+from rotordyn.analyses import (
+    BearingLoadsSpec,
+    PointLoad,
+    PreloadSpec,
+    SectionForcesSpec,
+    StiffnessSpec,
+)
 from rotordyn.analyses.bearing_loads.solve import answer
 from rotordyn.analyses.bearing_loads.summary import numbers, summary, warnings
+from rotordyn.analyses.preload.solve import answer as preload_answer
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
@@ -75,6 +82,14 @@ def test_a_load_that_vanishes_leaves_the_state_without_loads() -> None:
     largest = np.abs(plain.tangents).max(axis=(-2, -1), keepdims=True)
     assert np.abs((faint.tangents - plain.tangents) / largest).max() < 1e-10
     assert faint.preload.seat_load() == pytest.approx(plain.preload.seat_load(), rel=1e-10)
+
+
+def test_loads_across_the_axis_leave_the_mounted_ones() -> None:
+    """Bearings in tandem are one without loads across the axis, and each by itself under them."""
+    plain, pulled = scene(mfw2310(), [0.0]), loaded([0.0], PointLoad(at="Oc2", Fy=500.0))
+    assert (pulled.preload.mounted_load() == plain.preload.mounted_load()).all()
+    table = preload_answer(pulled, PreloadSpec())
+    assert table.mounted_load == pytest.approx([551.0, 551.0, 574.0, 264.0, 264.0], rel=1e-9)
 
 
 def test_an_axial_load_is_the_axial_force() -> None:

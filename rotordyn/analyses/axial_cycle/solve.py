@@ -1,4 +1,4 @@
-"""A cycle of axial force at every speed, after a run-up from rest.
+"""A cycle of axial force at every speed, after the history of the case.
 
 The force goes to its highest and lowest value once, so that friction stands as it does in every
 later cycle; then the falling and the rising branch are taken. Energy lost per cycle: the area

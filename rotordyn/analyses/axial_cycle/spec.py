@@ -27,3 +27,9 @@ class AxialCycleSpec(Spec):
     def faults_on(self, setting: Setting) -> Faults:
         if setting.spindle.rotors:
             yield (), "a cycle of axial force takes no further rotors: leave out the rotors"
+        if setting.loaded:
+            yield (
+                (),
+                "a cycle of axial force takes the bearings under axial load alone: leave out loads "
+                "and weight across the axis and misalignments",
+            )

@@ -77,7 +77,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
         unconverged=errors.unconverged,
-        stopped=scene.scattered(scene.state.stops.sum(axis=1).astype(float)),
+        stopped=scene.scattered(scene.stopped.sum(axis=1).astype(float)),
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),

@@ -17,12 +17,13 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in, swings
-from rotordyn.numerics.modes import grows
+from rotordyn.numerics.modes import UNSEEN, grows
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
 DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
+ROUNDING = 1e-12  # of |pole|: growth that is none
 
 
 def stability_threshold(
@@ -86,12 +87,14 @@ def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) ->
 
 
 def _growth(scene: Scene, band: Band, subsystem: int, speed: float) -> float:
-    """Largest Re λ over |λ| of what swings in the band or diverges; none where there is no
-    equilibrium."""
+    """Largest Re λ over |λ| of what swings in the band or diverges, below zero of a motion that
+    rounding alone would let grow; none where there is no equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return math.nan
     motions = other.system(subsystem)
     inside = (found_in(motions, MARGIN * band.highest) | _diverging(motions))[0]
     pole = motions.pole[0][inside]
-    return float((pole.real / np.abs(pole)).max(initial=-1.0))
+    noise = ROUNDING + UNSEEN * motions.modes.largest.max() / np.abs(pole)
+    ratio = pole.real / np.abs(pole)
+    return float(np.where(np.abs(ratio) <= noise, -noise, ratio).max(initial=-1.0))

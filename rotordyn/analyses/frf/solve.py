@@ -320,17 +320,17 @@ def _weighed(
 ) -> Complex:
     """Receptances times ω to a power (rows, pairs, f) at frequencies ``at`` (f,) [Hz]."""
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        response = _receptance(scene, scene.system_at(k, rows), pairs)(at)
+        response = _receptance(scene, scene.system_at(k, rows, few=True), pairs)(at)
         return np.asarray(response * (2.0 * math.pi * at) ** power)
 
 
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
     """Frequencies at which receptances are compared: some, and those next to the modes."""
     some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
-    motions = scene.system(k)
+    motions = scene.system_at(k, few_rows(scene))
     turning = motions.pole.imag
     if scene.conditions.formulation == ROTATING:
-        turning = np.abs(motions.whirl * turning - scene.speed[scene.usable][:, None])
+        turning = np.abs(motions.whirl * turning - motions.linear.speed[:, None])
     hertz = turning / (2.0 * math.pi)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
     after = np.searchsorted(frequency, inside)

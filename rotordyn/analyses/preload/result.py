@@ -68,10 +68,15 @@ class PreloadResult:
     )
     slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
     growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
+    film_growth: Array = quantity(
+        "speed", "bearing", unit="m", label="ring growth that oil films stand for"
+    )
     speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
     position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
     spring_force: Array = quantity("speed", "sleeve", unit="N", label="spring force")
     stop_force: Array = quantity("speed", "sleeve", unit="N", label="stop force")
+    friction_force: Array = quantity("speed", "sleeve", unit="N", label="friction force")
+    friction_limit: Array = quantity("sleeve", unit="N", label="limit of friction")
     stop_reached: Flags = quantity("speed", "sleeve", unit="", label="stop reached")
     stop_speed: Array = quantity(
         "sleeve",

@@ -12,7 +12,7 @@ from bearings.ring.state import BearingState
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.preload.arrangement import rigid
+from rotordyn.preload.arrangement import SHAFT, rigid
 from rotordyn.preload.mounting import ring_offset
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
@@ -57,10 +57,13 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         stiffness=shown(state.seat_stiffness()),
         slipping=np.where(good[:, None], slips, ""),
         growth=shown(state.seat_growth()),
+        film_growth=shown(_by_films(state)),
         speed_factor=factor,
         position=shown(state.shift),
         spring_force=shown(state.spring_force),
         stop_force=shown(state.stop_force),
+        friction_force=shown(state.friction_force),
+        friction_limit=state.rubs[SHAFT + 1 :],
         stop_reached=state.net.held[rows][:, 1:] & good[:, None],
         stop_speed=scene.stop_speeds,
         **balls,
@@ -72,6 +75,13 @@ def _of_heaviest(values: NDArray[Any], state: BearingState, column: int) -> NDAr
     its inner race (speeds,); without loads across the axis all of them are alike."""
     heaviest = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
     return np.take_along_axis(values[:, column], heaviest[:, None], axis=1)[:, 0]
+
+
+def _by_films(state: PreloadState) -> Array:
+    """Growth in that of the rings which films stand for (speeds, seats) [m]."""
+    if state.films is None:
+        return np.zeros((len(state.speed), len(state.spindle.seats)))
+    return state.films.at(state.speed)[0]
 
 
 def _offset(state: PreloadState, k: int) -> float:

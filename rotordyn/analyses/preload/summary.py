@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
@@ -17,7 +19,7 @@ SAME = 0.5  # N
 
 
 def summary(result: PreloadResult) -> list[str]:
-    """Axial loads of the bearings at the first and last speed, and when stops are reached."""
+    """Axial loads of the bearings at the first and last speed, when stops are reached, friction."""
     loads = ", ".join(
         unbroken(f"{name} {_mounted(mounted, load)}{from_to(load, 0)}")
         for name, mounted, load in zip(
@@ -36,6 +38,15 @@ def summary(result: PreloadResult) -> list[str]:
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")
+    for name, force, limit in zip(
+        result.sleeve, result.friction_force.T, result.friction_limit, strict=True
+    ):
+        if limit > 0.0:
+            lines.append(f"friction   {name}: {from_to(force, 1)} N, within ± {limit:.4g} N")
+    if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
+        lines.append(
+            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
+        )
     return lines
 
 

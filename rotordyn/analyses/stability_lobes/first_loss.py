@@ -15,6 +15,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 Radius = Callable[[float], float]
 RATIO = 1.25  # of depths tried
+SHORTEST = 0.01  # of the depth between depths tried: over many pitches of a helix forces are even
 NEAR = 0.8  # a maximum of the radius below that is not refined
 DOUBTFUL = 0.02  # of 1: so near, the radius of a coarse map does not tell which side
 WITHIN = 1e-8  # of the depth
@@ -26,8 +27,8 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     """Depth [m] from ``low``, which is stable, to ``high``; infinite where all is stable.
 
     ``coarse``: radius over depth of a quick map, by which depths are tried; ``fine``: of the map
-    that gives the depth. ``step``: longest step [m] between depths tried. 0 where the machine is
-    unstable by itself.
+    that gives the depth. ``step``: longest step [m] between depths tried, up to a hundred of
+    it. 0 where the machine is unstable by itself.
     """
     coarse, fine = cache(coarse), cache(fine)
     if fine(low) >= 1.0:
@@ -46,7 +47,8 @@ def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float
     ``doubtful``."""
     depth, size, doubt = [low], [radius(low)], False
     while size[-1] < 1.0 and depth[-1] < high:
-        depth.append(min(depth[-1] * RATIO, depth[-1] + step, high))
+        further = max(step, SHORTEST * depth[-1])
+        depth.append(min(depth[-1] * RATIO, depth[-1] + further, high))
         size.append(radius(depth[-1]))
     for k in range(1, len(depth) - 1):
         if NEAR < size[k] < 1.0 and size[k] >= max(size[k - 1], size[k + 1]):

@@ -9,13 +9,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import typed
 from rotordyn.analyses.stability_lobes.as_modes import as_modes
 from rotordyn.analyses.stability_lobes.crossings import largest_crossing
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.modal_limit import UNLIMITED, Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.multi_frequency import Harmonics
-from rotordyn.analyses.stability_lobes.sampling import along, folded, peaks, resolving
-from rotordyn.analyses.stability_lobes.spans import Spans
+from rotordyn.analyses.stability_lobes.sampling import along, folded, peaks, resolving, shaped
+from rotordyn.analyses.stability_lobes.spans import Spans, refuse_waves
 from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, METHODS, NONE
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
@@ -27,9 +28,11 @@ SHALLOW = 0.05  # of the depth with straight edges, from which helical ones are 
 DEEPEST = 50.0  # times that depth: deeper is taken as no limit
 AHEAD, SHARE, LEAST_STEP = 0.4, 0.05, 0.005  # of the margin, of the axial pitch, of the depth
 WITHIN = 1e-6  # of the depth
+MOST_POLYNOMIALS = 200  # of forces over the cut, each time for hundreds of samples
 AT_END = 1e-9  # of π: a crossing there is a flip
 
 
+@typed(InvalidInput, besides=("receptance",))
 def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     receptance: Receptance,
     teeth: int = 2,
@@ -54,12 +57,15 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
 
     Raises
     ------
-    InvalidInput : a cut that there is not, an unknown method, a helix of 90° or without diameter
+    InvalidInput : a cut that there is not, an unknown method, a helix of 90° or without diameter;
+        a receptance of another shape or size, without damping, that does not reach over the band;
+        so slow a cut that a tooth sees more waves than can be resolved
 
     Sources: Altintas and Budak (1995), Budak and Altintas (1998), Merdol and Altintas (2004).
     """
     cut = checked(Cut(teeth, tangential, radial, entry, exit))
     _refuse(speed, method, helix, diameter)
+    receptance = shaped(receptance, (2, 2))
     omega, top = resolving(receptance)
     period = cut.pitch / speed
     lag = 2.0 * math.tan(helix) / diameter if helix > 0.0 else 0.0
@@ -84,7 +90,13 @@ def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float)
 
 def sampled_limit(receptance: Receptance, near: Array, top: float, process: Process) -> Limit:
     """The limit of a receptance that is no sum of modes; samples ``near`` (f,) [rad/s] resolve its
-    peaks."""
+    peaks.
+
+    Raises
+    ------
+    InvalidInput : more waves in a tooth's cut than can be resolved
+    """
+    refuse_waves(Spans(process.cut, process.period, top), MOST_POLYNOMIALS)
     angle = folded(near, process.period)
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)

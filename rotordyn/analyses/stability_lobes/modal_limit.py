@@ -14,7 +14,7 @@ from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.first_loss import first_loss
 from rotordyn.analyses.stability_lobes.floquet import Floquet
 from rotordyn.analyses.stability_lobes.modal import ModalTip
-from rotordyn.analyses.stability_lobes.spans import SPARE, Spans
+from rotordyn.analyses.stability_lobes.spans import SPARE, Spans, refuse_waves
 from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE
 
 Array = NDArray[np.float64]
@@ -26,6 +26,7 @@ COARSE, COARSE_SPARE = (
     0.7,
     5,
 )  # of the highest frequency, and polynomials, by which depths are tried
+MOST_POLYNOMIALS = 500  # of forces over the cut: a limit then takes a minute
 ANGLES = 181  # at which the cutting force is largest
 
 
@@ -60,7 +61,13 @@ class Process(NamedTuple):
 
 def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     """Depth of cut up to which milling is stable; ``top`` [rad/s] the highest frequency that
-    matters."""
+    matters.
+
+    Raises
+    ------
+    InvalidInput : more waves in a tooth's cut than can be resolved
+    """
+    refuse_waves(Spans(process.cut, process.period, top), MOST_POLYNOMIALS)
     low = CERTAIN / _gain(tip, process)
     coarse = _maps(tip, COARSE * top, process, COARSE_SPARE)
     fine = _maps(tip, top, process, SPARE)

@@ -21,6 +21,7 @@ from rotordyn.analyses.stability_lobes.spans import Spans, both_signs
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
+AT_ONCE = 1_000_000  # of (n, p, p)
 
 
 @dataclass(frozen=True)
@@ -51,8 +52,11 @@ class Harmonics:
         return -(self.spans.cutting @ motion.reshape(n, 2 * p, 2 * p))
 
     def eigenvalues(self, angle: Array) -> Complex:
-        """(n, 2p)"""
-        return np.asarray(np.linalg.eigvals(self.matrix(angle)), dtype=complex)
+        """(n, 2p), of some angles at once for the sake of memory."""
+        parts = np.array_split(angle, math.ceil(len(angle) * self.spans.size**2 / AT_ONCE))
+        return np.concatenate([np.linalg.eigvals(self.matrix(part)) for part in parts]).astype(
+            complex
+        )
 
     def chatter(self, angle: float, value: float) -> float:
         """Frequency [Hz] at which the tip moves most, of the eigenvalue nearest to ``value``."""

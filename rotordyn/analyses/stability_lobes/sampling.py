@@ -17,25 +17,34 @@ LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
 FIRST = 1.01  # ratio of neighbours
 BENT = 0.05  # of its size, by which a receptance may leave the line between samples
 SMALL = 1e-2  # of the largest receptance: where it stays below, nothing chatters
+LEAST, MOST = 1e-20, 1e3  # m/N, between which the largest receptance of a tip is
+DAMPED = 1e-3  # of the largest receptance: what is less in quadrature damps nothing
+SAMPLES = 2_000_000  # of a receptance at most
 LEAST_TURN = 1e-6  # between samples
 TURN = 2.0 * math.pi / 32.0  # phase from tooth to tooth between samples
 
 
 def resolving(
-    receptance: Receptance, band: tuple[float, float] = (LOWEST, HIGHEST)
+    receptance: Receptance, band: tuple[float, float] = (LOWEST, HIGHEST), at_force: bool = True
 ) -> tuple[Array, float]:
     """Angular frequencies between which a receptance is straight, and the highest one at which it
-    matters.
+    matters; ``at_force``: motion where the force acts, and in its directions.
 
     Raises
     ------
-    InvalidInput : a receptance that is not known over the band, or does not fall at its end
+    InvalidInput : a receptance that is not known over the band, does not fall at its end, is of no
+        size of a tip, is not damped, or drives the tip
     """
     low, high = band
     count = math.ceil(math.log(high / low) / math.log(FIRST)) + 1
     omega = np.geomspace(low, high, count)
     value = _known(receptance, omega)
     largest = _size(value).max()
+    if not LEAST <= largest <= MOST:
+        raise InvalidInput(
+            f"receptance: its largest value is {largest:.3g} m/N; allowed: {LEAST:g} to {MOST:g}, "
+            "a displacement by a force in SI units"
+        )
     new = np.arange(len(omega) - 1)
     for _ in range(14):
         middle = 0.5 * (omega[new] + omega[new + 1])
@@ -56,7 +65,48 @@ def resolving(
             f"receptance: it does not fall up to {high / 2.0 / math.pi:.6g} Hz: give one that "
             "does, such as a modal fit"
         )
+    _damped(omega, value, at_force)
     return omega, float(omega[matters[-1]])
+
+
+def _damped(omega: Array, value: Complex, at_force: bool) -> None:
+    """Refuse a receptance without damping, or that gives energy to the motion where it acts."""
+    share = -0.5j * (value - np.conj(np.swapaxes(value, 1, 2))) / _size(value).max()
+    ends = np.linalg.eigvalsh(share)  # negative where energy is taken
+    least, most = float(ends[:, 0].min()), float(ends[:, -1].max())
+    at = f"{omega[_size(value).argmax()] / 2.0 / math.pi:.6g} Hz"
+    if at_force and most > max(-least, DAMPED):
+        raise InvalidInput(
+            f"receptance: it drives the tip instead of damping it, with its peak at {at}: at "
+            "ω > 0 its imaginary part is negative where forces are F e^(+iωt)"
+        )
+    if max(-least, most) < DAMPED:
+        raise InvalidInput(
+            f"receptance: nothing damps its peak at {at}, and without damping no depth of cut is "
+            "stable: give damping"
+        )
+
+
+def shaped(receptance: Receptance, shape: tuple[int, ...]) -> Receptance:
+    """A receptance whose values are complex numbers of ``shape`` at every frequency.
+
+    Raises
+    ------
+    InvalidInput : of the function that is returned, where they are not
+    """
+
+    def known(omega: Array) -> Complex:
+        value = np.asarray(receptance(omega))
+        if value.dtype.kind not in "iufc" or value.shape != (len(omega), *shape):
+            raise InvalidInput(
+                f"receptance: for {len(omega)} angular frequencies it gives {value.dtype} of shape "
+                f"{value.shape}; allowed: complex numbers of shape {(len(omega), *shape)}"
+            )
+        return value.astype(complex)
+
+    if not callable(receptance):
+        raise InvalidInput("receptance: it must be a function of angular frequencies")
+    return known
 
 
 def _known(receptance: Receptance, omega: Array) -> Complex:
@@ -76,7 +126,18 @@ def _size(value: Complex) -> Array:
 
 
 def along(omega: Array, top: float, period: float) -> Array:
-    """Samples up to ``top`` that resolve the receptance and the phase from tooth to tooth."""
+    """Samples up to ``top`` that resolve the receptance and the phase from tooth to tooth.
+
+    Raises
+    ------
+    InvalidInput : so many that the speed must be a mistake
+    """
+    if top * period > SAMPLES * TURN:
+        waves, most = (value / 2.0 / math.pi for value in (top * period, SAMPLES * TURN))
+        raise InvalidInput(
+            f"speed: in a tooth period of {period:.3g} s the highest mode has {waves:.3g} waves; "
+            f"allowed: {most:.0f}"
+        )
     even = np.arange(0.25 * TURN, top * period + TURN, TURN) / period
     return np.unique(np.concatenate([even, omega[omega <= top]]))
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.bessel import spherical_bessel
 from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -97,6 +98,17 @@ class Spans:
         motion = (own @ (self.coefficients(along) @ force.reshape(-1, 2))[:, :, None])[:, :, 0]
         place = int(np.linalg.norm(motion, axis=1).argmax())
         return float(abs(along[place])) / (2.0 * math.pi * self.period)
+
+
+def refuse_waves(spans: Spans, most: int) -> None:
+    """Refuse a cut that needs more than ``most`` polynomials, whose matrices take minutes."""
+    if spans.size > most:
+        hertz = spans.top / 2.0 / math.pi
+        raise InvalidInput(
+            f"speed: while a tooth cuts, the highest mode, up to {hertz:.5g} Hz, has "
+            f"{spans.size / math.pi:.0f} waves; allowed: {most / math.pi:.0f}: raise the speed, "
+            "take the method zero-order, or leave that mode out (max_frequency of a case)"
+        )
 
 
 def both_signs(receptance: Receptance, omega: Array) -> Complex:

@@ -8,8 +8,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import typed
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
-from rotordyn.analyses.stability_lobes.sampling import along, resolving
+from rotordyn.analyses.stability_lobes.sampling import along, resolving, shaped
 from rotordyn.analyses.stability_lobes.spec import HOPF, NONE
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
@@ -18,6 +19,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
+@typed(InvalidInput, besides=("receptance",))
 def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: float) -> Limit:
     """Width of cut up to which turning is stable: exact, for the cutting force is constant.
 
@@ -28,7 +30,8 @@ def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: f
 
     Raises
     ------
-    InvalidInput : a coefficient or a speed that is not above 0
+    InvalidInput : a coefficient or a speed that is not above 0; a receptance as ``limit_depth``
+        refuses it
 
     Source: Tobias; Tlusty; the form of lobes is 1 + a K (1 - e^(-iωT)) G(iω) = 0.
     """
@@ -36,10 +39,12 @@ def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: f
         if not value > 0.0:
             raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
 
-    def matrices(omega: Array) -> Complex:
-        return np.asarray(receptance(omega.ravel()).reshape(*omega.shape, 1, 1))
+    known = shaped(receptance, ())
 
-    omega, top = resolving(matrices)
+    def matrices(omega: Array) -> Complex:
+        return known(omega.ravel()).reshape(*omega.shape, 1, 1)
+
+    omega, top = resolving(matrices, at_force=False)
     period = np.array([2.0 * math.pi / speed])
     samples = along(omega, top, float(period[0]))[None]
     mean = Mean(np.array([[[force]]]), np.zeros((1, 1, 1)))

@@ -18,6 +18,7 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
 from rotordyn.errors import InvalidInput
 from rotordyn.preload.balance import Balance
+from rotordyn.preload.friction import remembered
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.display import RPM
@@ -149,7 +150,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
             differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
     anew = np.flatnonzero(differs)
     if anew.size:
-        state = scene.preload.with_travels(spec.second_stop, rows[anew])
+        state = remembered(scene.preload.with_travels(spec.second_stop, rows[anew]))
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)

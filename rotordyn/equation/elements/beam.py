@@ -20,12 +20,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.elements.polynomials import bubbles, points
-from rotordyn.equation.elements.standard_beam import PlaneBending, plane_bending, shear_parameter
-from rotordyn.machine.cross_section import area, second_moment
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.intp]
 _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the DOF of constant shear: −½ ∫ψ_2 dξ
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class PlaneBending:
+    """Matrices (elements, k, k), k = 4 + ``inner_dofs(degree)``, real and symmetric.
+
+    ``mass`` = ``translational_mass`` + rotary mass; ``polar`` Jp ≥ 0 couples the two planes by
+    ω Ω Jp in (K + ω Ω Jp − ω² M) φ = 0. Both planes of a shaft have these matrices: φ = θz in the
+    x–y plane, φ = −θy in the x–z plane.
+    """
+
+    mass: Array
+    translational_mass: Array
+    polar: Array
+    stiffness: Array
 
 
 def inner_dofs(degree: Whole, sheared: bool = True) -> Whole:
@@ -33,74 +46,17 @@ def inner_dofs(degree: Whole, sheared: bool = True) -> Whole:
     return np.where(degree < 2, 0, 2 * degree - 1 if sheared else degree - 2)
 
 
-def hierarchic_bending(
-    length: Array,
-    outer_diameter: Array,
-    inner_diameter: Array,
-    young_modulus: Array,
-    shear_modulus: Array,
-    density: Array,
-    shear_coefficient: Array,
-    *,
-    degree: int,
-) -> PlaneBending:
-    """Matrices of hollow circular elements, all of one ``degree``.
-
-    Each of shape (elements, k, k) with k = 4 + ``inner_dofs(degree)``.
-
-    Lengths and diameters (elements,) [m], moduli [Pa], density [kg/m³], shear coefficient κ [1].
-    """
-    standard = plane_bending(
-        length,
-        outer_diameter,
-        inner_diameter,
-        young_modulus,
-        shear_modulus,
-        density,
-        shear_coefficient,
-    )
-    if degree < 2:
-        return standard
-    ring = area(outer_diameter, inner_diameter)
-    moment = second_moment(outer_diameter, inner_diameter)
-    bending, shear = young_modulus * moment, shear_coefficient * shear_modulus * ring
-    phi = shear_parameter(length, bending, shear)
-    xi, weight = points(2 * degree + 4)
-    shape = shapes(length, phi, degree, xi)
-    along = weight * length[:, None] / 2.0
-    translational = _product(shape.deflection, (density * ring)[:, None], along)
-    rotary = _product(shape.rotation, (density * moment)[:, None], along)
-    translational[:, :4, :4] = standard.translational_mass
-    rotary[:, :4, :4] = standard.polar / 2.0
-    stiffness = np.zeros_like(rotary)
-    stiffness[:, :4, :4] = standard.stiffness
-    inner = np.arange(4, stiffness.shape[-1])
-    stiffness[:, inner, inner] = _inner_stiffness(length, bending, shear, degree)
-    return PlaneBending(
-        mass=translational + rotary,
-        translational_mass=translational,
-        polar=2.0 * rotary,
-        stiffness=stiffness,
-    )
-
-
-def _inner_stiffness(length: Array, bending: Array, shear: Array, degree: int) -> Array:
-    """Energy of each inner DOF (elements, ``inner_dofs``)."""
-    one = np.ones((1, degree))
-    pure_shear = (2.0 * shear / length)[:, None] * one
-    constant = 2.0 * bending / length + shear * _CONSTANT**2 * length
-    pure_bending = (2.0 * bending / length)[:, None] * one[:, 2:]
-    if np.isinf(shear).all():
-        return np.asarray(pure_bending)
-    return np.concatenate([pure_shear, constant[:, None], pure_bending], axis=1)
-
-
-def tapered_points(degree: int) -> tuple[Array, Array]:
+def quadrature(degree: int) -> tuple[Array, Array]:
     """Gauss points on [−1, 1] and weights, exact for all of a cone but its shear coefficient."""
     return points(max(2 * degree, 4) + 10)
 
 
-def tapered_bending(
+def shear_parameter(length: Array, bending_rigidity: Array, shear_rigidity: Array) -> Array:
+    """Φ = 12 E I / (κ G A L²) [1]: 0 for a slender element, large for a stubby one."""
+    return 12.0 * bending_rigidity / (shear_rigidity * length**2)
+
+
+def beam_matrices(
     length: Array,
     phi: Array,
     shear: Array,
@@ -109,14 +65,13 @@ def tapered_bending(
     rotary: Array,
     *,
     degree: int,
-    xi: Array,
-    weight: Array,
 ) -> PlaneBending:
-    """Matrices of elements that change along the axis, as ``hierarchic_bending``.
+    """Matrices of elements of a ``length`` (elements,) [m], all of one ``degree``.
 
     ``phi`` (elements,): Φ of their shapes. κGA [N], EI [N·m²], ρA [kg/m] and ρI [kg·m] (elements,
-    points) at the points ``xi`` of a quadrature.
+    points) at the points of ``quadrature``.
     """
+    xi, weight = quadrature(degree)
     shape, along = shapes(length, phi, degree, xi), weight * length[:, None] / 2.0
     translational = _product(shape.deflection, line_mass, along)
     rotation = _product(shape.rotation, rotary, along)

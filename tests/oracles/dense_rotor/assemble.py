@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.elements.shear import shear_coefficient
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.section import shear_coefficients
 from rotordyn.machine.spindle import Spindle
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.dense_rotor.selection import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
@@ -106,7 +106,11 @@ def _matrix(spindle: Spindle, mesh: Mesh, name: str, rows: Selection, columns: S
         mesh.young_modulus,
         mesh.shear_modulus,
         mesh.density,
-        shear_coefficients(spindle, mesh),
+        shear_coefficient(
+            spindle.shaft.shear_coefficient,
+            mesh.poisson_ratio,
+            mesh.inner_diameter / mesh.outer_diameter,
+        ),
     )
     shaft = chain(rows.take(getattr(element, name), columns))
     if name == "stiffness" or not spindle.lumped:

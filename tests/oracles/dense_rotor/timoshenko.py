@@ -8,14 +8,14 @@ about +x gives M_y the term +Ip Ω θz′ and M_z the term −Ip Ω θy′, so t
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.dofs import DIRECTIONS, position
-from rotordyn.equation.elements.rod import Rod, rod
-from rotordyn.equation.elements.standard_beam import PlaneBending, plane_bending
 from rotordyn.machine.cross_section import area, second_moment
+from tests.oracles.standard_beam import PlaneBending, plane_bending
 
 Array = NDArray[np.float64]
 
@@ -55,9 +55,22 @@ def shaft_element(
     )
     ring = area(outer_diameter, inner_diameter)
     polar = 2.0 * second_moment(outer_diameter, inner_diameter)
-    axial = rod(length, young_modulus * ring, density * ring)
-    torsion = rod(length, shear_modulus * polar, density * polar)
+    axial = _rod(length, young_modulus * ring, density * ring)
+    torsion = _rod(length, shear_modulus * polar, density * polar)
     return _compose(plane, axial, torsion)
+
+
+class Rod(NamedTuple):
+    """Matrices (…, 2, 2) of a linear rod."""
+
+    mass: Array
+    stiffness: Array
+
+
+def _rod(length: Array, rigidity: Array, line_inertia: Array) -> Rod:
+    unit = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6.0, np.array([[1.0, -1.0], [-1.0, 1.0]])
+    size = line_inertia * length, rigidity / length
+    return Rod(*(np.asarray(s)[..., None, None] * one for s, one in zip(size, unit, strict=True)))
 
 
 def _compose(plane: PlaneBending, axial: Rod, torsion: Rod) -> ShaftElement:

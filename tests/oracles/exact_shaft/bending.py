@@ -151,7 +151,7 @@ def _modes(rotor: ExactRotor, omega: Complex, highest: float, x: Array) -> tuple
     found: list[ExactMode] = []
     shapes = [np.zeros((0, len(x), 2 * rotor.planes), dtype=complex)]
     for side in (-1.0, 1.0) if rotor.planes == 1 else (1.0,):
-        box = _box(omega, side, highest)
+        box = box_around(omega, side, highest)
         equations = Shooting.of(rotor.up_to(max(abs(box.low), abs(box.high))))
         modes = modes_inside(equations, box, np.array([w for w in omega if w in box]))
         found += modes
@@ -162,7 +162,7 @@ def _modes(rotor: ExactRotor, omega: Complex, highest: float, x: Array) -> tuple
     return 1j * np.array([mode.omega for mode in found]), np.concatenate(shapes)
 
 
-def _box(omega: Complex, side: float, highest: float) -> Box:
+def box_around(omega: Complex, side: float, highest: float) -> Box:
     """Around the elements' whirl frequencies of one direction up to ``highest`` [rad/s].
 
     What grows or decays faster than e^(``highest`` t) is no vibration of the band. The edges lie in

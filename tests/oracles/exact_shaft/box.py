@@ -99,10 +99,7 @@ def _edge(equations: Shooting, box: Box) -> Complex:
     """
     low, high = box.low, box.high
     corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag), low)
-    own = equations.rotor.segments
-    slowness = np.sqrt(own.line_mass / own.shear) + np.sqrt(own.rotary / own.bending)
-    passage = equations.rotor.planes * float((slowness * own.length).sum())
-    spacing = min(SPACING * min(box.size.real, box.size.imag), PASSED / passage)
+    spacing = min(SPACING * min(box.size.real, box.size.imag), PASSED / equations.passage)
     sides = [
         np.linspace(a, b, 2 + min(MOST // 8, int(abs(b - a) / spacing)), endpoint=False)
         for a, b in pairwise(corners)

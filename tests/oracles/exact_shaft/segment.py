@@ -77,6 +77,12 @@ class Segments:
         """σ = κGA/(κGA + N): slope of the axis per tilt of the section, where Q = 0."""
         return np.asarray(self.shear / (self.shear + self.tension))
 
+    @property
+    def passage(self) -> float:
+        """Time [s] that waves of shear and of bending together take to pass all pieces."""
+        slowness = np.sqrt(self.line_mass / self.shear) + np.sqrt(self.rotary / self.bending)
+        return float((slowness * self.length).sum())
+
     def free_of_own_modes(self, omega: float, spin: float) -> NDArray[np.bool_]:
         """Where no mode with clamped ends can lie below ``omega``, backward whirl included.
 

@@ -49,6 +49,11 @@ class Shooting:
         """Diagonals on either side of the main one."""
         return 3 * self.rotor.width - 1
 
+    @property
+    def passage(self) -> float:
+        """Time [s] that waves of all circular parts take to pass the shaft."""
+        return self.rotor.planes * self.rotor.segments.passage
+
     def batches(self, frequencies: int, each: int = 1) -> list[slice]:
         """Which of many frequencies to take together, so that ``each`` its matrices find room."""
         most = max(1, ENTRIES // (each * self.size * (3 * self.half_band + 1)))
@@ -57,7 +62,10 @@ class Shooting:
     def matrix(self, omega: Complex | Array) -> Complex:
         """Banded matrices (see ``banded``) at each ``omega`` (k,) [rad/s]."""
         w = self.rotor.width
-        terms, through = self._terms(omega), self._states(self._scaled, omega)
+        terms, through = (
+            self._terms(omega),
+            self._states(self._in_units(self.rotor.segments), omega),
+        )
         through[..., w:, :] += terms[:, 1:] @ through[..., :w, :]
         pieces = through.shape[1]
         banded = empty(omega.shape, self.size, self.half_band)
@@ -91,7 +99,9 @@ class Shooting:
         w, nodes = self.rotor.width, self.rotor.x
         states = solution.reshape(len(solution), -1, 2 * w)
         piece = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
-        inside = self._scaled.cut(piece, (x - nodes[piece]) / self.unit_length)
+        inside = self._in_units(self.rotor.segments).cut(
+            piece, (x - nodes[piece]) / self.unit_length
+        )
         own = self._states(inside, omega)[..., :w, :]
         return np.asarray((own @ states[:, piece, :, None])[..., 0] * self._units)
 
@@ -120,8 +130,7 @@ class Shooting:
             whole[..., carried, carried] = whole[..., w + carried, w + carried] = 1.0
         return whole
 
-    @property
-    def _scaled(self) -> Segments:
+    def _in_units(self, own: Segments) -> Segments:
         length, force = self.unit_length, self.unit_force
         unit = {
             "length": length,
@@ -131,5 +140,4 @@ class Shooting:
             "rotary": force,
             "tension": force,
         }
-        own = self.rotor.segments
         return Segments(**{f.name: getattr(own, f.name) / unit[f.name] for f in fields(own)})

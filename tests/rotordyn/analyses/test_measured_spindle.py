@@ -57,31 +57,38 @@ def pairs(way):
 def tested(tmp_path_factory):
     """A folder with the responses of a blank, in both planes: the UFF file of a run, a table."""
     folder = tmp_path_factory.mktemp("tested")
+    respond(folder, BLANK, "tap.uff", "noisy.csv")
+    (folder / "blank_tool.yaml").write_text(blank_file(BLANK), encoding="utf-8")
+    return folder
+
+
+def respond(folder, blank, exact, noisy):
+    """Responses of the machine with a blank: a UFF file, and a table with 1 % of noise."""
     every = ", ".join(pairs("y") + pairs("z"))
     asked = f"speeds: [0 rpm]\nanalyses:\n  frf: {{frequencies: {BAND}, pairs: [{every}]}}\n"
     path = folder / "blank.yaml"
-    path.write_text(MACHINE + BLANK + asked, encoding="utf-8")
+    path.write_text(MACHINE + blank + asked, encoding="utf-8")
     loaded = rotordyn.load(path)
     known = solve(loaded).results["frf"]
-    write_uff(folder / "tap.uff", known, case="blank", places=loaded.spindle.places)
+    write_uff(folder / exact, known, case="blank", places=loaded.spindle.places)
     heads = ["frequency [Hz]"]
     columns = [known.frequency]
     rng = np.random.default_rng(20)
     for k, name in enumerate(known.pair):
-        exact = known.receptance[0, k]
-        noise = rng.normal(size=(2, len(exact))) / np.sqrt(2.0)
-        noisy = exact * (1.0 + 0.01 * (noise[0] + 1j * noise[1]))
+        values = known.receptance[0, k]
+        noise = rng.normal(size=(2, len(values))) / np.sqrt(2.0)
+        values = values * (1.0 + 0.01 * (noise[0] + 1j * noise[1]))
         heads += [f"{name} real [m/N]", f"{name} imaginary [m/N]"]
-        columns += [noisy.real, noisy.imag]
+        columns += [values.real, values.imag]
     rows = [", ".join(heads)]
     rows += [", ".join(f"{value:.9g}" for value in row) for row in np.array(columns).T]
-    (folder / "noisy.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
-    (folder / "blank_tool.yaml").write_text(
-        f"material: {MACHINE.split('&steel ')[1].splitlines()[0]}\n"
-        + "\n".join(line[2:] for line in BLANK.splitlines()),
-        encoding="utf-8",
+    (folder / noisy).write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+def blank_file(blank):
+    return f"material: {MACHINE.split('&steel ')[1].splitlines()[0]}\n" + "\n".join(
+        line[2:] for line in blank.splitlines()
     )
-    return folder
 
 
 def measured(file="tap.uff", ways="yz", more="", blank="blank: ./blank_tool.yaml, "):
@@ -221,3 +228,16 @@ def test_a_band_that_ends_within_a_peak_is_refused(tested):
     )
     with pytest.raises(InvalidInput, match=r"end at .* Hz, .* measure beyond the peak"):
         rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
+
+
+def test_a_blank_as_stiff_as_the_spindle_is_refused(tested):
+    """Of the length of the spindle: its responses hardly change by what holds it."""
+    long = BLANK.replace("40 mm", "300 mm").replace("-65 mm", "-325 mm").replace("-35", "-295")
+    respond(tested, long, "long.uff", "long.csv")
+    (tested / "long_tool.yaml").write_text(blank_file(long), encoding="utf-8")
+    given = measured("long.csv", "y", blank="blank: ./long_tool.yaml, ")
+    with pytest.raises(
+        InvalidInput,
+        match=r"^measured_spindle: .* as stiff as the spindle, .* take a shorter blank",
+    ):
+        rotordyn.run(case(tested, frf(given)))

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from rotordyn.equation.elements.rod import hierarchic_rod, inner_dofs, shapes
+from rotordyn.equation.elements.rod import inner_dofs, shapes
 from rotordyn.equation.fineness import (
     HIGHEST,
     bending_wave,
@@ -16,6 +16,7 @@ from rotordyn.equation.fineness import (
     resolved,
     rod_wave,
 )
+from tests.oracles.cylinder_elements import hierarchic_rod
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.verification.test_rotor_hierarchic import at_rest
 

@@ -46,7 +46,7 @@ def test_nested_dof_have_the_matrices_of_the_coarser_model(
 ) -> None:
     draw = np.random.default_rng(7)
     for coarse, finer in both(jointed(draw, spindle), accuracy):
-        own, there = finer.nested
+        own, there = finer.nested()
         assert sorted(there) == coarse.dofs.tolist()
         assert len(set(own)) == len(own) < len(finer.dofs)
         for name in ("mass", "stiffness", "softening", "damping"):
@@ -59,7 +59,7 @@ def test_nested_dof_of_cones() -> None:
     """Quadrature of another degree has other last digits."""
     for coarse, finer in both(CONE, 1e-4):
         own, there = (
-            each.local(dofs) for each, dofs in zip((finer, coarse), finer.nested, strict=True)
+            each.local(dofs) for each, dofs in zip((finer, coarse), finer.nested(), strict=True)
         )
         fine, known = finer.assembled("mass"), coarse.assembled("mass")
         np.testing.assert_allclose(

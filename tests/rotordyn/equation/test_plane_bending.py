@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from rotordyn.equation.elements.standard_beam import plane_bending, shear_parameter
 from tests.oracles.beam_column import axial_force_stiffness
+from tests.oracles.standard_beam import plane_bending, shear_parameter
 
 OUTER, INNER, YOUNG, SHEAR, DENSITY, KAPPA = 0.08, 0.03, 2.1e11, 8e10, 7850.0, 0.7
 AREA = math.pi * (OUTER**2 - INNER**2) / 4

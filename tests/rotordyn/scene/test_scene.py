@@ -74,9 +74,9 @@ def test_preload_is_solved_once_for_all_questions(monkeypatch: pytest.MonkeyPatc
     import rotordyn.scene.statics as module
 
     calls = []
-    original = module.dynamic_preload
+    original = module.operating_state
     monkeypatch.setattr(
-        module, "dynamic_preload", lambda *given: calls.append(1) or original(*given)
+        module, "operating_state", lambda *given: calls.append(1) or original(*given)
     )
     answers(mfw2310(), (0, 12000), ASKED)
     assert len(calls) == 1

@@ -169,7 +169,8 @@ def test_mirrored_networks_have_mirrored_answers() -> None:
         assert answer["x"]["shaft"] == pytest.approx(-other["x"]["shaft"], abs=1e-16)
 
 
-@pytest.mark.parametrize("seed", range(RANDOM))
+# 20544: friction at its limit goes within and comes back to it in one step
+@pytest.mark.parametrize("seed", [*range(RANDOM), 20544])
 def test_random_networks_are_in_balance_whatever_the_step(seed: int) -> None:
     network = random_network(np.random.default_rng(seed))
     answers = follow(network)

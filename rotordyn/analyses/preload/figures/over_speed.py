@@ -90,11 +90,15 @@ def _panels(names: Sequence[str], result: PreloadResult) -> tuple[Figure, list[A
 
 
 def _forces(axes: Axes, result: PreloadResult) -> None:
-    """Springs solid, stops dashed, marks per sleeve; the stop's speed marked."""
+    """Springs solid, stops dashed, friction dotted, marks per sleeve; the stop's speed marked."""
     rpm = result.speed * RPM.factor
     for place, name in enumerate(result.sleeve):
         look = {"color": CYCLE[place % len(CYCLE)], **marked(place)}
         axes.plot(rpm, result.spring_force[:, place], label=f"{name}, spring", **look)
+        if result.friction_limit[place] > 0.0:
+            axes.plot(
+                rpm, result.friction_force[:, place], ls=":", label=f"{name}, friction", **look
+            )
         if np.isfinite(result.stop_speed[place]):
             axes.plot(rpm, result.stop_force[:, place], ls="--", label=f"{name}, stop", **look)
             axes.axvline(result.stop_speed[place] * RPM.factor, **STOP)

@@ -1,0 +1,84 @@
+"""What a spindle went through before it stands as it does: steps of a path, one thing at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.description import Description, Faults, Path
+from rotordyn.quantity import Force, Speed
+
+CHANGES = ("warm", "speed", "run_up", "axial_force")
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryStep(Description):
+    """One change from where the step before ended [rad/s], [N]; the first begins at rest, as
+    assembled, under the weight alone."""
+
+    warm: Annotated[
+        bool | None, "`true`: the temperatures of the conditions, `false`: those of assembly"
+    ] = None
+    speed: Annotated[Speed | None, "it goes to this speed, through those of the case between"] = (
+        None
+    )
+    run_up: Annotated[
+        bool,
+        "it goes through the speeds of the case, up and down from where it is; every step after "
+        "this one is made at each of them",
+    ] = False
+    axial_force: Annotated[Force | None, "axial force on the shaft towards +x"] = None
+
+    def _faults(self) -> Faults:
+        values = {key: getattr(self, key) for key in CHANGES}
+        given = [key for key, value in values.items() if value is not None]
+        given = [key for key in given if key != "run_up" or self.run_up]
+        if len(given) != 1:
+            words = " and ".join(given) or "nothing"
+            yield (
+                (),
+                f"a step changes one thing: given {words}; allowed: one of " + ", ".join(CHANGES),
+            )
+
+
+def history_faults(steps: Sequence[HistoryStep]) -> Faults:
+    """What contradicts itself in the order of the steps, by path from the history on."""
+    places = [k for k, step in enumerate(steps) if step.run_up]
+    for place in places[1:]:
+        path: Path = (place, "run_up")
+        yield path, "a history runs up once: given again; leave it out, or the first"
+    for k, step in enumerate(steps):
+        if places and k > places[0] and step.speed is not None:
+            yield (
+                (k, "speed"),
+                "after the run-up every step is made at each speed of the case: given {given}; "
+                "allowed: before run_up, or warm and axial_force",
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Past:
+    """``steps`` from assembly on, the ``weight`` acting all the time [N]; without steps the
+    temperatures come first, and the run-up follows."""
+
+    steps: tuple[HistoryStep, ...] = ()
+    weight: float = 0.0
+
+    @property
+    def before(self) -> tuple[HistoryStep, ...]:
+        """Steps before the run-up."""
+        return self.steps[: self._run_up] if self.steps else (HistoryStep(warm=True),)
+
+    @property
+    def after(self) -> tuple[HistoryStep, ...]:
+        """Steps at every speed."""
+        return self.steps[self._run_up + 1 :]
+
+    @property
+    def _run_up(self) -> int:
+        found = (k for k, step in enumerate(self.steps) if step.run_up)
+        return next(found, len(self.steps))
+
+
+ASSEMBLED = Past()

@@ -1,0 +1,266 @@
+"""Dry friction in the state that all analyses take: against networks that another code solved,
+Coulomb's law told from forces and positions, locked sleeves, and the independence of steps."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings.ball.law import Law
+from rotordyn.analyses import PreloadSpec, StiffnessSpec
+from rotordyn.analyses.preload.solve import answer as preload_answer
+from rotordyn.analyses.preload.summary import summary
+from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.history import HistoryStep, Past
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.friction import Rubbing, operating_state
+from rotordyn.preload.history import Moment, moments
+from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import RPM, mfw2310, scene, system_of, with_sleeve
+
+LAW = Law("outer", "equal")
+FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
+FILE = Path(__file__).parents[1] / "rotordyn" / "state" / "network_cases.json"
+KNOWN = {case["name"]: case for case in json.loads(FILE.read_text(encoding="utf-8"))["cases"]}
+FRONT = 1  # body
+REST = np.zeros(1)
+
+
+def rubbing(limit: float = FRICTION) -> Spindle:
+    return with_sleeve(mfw2310(), "front", friction=limit)
+
+
+def forces(*values: float) -> tuple[HistoryStep, ...]:
+    return tuple(HistoryStep(axial_force=value) for value in values)
+
+
+def test_a_history_of_forces_with_real_bearings() -> None:
+    case = KNOWN["mfw2310_rest_friction"]
+    force = [step["force"]["shaft"] for step in case["path"]]
+    for k, known in enumerate(case["answers"]):
+        past = Past(forces(*force[:k]))
+        state = operating_state(rubbing(), REST, LAW, force[k], past=past)
+        assert state.shift[0] == pytest.approx(list(known["x"].values()), abs=0.02e-6, rel=0.0)
+        assert state.net.response.load[0] == pytest.approx(known["load"], rel=1e-3)
+        assert state.friction_force[0, 0] + state.stop_force[0, 0] == pytest.approx(
+            known["friction"][0] + known["stop"][0], rel=1e-3
+        )
+
+
+def test_without_friction_the_history_leaves_nothing() -> None:
+    speed = np.array([0.0, 16000.0]) * RPM
+    plain = dynamic_preload(mfw2310(), speed, LAW, -200.0)
+    same = operating_state(mfw2310(), speed, LAW, -200.0, past=Past(forces(-1000.0)))
+    assert (same.net.position == plain.net.position).all()
+    faint = operating_state(rubbing(1e-6), speed, LAW, -200.0, past=Past(forces(-1000.0)))
+    assert faint.seat_load() == pytest.approx(plain.seat_load(), rel=1e-8)
+
+
+def test_running_down_leaves_the_sleeve_behind() -> None:
+    """It was pushed forwards at full speed and lags: friction pulls forwards on the way up and
+    backwards on the way down, and at rest the limit of it is left in the bearings."""
+    speed = np.array([0.0, 8000.0, 16000.0]) * RPM
+    up = operating_state(rubbing(), speed, LAW)
+    down = operating_state(rubbing(), speed, LAW, past=Past((HistoryStep(speed=16000.0 * RPM),)))
+    assert up.friction_force[1:, 0] == pytest.approx([FRICTION, FRICTION], rel=1e-6)
+    assert down.friction_force[:2, 0] == pytest.approx([-FRICTION, -FRICTION], rel=1e-6)
+    assert down.shift[2] == pytest.approx(up.shift[2], abs=1e-12)
+    pressed = down.seat_load()[0, 2] - up.seat_load()[0, 2]
+    spring = -6.2e6 * down.shift[0, FRONT]
+    assert pressed == pytest.approx(spring - FRICTION, rel=1e-6)
+
+
+def _lateral(force: float, limit: float = FRICTION, rpm: float = 0.0) -> PreloadState:
+    load = PointLoad(at="nose_face", Fy=force)
+    return scene(rubbing(limit), [rpm], loads=(load,)).preload
+
+
+@pytest.mark.parametrize("rpm", [0.0, 12000.0])
+def test_coulomb_under_loads_across_the_axis(rpm: float) -> None:
+    """Forces on the sleeve balance, friction is within its limit, and at it where it slid."""
+    before = scene(rubbing(), [rpm]).preload
+    slid = []
+    for force in (200.0, 1500.0, 3000.0):
+        state = _lateral(force, rpm=rpm)
+        assert state.outcome == ("",)
+        friction, way = state.friction_force[0, 0], state.shift[0, FRONT] - before.shift[0, FRONT]
+        pulled = 574.0 - 6.2e6 * state.shift[0, FRONT] - state.seat_load()[0, 2]
+        assert friction + pulled == pytest.approx(0.0, abs=1e-4)
+        assert abs(friction) <= FRICTION * (1.0 + 1e-9)
+        if abs(way) > 1e-12:
+            assert friction == pytest.approx(-math.copysign(FRICTION, way), rel=1e-9)
+        slid.append(abs(way) > 1e-12)
+    assert slid[-1], "the highest load makes the sleeve slide"
+    assert rpm > 0.0 or not slid[0], "at rest the lowest one does not"
+
+
+def test_a_sleeve_that_friction_never_lets_go_is_a_locked_one() -> None:
+    held = with_sleeve(mfw2310(), "front", friction=1e6)
+    spring = replace(mfw2310().sleeves[0].spring, stiffness=math.inf)
+    locked = with_sleeve(mfw2310(), "front", spring=spring)
+    spec = StiffnessSpec(point="Oc2", max_force=1000.0, steps=4, variants=("nonlinear",))
+    one, other = (stiffness_answer(scene(each, [0.0]), spec) for each in (held, locked))
+    assert one.deflection == pytest.approx(other.deflection, rel=1e-7)
+    found = [system_of(scene(each, [0.0]), "axial").pole[0] for each in (held, locked)]
+    first = [np.sort(np.abs(poles[np.isfinite(poles)]))[:2] for poles in found]
+    assert first[0] == pytest.approx(first[1], rel=1e-5)
+
+
+def test_the_curve_of_a_sleeve_that_slides_does_not_follow_the_steps() -> None:
+    curves = [_curve(steps) for steps in (6, 24)]
+    assert curves[0][1:] == pytest.approx(curves[1][4::4], rel=1e-7)
+    smooth = _curve(6, limit=0.0)
+    assert curves[0][-1] < 0.999 * smooth[-1], "friction makes it stiffer"
+
+
+def _curve(steps: int, limit: float = FRICTION) -> np.ndarray[Any, Any]:
+    spec = StiffnessSpec(point="Oc2", max_force=3000.0, steps=steps, variants=("nonlinear",))
+    result = stiffness_answer(scene(rubbing(limit), [0.0]), spec)
+    return np.asarray(result.deflection[0, 0])
+
+
+def test_vibrations_find_the_sleeve_standing() -> None:
+    """Axial stiffness of the equation of motion, the shaft rigid: bearing c acts against the
+    housing where friction holds its sleeve, in series with the spring else."""
+    expected, stiffness = [], []
+    for limit in (FRICTION, 0.0):
+        found = scene(
+            rubbing(limit), [0.0], rotor="rigid", axial_force=-815.0, history=forces(1600.0)
+        )
+        each = found.tangents[0, :, 0, 0]
+        rear = 1.0 / (1.0 / (each[3] + each[4]) + 1.0 / 5.49e6)
+        front = each[2] if limit else 1.0 / (1.0 / each[2] + 1.0 / 6.2e6)
+        expected.append(each[0] + each[1] + front + rear)
+        (k,) = found.with_motions(("axial",))
+        linear = found.linear(k)
+        row = linear.row("spindle", 0.0, "x")
+        stiffness.append(1.0 / float(row @ np.linalg.solve(linear.stiffness[0], row)))
+        assert not found.stopped.any()
+    assert stiffness == pytest.approx(expected, rel=1e-5)
+    assert stiffness == pytest.approx([180e6, 120e6], rel=0.09), "Noël 2013, Fig. 3.28"
+
+
+def test_lines_say_where_friction_stands() -> None:
+    found = scene(rubbing(), [0.0, 12000.0])
+    lines = summary(preload_answer(found, PreloadSpec()))
+    assert any(line.startswith("friction   front") and "0.0 → 80.9" in line for line in lines)
+    (note,) = found.notes
+    assert note.startswith("dry friction holds sleeve front: the state is the one after a run-up")
+    assert note.endswith("along the axis")
+    fast = scene(rubbing(), [0.0, 24000.0])
+    assert fast.preload.usable.all()
+    (stopped,) = fast.notes
+    assert stopped.endswith("only the sum of stop and friction force is determined")
+    plain = scene(mfw2310(), [0.0])
+    assert not plain.notes
+    assert not any("friction " in line for line in summary(preload_answer(plain, PreloadSpec())))
+
+
+def test_a_history_without_friction_is_warned_of() -> None:
+    found = scene(mfw2310(), [0.0], history=forces(100.0))
+    assert any(said.startswith("history: no sleeve has friction") for said in found.warnings)
+
+
+def test_the_stop_is_met_where_the_path_meets_it() -> None:
+    found = scene(rubbing(), [0.0, 20000.0, 24000.0])
+    speed = float(found.stop_speeds[0])
+    near = np.array([0.999, 1.001]) * speed
+    held = Scene(found.spindle, found.conditions, near).preload.net.held[:, FRONT]
+    assert held.tolist() == [False, True]
+    smooth = float(scene(mfw2310(), [0.0, 20000.0, 24000.0]).stop_speeds[0])
+    assert smooth < speed, "friction resists on the way"
+
+
+# --- order of the path ---------------------------------------------------------------------------
+
+
+def test_by_default_temperatures_come_first_and_forces_last() -> None:
+    before, through, after = moments(Past(weight=50.0), [0.0, 10.0], 250.0)
+    assert before == [Moment(0.0, False, 50.0), Moment(0.0, True, 50.0)]
+    assert through == [Moment(0.0, True, 50.0), Moment(10.0, True, 50.0)]
+    assert [path[1:] for path in after] == [[Moment(s, True, 250.0)] for s in (0.0, 10.0)]
+
+
+def test_a_history_in_its_order() -> None:
+    steps = (
+        HistoryStep(speed=25.0),
+        HistoryStep(axial_force=-100.0),
+        HistoryStep(run_up=True),
+        HistoryStep(axial_force=0.0),
+    )
+    before, through, after = moments(Past(steps), [10.0, 20.0, 30.0], 5.0)
+    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 25.0]
+    assert before[-1] == Moment(25.0, False, -100.0)
+    assert [at.force for at in through] == [-100.0] * 3
+    assert [at.force for at in after[1]] == [-100.0, 0.0, 0.0, 5.0]
+    assert [at.warm for at in after[1]] == [False, False, True, True]
+
+
+def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
+    steps = (HistoryStep(speed=25.0), HistoryStep(speed=5.0), HistoryStep(run_up=True))
+    before, _, _ = moments(Past(steps), [10.0, 20.0, 30.0], 0.0)
+    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
+
+
+def test_friction_slides_sticks_and_turns() -> None:
+    """One sleeve of 10 N at four places: within the limit, beyond it, sliding on, sliding back."""
+    place, rows = np.zeros((4, 1)), np.ones((4, 1), dtype=bool)
+    stuck = np.array([[True], [True], [False], [False]])
+    force = np.array([[0.0], [0.0], [-10.0], [-10.0]])
+    here = Rubbing(np.array([10.0]), stuck, place, force, place)
+    position = np.array([[0.0], [0.0], [2e-6], [-2e-6]])
+    after = here.after(np.array([[9.0], [12.0], [10.0], [10.0]]), position, ~rows, ~rows)
+    assert after.stuck.ravel().tolist() == [True, False, False, True]
+    assert after.force.ravel()[1:3].tolist() == [-10.0, -10.0]
+    assert after.place[3, 0] == 0.0
+    left = here.after(np.zeros((4, 1)), position, rows, ~rows)
+    assert left.stuck.all(), "a sleeve that leaves its stop sticks there"
+    assert left.place == pytest.approx(position)
+
+
+def test_a_warm_spindle_may_run_up_cold() -> None:
+    """A shaft that gets longer by heat pushes the sleeve back, a run-up draws it forwards: what is
+    last leaves its friction."""
+    warm = Temperatures(shaft=40.0, housing=20.0, inner_rings=20.0, outer_rings=20.0)
+    speed = np.array([12000.0]) * RPM
+    first, last = (
+        operating_state(rubbing(), speed, LAW, 0.0, warm, Past(steps))
+        for steps in ((), (HistoryStep(run_up=True),))
+    )
+    same = (HistoryStep(warm=True), HistoryStep(run_up=True))
+    again = operating_state(rubbing(), speed, LAW, 0.0, warm, Past(same))
+    assert (again.net.position == first.net.position).all()
+    assert np.abs(first.friction_force - last.friction_force).max() > 1.0
+
+
+@pytest.mark.parametrize(
+    ("words", "build"),
+    [
+        ("one thing: given nothing", HistoryStep),
+        ("one thing: given warm and axial_force", lambda: HistoryStep(warm=True, axial_force=1.0)),
+        ("axial_force.*nan", lambda: HistoryStep(axial_force=math.nan)),
+        (
+            r"history\[1\].speed: after the run-up",
+            lambda: scene(
+                mfw2310(), [0.0], history=(HistoryStep(run_up=True), HistoryStep(speed=1.0))
+            ),
+        ),
+        (
+            r"history\[1\].run_up: a history runs up once",
+            lambda: scene(mfw2310(), [0.0], history=(HistoryStep(run_up=True),) * 2),
+        ),
+    ],
+)
+def test_histories_that_make_no_sense(words: str, build: Any) -> None:
+    with pytest.raises(InvalidInput, match=words):
+        build()
