@@ -156,4 +156,4 @@ def uncoupled(
 
 def at_front(spindle: Spindle, point: str) -> bool:
     """A point is at the front end of the shaft, where the tip of its tool is."""
-    return abs(spindle.place(point).x - spindle.shaft.start) <= SLACK and point in spindle.points
+    return point in spindle.points and abs(spindle.points[point] - spindle.shaft.start) <= SLACK

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager
 from functools import lru_cache
@@ -19,7 +19,9 @@ from typing import TYPE_CHECKING, TypeVar
 if TYPE_CHECKING:
     from threadpoolctl import ThreadpoolController
 
+S = TypeVar("S")
 T = TypeVar("T")
+MOST = 16  # items of a slice
 _processes = [1]
 
 
@@ -48,12 +50,32 @@ def side_by_side(processes: int) -> None:
 
 
 def in_threads(work: Callable[[slice], T], count: int, least: int) -> list[T]:
-    """``work`` on consecutive slices of ``count`` items, in order; none smaller than ``least``."""
-    parts = list(_slices(count, max(1, min(processors(), count // least))))
-    if len(parts) == 1:
-        return [work(parts[0])]
-    with ThreadPoolExecutor(len(parts)) as pool:
-        return list(pool.map(work, parts))
+    """``work`` on consecutive slices of ``count`` items, in order; none smaller than ``least``.
+
+    None is much larger than ``MOST``: Ctrl-C waits for those that are worked on.
+    """
+    threads = max(1, min(processors(), count // least))
+    parts = list(_slices(count, max(threads, min(count // MOST, count // least))))
+    return list(each_in_threads(work, parts, threads))
+
+
+def each_in_threads(
+    work: Callable[[S], T], items: Sequence[S], threads: int | None = None
+) -> Iterator[T]:
+    """``work`` on every item, in order; on as many threads as there are processors by default.
+
+    Where one fails, or Ctrl-C comes, no further item is begun.
+    """
+    threads = threads or processors()
+    if threads == 1:
+        yield from map(work, items)
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            yield from pool.map(work, items)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
 
 
 def _slices(count: int, parts: int) -> Iterator[slice]:

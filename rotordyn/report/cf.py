@@ -66,7 +66,8 @@ def about(case: str, title: str, digest: str) -> dict[str, str]:
         "source": f"rotordyn {__version__}",
         "history": f"{now} rotordyn {__version__}: results of case {case}",
         "comment": "SI units. A complex variable x is stored as x_re and x_im. "
-        "NaN: no value; the outcome of the same speed, or an absence, says why.",
+        "NaN: no value; the outcome of the same speed, an absence or the comment of the variable "
+        "says why.",
         "sign_convention": SIGN_CONVENTION,
         "case": case,
         "digest": digest,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.report.cf import SIGN_CONVENTION, units
-from rotordyn.results.declaration import declared
+from rotordyn.results.declaration import absence, declared
 
 
 class Variable(NamedTuple):
@@ -18,7 +18,8 @@ class Variable(NamedTuple):
 
     ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
     another unit) or ``"quantity"``. ``attrs``: ``long_name``, ``units`` (or ``units_of_entries``,
-    where they differ) and, of complex values, ``sign_convention``.
+    where they differ); ``comment``: where it has no number, beside what an outcome says; of complex
+    values ``sign_convention``.
     """
 
     name: str
@@ -42,6 +43,8 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
     values = as_array(getattr(result, name))
     attrs = {"long_name": info["label"], **units(_unit(result, name, info["unit"]))}
+    if said := absence(info):
+        attrs["comment"] = said
     if values.dtype.kind == "c":
         attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]

@@ -7,18 +7,42 @@ figures is derived from that declaration.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import Field, field, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 from rotordyn.results.display import Shown, shown
 
 
-def quantity(*dims: str, unit: str, label: str, printed: Shown | None = None) -> Any:
+class Absence(NamedTuple):
+    """Why a quantity has no finite number where no outcome says so, and where that is.
+
+    ``words`` follow "NaN" or "infinite". It is so for whole slices along ``by`` (none: everywhere
+    or nowhere); or ``beside`` another field that is NaN, infinite, zero, false or empty there; or
+    behind the ``last`` number along a dimension.
+    """
+
+    words: str
+    by: tuple[str, ...] = ()
+    beside: str = ""
+    last: str = ""
+
+
+def quantity(
+    *dims: str,
+    unit: str,
+    label: str,
+    printed: Shown | None = None,
+    absent: Sequence[Absence] = (),
+    infinite: Sequence[Absence] = (),
+) -> Any:
     """A field with data over ``dims``; ``unit`` of the data (SI), ``label`` for axes and tables.
 
-    ``printed``: another unit of tables and figures than ``display.shown`` gives.
+    ``printed``: another unit of tables and figures than ``display.shown`` gives. ``absent``,
+    ``infinite``: where it has no number, beside what an outcome says.
     """
-    return field(metadata=_metadata("quantity", dims, unit, label, printed))
+    metadata = _metadata("quantity", dims, unit, label, printed)
+    return field(metadata=metadata | {"absent": absent, "infinite": infinite})
 
 
 def coordinate(dim: str, *, unit: str, label: str, printed: Shown | None = None) -> Any:
@@ -31,6 +55,12 @@ def _metadata(
 ) -> dict[str, Any]:
     as_printed = printed or shown(unit)
     return {"role": role, "dims": dims, "unit": unit, "label": label, "printed": as_printed}
+
+
+def absence(info: Mapping[str, Any]) -> str:
+    """What is said of places without a number, of the metadata of a field; empty if nothing is."""
+    kinds = {"NaN": info.get("absent", ()), "infinite": info.get("infinite", ())}
+    return "; ".join(f"{kind} {each.words}" for kind, said in kinds.items() for each in said)
 
 
 def declared(result: Any) -> dict[str, Field[Any]]:

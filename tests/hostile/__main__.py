@@ -3,7 +3,8 @@
 ``--files``: every hostile file, checked and run, and the grid of odd values and sizes, checked;
 ``--mutants N``: so many of every shipped file, checked, and ``--runs``: those that pass, run;
 ``--machines N``: so many extreme machines, run; ``--calls N``: so many calls of the Python API;
-``--kills N``: so many kills of a run; names of files: these alone. ``--all``: 10 000 mutants, a
+``--kills N``: so many kills of a run; ``--interrupts N``: Ctrl-C in so many runs of every analysis;
+names of files: these alone. ``--all``: 10 000 mutants, a
 thousand machines, every call and 200 kills. A line for each that is not as it must be; the exit
 code is 1 if there is any.
 """
@@ -16,11 +17,12 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.hostile import calls, kills, machines
+from tests.hostile import calls, interrupts, kills, machines
 from tests.hostile.files import FILES
 from tests.hostile.grid import grid
-from tests.hostile.judged import SECONDS, Verdict, command, judged, loaded, words_of_nan
+from tests.hostile.judged import SECONDS, Verdict, command, judged, loaded
 from tests.hostile.mutants import files, written
+from tests.hostile.numbers import words_of_nan
 
 Trial = tuple[str, Verdict]
 FINE = Verdict(0, "", 0.0, 0.0)
@@ -90,6 +92,15 @@ def of_kills(count: int) -> Iterator[Trial]:
         yield "kill", Verdict(1, found[number], 0.0, 0.0) if number < len(found) else FINE
 
 
+def of_interrupts(count: int) -> Iterator[Trial]:
+    """Ctrl-C in long runs of every analysis."""
+    with tempfile.TemporaryDirectory() as place:
+        for name, waited, after, code in interrupts.interrupts(Path(place), count):
+            said = f"Ctrl-C after {waited:.1f} s: exit code {code}, {after:.1f} s later"
+            fine = code in (None, 130) and after <= interrupts.MOST
+            yield f"interrupt {name}", FINE if fine else Verdict(1, said, after, 0.0)
+
+
 def main() -> int:
     """Try them, and print what is wrong."""
     parser = argparse.ArgumentParser(
@@ -97,13 +108,13 @@ def main() -> int:
     )
     for word in ("all", "files", "runs"):
         parser.add_argument(f"--{word}", action="store_true")
-    for word in ("mutants", "machines", "calls", "kills"):
+    for word in ("mutants", "machines", "calls", "kills", "interrupts"):
         parser.add_argument(f"--{word}", type=int, default=0, metavar="N")
     parser.add_argument("names", nargs="*")
     asked = parser.parse_args()
     if asked.all:
         asked.files, asked.mutants, asked.machines, asked.calls = True, 77, 1000, 10**9
-        asked.kills = 200
+        asked.kills, asked.interrupts = 200, 5
     loaded()
     tried = wrong = 0
     names = [*FILES] if asked.files else asked.names
@@ -114,6 +125,7 @@ def main() -> int:
         of_machines(asked.machines),
         of_calls(asked.calls) if asked.calls else iter(()),
         of_kills(asked.kills),
+        of_interrupts(asked.interrupts),
     ):
         for name, found in trials:
             tried += 1

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import os
 import pickle
-import re
 import resource
 import signal
 import sys
@@ -18,7 +17,6 @@ from pathlib import Path
 SECONDS, MEGABYTES = 5.0, 500.0
 LINES, COLUMNS = 32, 1000  # of what is said of a fault
 CODES = (0, 2, 3)
-_NAN = re.compile(r"(?<![\w.])[-+]?(nan|inf)(?![\w.])", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -112,18 +110,6 @@ def command(*words: object, then: Callable[[], str] = str) -> Callable[[], int]:
         return code
 
     return work
-
-
-def words_of_nan(folder: Path) -> str:
-    """What the summary in a results folder says that is no number; empty where it says none.
-
-    Tables have nan where there is nothing, and inf of a peak that nothing limits.
-    """
-    path = folder / "summary.txt"
-    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else ():
-        if found := _NAN.search(line):
-            return f"{path.name}: {found[0]} in {line[:200]!r}"
-    return ""
 
 
 def loaded() -> None:

@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.judged import command, judged, loaded, words_of_nan
+from tests.hostile.interrupts import MOST, stopped
+from tests.hostile.judged import command, judged, loaded
 from tests.hostile.kills import kills
 from tests.hostile.machines import machine, written
+from tests.hostile.numbers import words_of_nan
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -16,7 +18,7 @@ def _loaded() -> None:
     loaded()
 
 
-@pytest.mark.parametrize("number", [0, 26, 75, 203, 309, 400])
+@pytest.mark.parametrize("number", [0, 26, 75, 110, 203, 309, 400])
 def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) -> None:
     assert machine(number) == machine(number)
     case, out = written(number, tmp_path), tmp_path / "out"
@@ -26,3 +28,10 @@ def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) ->
 
 def test_killed_runs_leave_whole_results(tmp_path: Path) -> None:
     assert kills(tmp_path, 5) == []
+
+
+@pytest.mark.parametrize("name", ["frf", "stability_lobes"])
+def test_a_long_run_ends_soon_after_ctrl_c(name: str, tmp_path: Path) -> None:
+    found = stopped(name, tmp_path, 1.0, "--no-figures")
+    assert found.code == 130
+    assert found.after <= MOST

@@ -26,6 +26,7 @@ def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
     [
         ("cases/grinding_spindle_fits.yaml", 16),  # of a fit, an unknown word
         ("cases/preload_concepts.yaml", 16),  # a set of no name
+        ("cases/mfw2310_measured_spindle.yaml", 13),  # no point for a tool on a measured spindle
         ("models/bearings/thrust_50x78x22.yaml", 59),  # a kind that is a mapping
     ],
 )

@@ -311,6 +311,15 @@ def test_rigid_preload_by_closed_form() -> None:
     assert brentq(lambda d: load(d) - found.seat_load()[0, 0], 0, 1e-4) == pytest.approx(each)
 
 
+def test_a_difference_without_a_state_says_why() -> None:
+    found = scene(spindle(), [0.0, 8000.0], Temperatures(shaft=25.0, housing=22.0))
+    result = answer(found, ThermalPreloadSpec(differences=(0.0, 150.0, 200.0)))
+    lost = np.isnan(result.axial_load).any(axis=-1)
+    assert lost.tolist() == (result.state != "").tolist() == [[False, True, True]] * 2
+    assert all("preload lost" in word for word in result.state[lost])
+    assert sum("no state at +150 K and 1 more: " in line for line in summary(result)) == 2
+
+
 def test_temperatures_over_speed_and_of_one_bearing() -> None:
     table = Temperatures(
         shaft=(20.0, 40.0),

@@ -19,6 +19,7 @@ from bearings.ring.problem import Problem
 
 BALL = 6e-6  # s that a ball takes without compiling
 FROM_DISK = 2.0  # s to get the compiled solver from the disk
+AT_ONCE = 256  # states in one call
 COMPILING = 30.0  # s to compile it
 NEAR = 0.2  # relative change of speed and load from the last state that makes it a start
 
@@ -93,13 +94,10 @@ def compiled_states(
         problem.full,
     )
     given = (problem.origin.T, problem.squared, problem.load, problem.scale)
-    _entry()(
-        shared,
-        tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
-        arrays,
-        np.arange(states) < (0 if guess is None else guess.shape[1]),
-        chained,
-    )
+    whole = tuple(np.array(part, order="C") for part in given)  # one type of array: one compilation
+    near = np.arange(states) < (0 if guess is None else guess.shape[1])
+    for first in range(0, states, AT_ONCE):  # Ctrl-C waits for one call
+        _entry()(shared, whole, arrays, near, chained, first, min(first + AT_ONCE, states))
     return CompiledStates(d, x.transpose(2, 0, 1), *arrays[2:])
 
 
@@ -109,8 +107,11 @@ def find_all(
     states: tuple[Array, Array, Array, Array, Flags],
     near: Flags,
     chained: bool,
+    first: int,
+    last: int,
 ) -> None:
-    """States of ``given`` = (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)); called for all at once.
+    """States of ``given`` = (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)) from ``first`` up to
+    ``last``.
 
     ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``states`` =
     (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), exists (s,)), where d and, if ``near`` (s,), X
@@ -120,7 +121,7 @@ def find_all(
     origin, squared, load, scale = given
     d, x, carried, stiffness, exists = states
     w = workspace(x.shape[1])
-    for k in range(len(squared)):
+    for k in range(first, last):
         size = np.abs(load[k] / scale).max()
         p = One(origin[k], squared[k], load[k], scale, size, *shared)
         start = near[k]

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
 BRANCHES = ("falling", "rising")
 CYCLE = ("speed", "branch", "force")
+
+
+NOT_HELD = Absence("without friction, and at a stop", by=("speed", "force"))
 
 
 @dataclass(frozen=True)
@@ -33,10 +36,16 @@ class AxialCycleResult:
     stop_force: Array = quantity(*CYCLE, "sleeve", unit="N", label="stop force")
     stiffness: Array = quantity(*CYCLE, unit="N/m", label="axial stiffness")
     held_force: Array = quantity(
-        "speed", "force", unit="N", label="cyclic force that friction holds"
+        "speed", "force", unit="N", label="cyclic force that friction holds", absent=(NOT_HELD,)
     )
-    held_mean: Array = quantity("speed", "force", unit="N", label="mean of that cyclic force")
+    held_mean: Array = quantity(
+        "speed", "force", unit="N", label="mean of that cyclic force", absent=(NOT_HELD,)
+    )
     no_load_stiffness: Array = quantity(
-        "speed", "branch", unit="N/m", label="axial stiffness at no load"
+        "speed",
+        "branch",
+        unit="N/m",
+        label="axial stiffness at no load",
+        absent=(Absence("where the cycle does not come to no force"),),
     )
     loss: Array = quantity("speed", unit="J", label="energy lost per cycle")

@@ -7,13 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MILLIMETRE, Shown
 from rotordyn.results.kinds import Array, Flags, Words
 
 BY_LOAD = ("speed", "load")
 FEW_SPEEDS = 3  # which are curves over load, not points of one over speed
 BY_CONTACT = (*BY_LOAD, "ball", "contact")
+
+
+UNLOADED = Absence("of a contact without load", beside="contact_load")
+NO_OIL = Absence("without a lubricant")
+NO_LOAD = Absence("without load", beside="equivalent_load")
 
 
 @dataclass(frozen=True)
@@ -68,31 +73,64 @@ class BearingMapResult:
     outer_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, outer race")
     attitude: Array = quantity(*BY_LOAD, unit="rad", label="inclination β of the ball's rotation")
     revolutions: Array = quantity(
-        *BY_LOAD, unit="1", label="reference life L10r", printed=Shown("1e6", 1e-6)
+        *BY_LOAD,
+        unit="1",
+        label="reference life L10r",
+        printed=Shown("1e6", 1e-6),
+        infinite=(NO_LOAD,),
     )
     limiting: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY_LOAD, unit="N", label="equivalent load")
-    static_safety: Array = quantity(*BY_LOAD, unit="1", label="static safety S0")
-    contact_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of the contacts")
-    spin_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of spin, within the contacts")
-    viscous_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of the oil")
+    static_safety: Array = quantity(
+        *BY_LOAD, unit="1", label="static safety S0", infinite=(NO_LOAD,)
+    )
+    contact_heat: Array = quantity(
+        *BY_LOAD, unit="W", label="heat of the contacts", absent=(NO_OIL,)
+    )
+    spin_heat: Array = quantity(
+        *BY_LOAD, unit="W", label="heat of spin, within the contacts", absent=(NO_OIL,)
+    )
+    viscous_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of the oil", absent=(NO_OIL,))
     film: Array = quantity(
-        *BY_LOAD, unit="m", label="least film thickness", printed=Shown("nm", 1e9)
+        *BY_LOAD,
+        unit="m",
+        label="least film thickness",
+        printed=Shown("nm", 1e9),
+        absent=(NO_OIL,),
+        infinite=(NO_LOAD,),
     )
     film_growth: Array = quantity(*BY_LOAD, unit="m", label="growth of the balls by films")
-    ball_temperature: Array = quantity(*BY_LOAD, unit="degC", label="temperature of the balls")
+    ball_temperature: Array = quantity(
+        *BY_LOAD,
+        unit="degC",
+        label="temperature of the balls",
+        absent=(Absence("without a heat flow"),),
+    )
     inner_temperature: Array = quantity(
-        *BY_LOAD, unit="degC", label="temperature of the inner ring"
+        *BY_LOAD,
+        unit="degC",
+        label="temperature of the inner ring",
+        absent=(Absence("without a heat flow"),),
     )
     outer_temperature: Array = quantity(
-        *BY_LOAD, unit="degC", label="temperature of the outer ring"
+        *BY_LOAD,
+        unit="degC",
+        label="temperature of the outer ring",
+        absent=(Absence("without a heat flow"),),
     )
-    speed_limit: Array = quantity("load", unit="rad/s", label="speed limit of heat")
+    speed_limit: Array = quantity(
+        "load",
+        unit="rad/s",
+        label="speed limit of heat",
+        absent=(Absence("without a heat flow, and where it lies beyond the speeds", by=("load",)),),
+    )
     control: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="controlling race")
     control_agrees: Flags = quantity(*BY_LOAD, unit="", label="kinematics agrees")
     contacts: NDArray[np.int_] = quantity(*BY_LOAD, "ball", unit="", label="loaded contacts")
     contact_load: Array = quantity(*BY_CONTACT, unit="N", label="contact load")
-    contact_angle: Array = quantity(*BY_CONTACT, unit="rad", label="contact angle")
+    contact_angle: Array = quantity(
+        *BY_CONTACT, unit="rad", label="contact angle", absent=(UNLOADED,)
+    )
     contact_pressure: Array = quantity(*BY_CONTACT, unit="Pa", label="peak pressure")
     ellipse_length: Array = quantity(
         "speed",
@@ -112,8 +150,12 @@ class BearingMapResult:
         label="half-width of the ellipse",
         printed=MILLIMETRE,
     )
-    ellipse_lower: Array = quantity(*BY_CONTACT, unit="rad", label="lower end of the ellipse")
-    ellipse_upper: Array = quantity(*BY_CONTACT, unit="rad", label="upper end of the ellipse")
+    ellipse_lower: Array = quantity(
+        *BY_CONTACT, unit="rad", label="lower end of the ellipse", absent=(UNLOADED,)
+    )
+    ellipse_upper: Array = quantity(
+        *BY_CONTACT, unit="rad", label="upper end of the ellipse", absent=(UNLOADED,)
+    )
     truncated: Array = quantity(
         "speed",
         "load",
@@ -122,8 +164,18 @@ class BearingMapResult:
         unit="1",
         label="share of the ellipse outside the groove",
     )
-    shoulder_angle: Array = quantity("contact", unit="rad", label="angle of the shoulder")
-    middle_angle: Array = quantity("contact", unit="rad", label="angle of the groove's middle")
+    shoulder_angle: Array = quantity(
+        "contact",
+        unit="rad",
+        label="angle of the shoulder",
+        absent=(Absence("where no diameter of the shoulder is known", by=("contact",)),),
+    )
+    middle_angle: Array = quantity(
+        "contact",
+        unit="rad",
+        label="angle of the groove's middle",
+        absent=(Absence("in a groove of one arc", by=("contact",)),),
+    )
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
 BEARING = ("speed", "bearing")
 BALL = ("speed", "bearing", "ball")
+
+
+FEWER = Absence("beyond the balls that the bearing has", last="ball")
 
 
 @dataclass(frozen=True)
@@ -31,10 +34,41 @@ class BearingLoadsResult:
     radial_displacement: Array = quantity(*BEARING, unit="m", label="radial displacement")
     tilt: Array = quantity(*BEARING, unit="rad", label="tilt")
     loaded_balls: Array = quantity(*BEARING, unit="", label="loaded balls")
-    loss_share: Array = quantity(*BEARING, unit="", label="share of the loads at contact loss")
-    loss_azimuth: Array = quantity(*BEARING, unit="rad", label="azimuth of contact loss")
-    ball_azimuth: Array = quantity("bearing", "ball", unit="rad", label="azimuth")
-    ball_inner_load: Array = quantity(*BALL, unit="N", label="inner load")
-    ball_outer_load: Array = quantity(*BALL, unit="N", label="outer load")
-    ball_inner_angle: Array = quantity(*BALL, unit="rad", label="inner angle")
-    ball_outer_angle: Array = quantity(*BALL, unit="rad", label="outer angle")
+    loss_share: Array = quantity(
+        *BEARING,
+        unit="",
+        label="share of the loads at contact loss",
+        absent=(
+            Absence(
+                "where no ball leaves its race under the loads, and where that is not sought",
+                by=("speed", "bearing"),
+            ),
+        ),
+    )
+    loss_azimuth: Array = quantity(
+        *BEARING,
+        unit="rad",
+        label="azimuth of contact loss",
+        absent=(Absence("where no ball leaves its race", beside="loss_share"),),
+    )
+    ball_azimuth: Array = quantity("bearing", "ball", unit="rad", label="azimuth", absent=(FEWER,))
+    ball_inner_load: Array = quantity(*BALL, unit="N", label="inner load", absent=(FEWER,))
+    ball_outer_load: Array = quantity(*BALL, unit="N", label="outer load", absent=(FEWER,))
+    ball_inner_angle: Array = quantity(
+        *BALL,
+        unit="rad",
+        label="inner angle",
+        absent=(
+            FEWER,
+            Absence("of a ball without load", beside="ball_inner_load"),
+        ),
+    )
+    ball_outer_angle: Array = quantity(
+        *BALL,
+        unit="rad",
+        label="outer angle",
+        absent=(
+            FEWER,
+            Absence("of a ball without load", beside="ball_outer_load"),
+        ),
+    )

@@ -8,9 +8,13 @@ from typing import ClassVar
 import numpy as np
 
 from rotordyn.modes.overdamped import ROUNDING, is_overdamped
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MILLIMETRE
 from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+NOT_FOLLOWED = Absence("at a speed at which the mode is not followed", beside="followed")
+UNREFINED = Absence("where the model is not refined")
+STILL = Absence("of a motion that does not swing", beside="frequency")
 
 
 @dataclass(frozen=True)
@@ -53,32 +57,78 @@ class CampbellResult:
     engine_order: Array = coordinate("engine_order", unit="1", label="engine order")
     passing: Words = coordinate("passing", unit="", label="defect of a bearing")
     outcome: Words = quantity("speed", unit="", label="outcome")
-    frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
+    followed: Flags = quantity("speed", "mode", unit="", label="followed")
+    frequency: Array = quantity(
+        "speed", "mode", unit="Hz", label="damped frequency", absent=(NOT_FOLLOWED,)
+    )
     frequency_error: Array = quantity(
-        "speed", "mode", unit="1", label="estimated relative error of the frequency"
+        "speed",
+        "mode",
+        unit="1",
+        label="estimated relative error of the frequency",
+        absent=(
+            NOT_FOLLOWED,
+            UNREFINED,
+        ),
     )
     damping_error: Array = quantity(
-        "speed", "mode", unit="1", label="estimated error of the damping ratio"
+        "speed",
+        "mode",
+        unit="1",
+        label="estimated error of the damping ratio",
+        absent=(
+            NOT_FOLLOWED,
+            UNREFINED,
+        ),
     )
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
     unconverged: str = quantity(unit="", label="what changes as the model is refined")
-    pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")
+    pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole", absent=(NOT_FOLLOWED,))
     stopped: Array = quantity("speed", unit="1", label="number of sleeves at their stops")
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )
     node_rotor: Words = quantity("node", unit="", label="rotor of the node")
     speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
-    damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
+    damping_ratio: Array = quantity(
+        "speed", "mode", unit="1", label="damping ratio", absent=(NOT_FOLLOWED,)
+    )
     overdamped: Flags = quantity("speed", "mode", unit="", label="overdamped")
-    decrement: Array = quantity("speed", "mode", unit="1", label="logarithmic decrement")
-    whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
-    whirl_degree: Array = quantity("speed", "mode", unit="1", label="forward less backward share")
-    rigid_share: Array = quantity("speed", "mode", unit="1", label="share of rigid-body motion")
+    decrement: Array = quantity(
+        "speed",
+        "mode",
+        unit="1",
+        label="logarithmic decrement",
+        absent=(NOT_FOLLOWED,),
+        infinite=(STILL,),
+    )
+    whirl: Array = quantity(
+        "speed", "mode", unit="1", label="whirl direction", absent=(NOT_FOLLOWED,)
+    )
+    whirl_degree: Array = quantity(
+        "speed", "mode", unit="1", label="forward less backward share", absent=(NOT_FOLLOWED,)
+    )
+    rigid_share: Array = quantity(
+        "speed", "mode", unit="1", label="share of rigid-body motion", absent=(NOT_FOLLOWED,)
+    )
     kind: Words = quantity("mode", unit="", label="kind")
     character: Words = quantity("mode", unit="", label="character")
-    shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
-    stability_threshold: float = quantity(unit="rad/s", label="speed from which a mode grows")
+    shape: Complex = quantity(
+        "shape_speed",
+        "mode",
+        "node",
+        "dof",
+        unit="1",
+        label="mode shape",
+        absent=(
+            Absence("at a speed at which the mode is not followed", by=("shape_speed", "mode")),
+        ),
+    )
+    stability_threshold: float = quantity(
+        unit="rad/s",
+        label="speed from which a mode grows",
+        infinite=(Absence("where no mode grows", beside="first_to_grow"),),
+    )
     first_to_grow: str = quantity(unit="", label="mode that grows from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
     critical_rotor: Words = quantity("critical", unit="", label="rotor that excites")

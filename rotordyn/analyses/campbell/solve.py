@@ -83,6 +83,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         speed_ratio=np.array(list(scene.spindle.ratios.values())),
         damping_ratio=ratio,
         overdamped=ratio > OVERDAMPED,
+        followed=~np.isnan(scene.scattered(pole)),
         decrement=scene.scattered(-2.0 * math.pi * pole.real / np.abs(pole.imag)),
         whirl=scene.scattered(_table([b.whirl for b in branches], shape)),
         whirl_degree=scene.scattered(degree),

@@ -169,14 +169,21 @@ def _dropped(result: CampbellResult) -> list[str]:
             f"{count} of {len(result.mode)} modes are overdamped (damping ratio above "
             f"{OVERDAMPED:g}) at most speeds and left out of figures and lists; results.nc has them"
         )
-    solved = np.isfinite(result.frequency).any(axis=1)
+    solved = result.followed.any(axis=1)
     for k in np.flatnonzero(~result.mostly_overdamped):
-        missing = np.flatnonzero(solved & ~np.isfinite(result.frequency[:, k]))
-        if result.kind[k] in ("axial", "torsion") and missing.size:
-            speeds = from_to(result.speed[missing] * RPM.factor, 0)
+        missing = np.flatnonzero(solved & ~result.followed[:, k])
+        if not missing.size:
+            continue
+        speeds = from_to(result.speed[missing] * RPM.factor, 0)
+        if result.kind[k] in ("axial", "torsion"):
             sentences.append(
                 f"{result.mode[k]} lies above the band asked for at {speeds} rpm: raise "
                 "max_frequency to see it there"
+            )
+        else:
+            sentences.append(
+                f"{result.mode[k]} is not followed at {missing.size} of the speeds, {speeds} rpm: "
+                "no mode that swings has its shape there, in the band or somewhat above it"
             )
     return sentences
 

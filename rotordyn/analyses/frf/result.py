@@ -8,11 +8,15 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, declared, quantity
+from rotordyn.results.declaration import Absence, coordinate, declared, quantity
 from rotordyn.results.display import response_unit
 from rotordyn.results.kinds import Array, Complex, Flags, Words
 
 AS_COMPUTED = "SI, as computed"  # unit of fields whose entries have those of their pairs
+
+
+FEWER = Absence("behind the last peak", last="resonance")
+BEYOND = Absence("behind the last frequency of the slice", last="place")
 
 
 @dataclass(frozen=True)
@@ -42,25 +46,48 @@ class FrequencyResponse:
     unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
-    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")
+    error_asked: float = quantity(
+        unit="1",
+        label="largest error asked for, over that value",
+        infinite=(Absence("where none is asked for"),),
+    )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
     peak_frequency: Array = quantity(
-        "speed", "pair", "resonance", unit="Hz", label="frequency of the peak"
+        "speed", "pair", "resonance", unit="Hz", label="frequency of the peak", absent=(FEWER,)
     )
     peak_value: Complex = quantity(
-        "speed", "pair", "resonance", unit=AS_COMPUTED, label="response at the peak"
+        "speed",
+        "pair",
+        "resonance",
+        unit=AS_COMPUTED,
+        label="response at the peak",
+        absent=(FEWER,),
+        infinite=(Absence("of a mode without damping", beside="peak_damping"),),
     )
     peak_damping: Array = quantity(
-        *("speed", "pair", "resonance"), unit="1", label="damping ratio of the mode at the peak"
+        *("speed", "pair", "resonance"),
+        unit="1",
+        label="damping ratio of the mode at the peak",
+        absent=(
+            FEWER,
+            Absence("of a peak that no single mode makes", by=("speed", "pair", "resonance")),
+        ),
     )
     light_mode: Words = quantity(
         "pair", unit="", label="mode of the highest peak, if hardly damped"
     )
     slice_speed: Array = coordinate("slice_speed", unit="rad/s", label="speed")
     place: NDArray[np.int_] = coordinate("place", unit="", label="place")
-    slice_frequency: Array = quantity("slice_speed", "place", unit="Hz", label="frequency")
+    slice_frequency: Array = quantity(
+        "slice_speed", "place", unit="Hz", label="frequency", absent=(BEYOND,)
+    )
     slice_value: Complex = quantity(
-        "slice_speed", "pair", "place", unit=AS_COMPUTED, label="response of the slice"
+        "slice_speed",
+        "pair",
+        "place",
+        unit=AS_COMPUTED,
+        label="response of the slice",
+        absent=(BEYOND,),
     )
     line: Words = coordinate("line", unit="", label="engine order")
     line_rotor: Words = quantity("line", unit="", label="rotor")
@@ -68,35 +95,104 @@ class FrequencyResponse:
     line_frequency: Array = quantity("speed", "line", unit="Hz", label="frequency")
     line_value: Complex = quantity("speed", "line", "pair", unit=AS_COMPUTED, label="response")
     step: NDArray[np.int_] = coordinate("step", unit="", label="step")
-    line_speed: Array = quantity("line", "step", unit="rad/s", label="speed")
-    line_curve: Complex = quantity("line", "step", "pair", unit=AS_COMPUTED, label="response")
+    line_speed: Array = quantity(
+        "line",
+        "step",
+        unit="rad/s",
+        label="speed",
+        absent=(Absence("behind the last speed of the line", last="step"),),
+    )
+    line_curve: Complex = quantity(
+        "line",
+        "step",
+        "pair",
+        unit=AS_COMPUTED,
+        label="response",
+        absent=(
+            Absence("behind the last speed of the line", last="step"),
+            Absence("at a speed at which a stop closes", by=("line", "step")),
+        ),
+    )
     crossing: NDArray[np.int_] = coordinate("crossing", unit="", label="peak of the line")
     line_peak_speed: Array = quantity(
-        "line", "pair", "crossing", unit="rad/s", label="speed of the peak"
+        "line",
+        "pair",
+        "crossing",
+        unit="rad/s",
+        label="speed of the peak",
+        absent=(Absence("behind the last peak of the line", last="crossing"),),
     )
     line_peak_value: Complex = quantity(
-        "line", "pair", "crossing", unit=AS_COMPUTED, label="response at the peak"
+        "line",
+        "pair",
+        "crossing",
+        unit=AS_COMPUTED,
+        label="response at the peak",
+        absent=(Absence("behind the last peak of the line", last="crossing"),),
     )
     measured: Words = coordinate("measured", unit="", label="measured response")
     sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
     peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")
     measured_pair: Words = quantity("measured", unit="", label="response / excitation")
     measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
-    measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
+    measured_frequency: Array = quantity(
+        "measured",
+        "sample",
+        unit="Hz",
+        label="frequency",
+        absent=(Absence("behind the last sample", last="sample"),),
+    )
     measured_response: Complex = quantity(
-        "measured", "sample", unit=AS_COMPUTED, label="measured, as the computed quantity"
+        "measured",
+        "sample",
+        unit=AS_COMPUTED,
+        label="measured, as the computed quantity",
+        absent=(Absence("behind the last sample", last="sample"),),
     )
-    measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
+    measured_peak: Array = quantity(
+        "measured",
+        "peak",
+        unit="Hz",
+        label="measured peak",
+        absent=(Absence("behind the last peak", last="peak"),),
+    )
     measured_peak_amplitude: Array = quantity(
-        "measured", "peak", unit=AS_COMPUTED, label="amplitude of the measured peak"
+        "measured",
+        "peak",
+        unit=AS_COMPUTED,
+        label="amplitude of the measured peak",
+        absent=(Absence("behind the last peak", last="peak"),),
     )
-    computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
+    computed_peak: Array = quantity(
+        "measured",
+        "peak",
+        unit="Hz",
+        label="computed peak",
+        absent=(Absence("behind the last peak", last="peak"),),
+    )
     computed_peak_amplitude: Array = quantity(
-        "measured", "peak", unit=AS_COMPUTED, label="amplitude of the computed peak"
+        "measured",
+        "peak",
+        unit=AS_COMPUTED,
+        label="amplitude of the computed peak",
+        absent=(Absence("behind the last peak", last="peak"),),
     )
-    frac: Array = quantity("measured", unit="1", label="FRAC of measured and computed response")
+    frac: Array = quantity(
+        "measured",
+        unit="1",
+        label="FRAC of measured and computed response",
+        absent=(
+            Absence(
+                "with too few samples within the frequencies, or without a response there",
+                by=("measured",),
+            ),
+        ),
+    )
     measured_error: Array = quantity(
-        "measured", unit="1", label="error of a coupled tip by noise, over its size"
+        "measured",
+        unit="1",
+        label="error of a coupled tip by noise, over its size",
+        absent=(Absence("of a response that is no coupled tip", by=("measured",)),),
     )
 
     def highest(self, pair: int) -> tuple[int, int] | None:

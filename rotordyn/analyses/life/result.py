@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import Shown
 from rotordyn.results.kinds import Array, Flags, Words
 
@@ -16,6 +16,11 @@ HOURS = Shown("h", 1.0 / 3600.0)
 MILLIONS = Shown("1e6", 1e-6)
 NANOMETRE = Shown("nm", 1e9)
 TEMPERATURE = Shown("mm²/s", 1e6)
+
+
+NO_OIL = Absence("without a lubricant")
+AT_REST = Absence("at rest", beside="speed")
+NO_LOAD = Absence("without load", beside="equivalent_load")
 
 
 @dataclass(frozen=True)
@@ -40,52 +45,142 @@ class LifeResult:
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     bearing: Words = coordinate("bearing", unit="", label="bearing")
     outcome: Words = quantity("speed", unit="", label="outcome")
-    revolutions: Array = quantity(*BY, unit="1", label="reference life L10r", printed=MILLIONS)
-    life: Array = quantity(*BY, unit="s", label="reference life L10r", printed=HOURS)
-    modified_life: Array = quantity(*BY, unit="s", label="modified life", printed=HOURS)
-    life_factor: Array = quantity(*BY, unit="1", label="factor a_ISO")
+    revolutions: Array = quantity(
+        *BY, unit="1", label="reference life L10r", printed=MILLIONS, infinite=(NO_LOAD,)
+    )
+    life: Array = quantity(
+        *BY,
+        unit="s",
+        label="reference life L10r",
+        printed=HOURS,
+        infinite=(
+            AT_REST,
+            NO_LOAD,
+        ),
+    )
+    modified_life: Array = quantity(
+        *BY,
+        unit="s",
+        label="modified life",
+        printed=HOURS,
+        absent=(NO_OIL,),
+        infinite=(
+            AT_REST,
+            NO_LOAD,
+        ),
+    )
+    life_factor: Array = quantity(
+        *BY,
+        unit="1",
+        label="factor a_ISO",
+        absent=(NO_OIL,),
+        infinite=(
+            AT_REST,
+            NO_LOAD,
+        ),
+    )
     limiting: NDArray[np.str_] = quantity(*BY, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY, unit="N", label="equivalent load")
-    static_safety: Array = quantity(*BY, unit="1", label="static safety S0")
+    static_safety: Array = quantity(*BY, unit="1", label="static safety S0", infinite=(NO_LOAD,))
     pressure: Array = quantity(*BY, unit="Pa", label="peak pressure")
     ellipse_length: Array = quantity(
         *BY, unit="m", label="largest half-length of an ellipse", printed=Shown("mm", 1e3)
     )
-    shoulder_margin: Array = quantity(*BY, unit="rad", label="margin to the shoulder")
+    shoulder_margin: Array = quantity(
+        *BY,
+        unit="rad",
+        label="margin to the shoulder",
+        absent=(
+            Absence("where no diameter of the shoulder is known", by=("bearing",)),
+            NO_LOAD,
+        ),
+    )
     lost_load: Array = quantity(*BY, unit="1", label="share of load beyond the shoulder")
     spin_to_roll: Array = quantity(*BY, unit="1", label="largest spin-to-roll ratio")
-    inner_heat: Array = quantity(*BY, unit="W", label="heat of inner contacts")
-    outer_heat: Array = quantity(*BY, unit="W", label="heat of outer contacts")
-    spin_heat: Array = quantity(*BY, unit="W", label="heat of spin, within the contacts")
-    viscous_heat: Array = quantity(*BY, unit="W", label="heat of the oil")
-    moment: Array = quantity(*BY, unit="N·m", label="friction moment", printed=Shown("N·mm", 1e3))
+    inner_heat: Array = quantity(*BY, unit="W", label="heat of inner contacts", absent=(NO_OIL,))
+    outer_heat: Array = quantity(*BY, unit="W", label="heat of outer contacts", absent=(NO_OIL,))
+    spin_heat: Array = quantity(
+        *BY, unit="W", label="heat of spin, within the contacts", absent=(NO_OIL,)
+    )
+    viscous_heat: Array = quantity(*BY, unit="W", label="heat of the oil", absent=(NO_OIL,))
+    moment: Array = quantity(
+        *BY, unit="N·m", label="friction moment", printed=Shown("N·mm", 1e3), absent=(NO_OIL,)
+    )
     slips: Flags = quantity(*BY, unit="", label="balls need more friction than the lubricant has")
-    viscosity: float = quantity(unit="m²/s", label="viscosity at work", printed=TEMPERATURE)
-    viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ")
-    film: Array = quantity(*BY, unit="m", label="least film thickness", printed=NANOMETRE)
-    film_ratio: Array = quantity(*BY, unit="1", label="film over roughness Λ")
+    viscosity: float = quantity(
+        unit="m²/s", label="viscosity at work", printed=TEMPERATURE, absent=(NO_OIL,)
+    )
+    viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ", absent=(NO_OIL,))
+    film: Array = quantity(
+        *BY,
+        unit="m",
+        label="least film thickness",
+        printed=NANOMETRE,
+        absent=(NO_OIL,),
+        infinite=(NO_LOAD,),
+    )
+    film_ratio: Array = quantity(
+        *BY, unit="1", label="film over roughness Λ", absent=(NO_OIL,), infinite=(NO_LOAD,)
+    )
     cage: Array = quantity(*BY, unit="1", label="cage frequency over that of the spindle")
     outer: Array = quantity(*BY, unit="1", label="outer race frequency over that of the spindle")
     inner: Array = quantity(*BY, unit="1", label="inner race frequency over that of the spindle")
     ball: Array = quantity(*BY, unit="1", label="ball frequency over that of the spindle")
     ring_stress: Array = quantity(
-        *BY, unit="Pa", label="stress of the fitted ring", printed=Shown("MPa", 1e-6)
+        *BY,
+        unit="Pa",
+        label="stress of the fitted ring",
+        printed=Shown("MPa", 1e-6),
+        absent=(Absence("without a fit", by=("bearing",)),),
     )
-    ball_temperature: Array = quantity(*BY, unit="degC", label="temperature of the balls")
-    inner_temperature: Array = quantity(*BY, unit="degC", label="temperature of the inner ring")
-    outer_temperature: Array = quantity(*BY, unit="degC", label="temperature of the outer ring")
+    ball_temperature: Array = quantity(
+        *BY,
+        unit="degC",
+        label="temperature of the balls",
+        absent=(Absence("where the conditions have none"),),
+    )
+    inner_temperature: Array = quantity(
+        *BY,
+        unit="degC",
+        label="temperature of the inner ring",
+        absent=(Absence("where the conditions have none"),),
+    )
+    outer_temperature: Array = quantity(
+        *BY,
+        unit="degC",
+        label="temperature of the outer ring",
+        absent=(Absence("where the conditions have none"),),
+    )
     dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")
-    set_life: Array = quantity("speed", unit="s", label="life of the set", printed=HOURS)
+    set_life: Array = quantity(
+        "speed",
+        unit="s",
+        label="life of the set",
+        printed=HOURS,
+        infinite=(
+            AT_REST,
+            NO_LOAD,
+        ),
+    )
     spectrum_life: Array = quantity(
-        "bearing", unit="s", label="life under the spectrum", printed=HOURS
+        "bearing",
+        unit="s",
+        label="life under the spectrum",
+        printed=HOURS,
+        absent=(Absence("without a load spectrum"),),
     )
     spectrum_set_life: float = quantity(
-        unit="s", label="life of the set under the spectrum", printed=HOURS
+        unit="s",
+        label="life of the set under the spectrum",
+        printed=HOURS,
+        absent=(Absence("without a load spectrum"),),
     )
     reliability: float = quantity(unit="1", label="reliability of the modified life")
-    target: float = quantity(unit="s", label="target life", printed=HOURS)
+    target: float = quantity(
+        unit="s", label="target life", printed=HOURS, absent=(Absence("where none is asked for"),)
+    )
 
     @property
     def heat(self) -> Array:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Flags, Words
 
 
@@ -25,13 +25,35 @@ class PreloadResult:
     axial_load: Array = quantity("speed", "bearing", unit="N", label="axial load")
     mounted_load: Array = quantity("bearing", unit="N", label="axial load as mounted")
     mounted_preload: Array = quantity("sleeve", unit="N", label="preload as mounted")
-    ring_offset: Array = quantity("sleeve", unit="m", label="axial offset of the free rings")
+    ring_offset: Array = quantity(
+        "sleeve",
+        unit="m",
+        label="axial offset of the free rings",
+        absent=(
+            Absence(
+                "of a sprung sleeve, and where nothing in the housing faces its bearings",
+                by=("sleeve",),
+            ),
+        ),
+    )
     deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
     stiffness: Array = quantity(
         "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
     )
-    inner_angle: Array = quantity("speed", "bearing", unit="rad", label="inner contact angle")
-    outer_angle: Array = quantity("speed", "bearing", unit="rad", label="outer contact angle")
+    inner_angle: Array = quantity(
+        "speed",
+        "bearing",
+        unit="rad",
+        label="inner contact angle",
+        absent=(Absence("without load", beside="inner_load"),),
+    )
+    outer_angle: Array = quantity(
+        "speed",
+        "bearing",
+        unit="rad",
+        label="outer contact angle",
+        absent=(Absence("without load", beside="outer_load"),),
+    )
     inner_load: Array = quantity("speed", "bearing", unit="N", label="inner ball load")
     outer_load: Array = quantity("speed", "bearing", unit="N", label="outer ball load")
     inner_pressure: Array = quantity("speed", "bearing", unit="Pa", label="inner peak pressure")
@@ -56,4 +78,9 @@ class PreloadResult:
     friction_force: Array = quantity("speed", "sleeve", unit="N", label="friction force")
     friction_limit: Array = quantity("sleeve", unit="N", label="limit of friction")
     stop_reached: Flags = quantity("speed", "sleeve", unit="", label="stop reached")
-    stop_speed: Array = quantity("sleeve", unit="rad/s", label="speed at which the stop is reached")
+    stop_speed: Array = quantity(
+        "sleeve",
+        unit="rad/s",
+        label="speed at which the stop is reached",
+        absent=(Absence("where the stop is not reached", by=("sleeve",)),),
+    )

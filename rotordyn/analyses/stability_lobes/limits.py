@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 
@@ -21,7 +20,7 @@ from rotordyn.analyses.stability_lobes.spec import HOPF, METHODS, NONE
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
-from rotordyn.numerics.threads import processors
+from rotordyn.numerics.threads import each_in_threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -61,9 +60,9 @@ class Limits:
         tops = self.tip.tops[self.rows] * change.highest
         own = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
+        every = [*zip(own, tops.tolist(), processes, strict=True)]
         # numpy leaves the interpreter free while it solves for eigenvalues
-        with ThreadPoolExecutor(processors()) as pool:
-            return self._reported(pool.map(modal_limit, own, tops.tolist(), processes))
+        return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
     def _reported(self, found: Iterator[Limit]) -> list[Limit]:
         """Limits as they come, reported in parts."""
@@ -86,8 +85,8 @@ class Limits:
             return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
 
         tip.tops  # noqa: B018  solved once, before threads ask for it
-        with ThreadPoolExecutor(processors()) as pool:
-            return self._reported(pool.map(limit, self.rows.tolist(), self.speed.tolist()))
+        every = [*zip(self.rows.tolist(), self.speed.tolist(), strict=True)]
+        return self._reported(each_in_threads(lambda one: limit(*one), every))
 
     def _mean(self, operation: Operation, change: Change) -> list[Limit]:
         """Zero order, of speeds with periods of one size at once."""

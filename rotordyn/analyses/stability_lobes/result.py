@@ -7,11 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MILLIMETRE, Shown
 from rotordyn.results.kinds import Array, Words
 
 REMOVAL = Shown("cm³/min", 60e6)
+
+
+STABLE = Absence("where no depth is unstable", beside="loss")
+ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 
 @dataclass(frozen=True)
@@ -28,33 +32,65 @@ class StabilityLobesResult:
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     outcome: Words = quantity("speed", unit="", label="outcome")
     cutting_speed: Array = coordinate("cutting_speed", unit="rad/s", label="speed of the cutter")
+    cutting_outcome: Words = quantity("cutting_speed", unit="", label="outcome")
     depth: Array = quantity(
-        "cutting_speed", unit="m", label="stable depth of cut", printed=MILLIMETRE
+        "cutting_speed",
+        unit="m",
+        label="stable depth of cut",
+        printed=MILLIMETRE,
+        infinite=(Absence("where no depth is unstable", beside="loss"),),
     )
-    chatter: Array = quantity("cutting_speed", unit="Hz", label="chatter frequency")
+    chatter: Array = quantity(
+        "cutting_speed", unit="Hz", label="chatter frequency", absent=(STABLE,)
+    )
     loss: Words = quantity("cutting_speed", unit="", label="loss of stability")
-    mode_frequency: Array = quantity("cutting_speed", unit="Hz", label="nearest mode")
-    mode_damping: Array = quantity("cutting_speed", unit="1", label="its damping ratio")
+    mode_frequency: Array = quantity(
+        "cutting_speed",
+        unit="Hz",
+        label="nearest mode",
+        absent=(Absence("without a chatter frequency", beside="chatter"),),
+    )
+    mode_damping: Array = quantity(
+        "cutting_speed",
+        unit="1",
+        label="its damping ratio",
+        absent=(Absence("without a chatter frequency", beside="chatter"),),
+    )
     removal: Array = quantity(
-        "cutting_speed", unit="m³/s", label="removal rate at the limit", printed=REMOVAL
+        "cutting_speed",
+        unit="m³/s",
+        label="removal rate at the limit",
+        printed=REMOVAL,
+        infinite=(Absence("where no depth is unstable", beside="loss"),),
     )
     at_rest: Array = quantity(
         "cutting_speed",
         unit="m",
         label="stable depth of cut by the receptance at rest",
         printed=MILLIMETRE,
+        infinite=(ANY_DEPTH,),
     )
     measured: Array = quantity(
         "cutting_speed",
         unit="m",
         label="stable depth of cut on the measured spindle",
         printed=MILLIMETRE,
+        absent=(Absence("without a measured spindle"),),
+        infinite=(ANY_DEPTH,),
     )
     least: Array = quantity(
-        "cutting_speed", unit="m", label="least limit of the band", printed=MILLIMETRE
+        "cutting_speed",
+        unit="m",
+        label="least limit of the band",
+        printed=MILLIMETRE,
+        infinite=(ANY_DEPTH,),
     )
     most: Array = quantity(
-        "cutting_speed", unit="m", label="largest limit of the band", printed=MILLIMETRE
+        "cutting_speed",
+        unit="m",
+        label="largest limit of the band",
+        printed=MILLIMETRE,
+        infinite=(ANY_DEPTH,),
     )
     pocket: NDArray[np.int_] = coordinate("pocket", unit="", label="pocket")
     pocket_speed: Array = quantity("pocket", unit="rad/s", label="speed of the cutter")

@@ -39,6 +39,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     if not rows.size:
         raise InvalidInput("stability_lobes: no speed above 0 has a solution")
     usable = turning.speed[turning.usable[rows]]
+    why = dict(zip(turning.speed.tolist(), turning.outcome, strict=True))
     operations = [Operation(spec, *pair) for pair in spec.pairs]
     limits = Limits(_tip(turning, spec), rows, usable, scene.progress)
     own = limits.of(operations[0])
@@ -60,6 +61,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         speed=scene.speed,
         outcome=scene.outcome,
         cutting_speed=speeds,
+        cutting_outcome=tuple(why[speed] for speed in speeds.tolist()),
         depth=depth,
         chatter=_spread(place, len(speeds), np.array([limit.frequency for limit in own])),
         loss=tuple(loss.tolist()),

@@ -181,7 +181,7 @@ class StabilityLobesSpec(Spec):
 
     def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
         yield from within(("measured_spindle",), measured.faults_on(spindle))
-        if not at_front(spindle, self.point):
+        if self.point and not at_front(spindle, self.point):
             yield (
                 ("point",),
                 "coupling gives the tip of the tool: given {given}; allowed: the point at its "

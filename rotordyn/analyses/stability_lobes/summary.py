@@ -20,7 +20,8 @@ MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 def summary(result: StabilityLobesResult) -> list[str]:
     """The least limit with its chatter, and the deepest pockets."""
     if not np.isfinite(result.depth).any():
-        return ["chatter    no depth of cut is unstable at the speeds of the cutter"]
+        solved = ", where it is solved" if any(result.cutting_outcome) else ""
+        return [f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"]
     row = int(np.nanargmin(result.depth))
     least = (
         f"chatter    stable at every speed up to {_depth(result.depth[row])}, there limited at "
@@ -95,8 +96,14 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Where period doubling limits."""
+    """Speeds without a solution, and where period doubling limits."""
     sentences = []
+    failed = [row for row, word in enumerate(result.cutting_outcome) if word]
+    if failed:
+        sentences.append(
+            f"stability_lobes: no limit at {len(failed)} of {len(result.depth)} speeds of the "
+            f"cutter, first at {_rpm(result, failed[0])}: {result.cutting_outcome[failed[0]]}"
+        )
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
 
@@ -21,5 +21,9 @@ class StiffnessResult:
     tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
     unloading_force: Array = quantity(
-        "speed", "bearing", unit="N", label="radial force from which balls carry nothing"
+        "speed",
+        "bearing",
+        unit="N",
+        label="radial force from which balls carry nothing",
+        absent=(Absence("where no force of the range unloads a ball", by=("speed", "bearing")),),
     )

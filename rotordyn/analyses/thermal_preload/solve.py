@@ -15,20 +15,22 @@ from rotordyn.scene.scene import Scene
 def answer(scene: Scene, spec: ThermalPreloadSpec) -> ThermalPreloadResult:
     """Axial loads and growths; a difference without a usable state is a gap."""
     base = scene.conditions.temperatures or Temperatures(shaft=MEASURED)
-    rows, good = scene.bearing_row, np.array([word == "" for word in scene.outcome])
-    loads, growths = [], []
+    rows, cold = scene.bearing_row, np.array(scene.outcome, dtype=str)
+    loads, growths, words = [], [], []
     for difference in spec.differences:
         warm = replace(scene.conditions, temperatures=base.turning_warmer(difference))
         state = scene.under(warm).preload
         usable = state.usable[:, None]
         loads.append(np.where(usable, state.seat_load(), np.nan)[rows])
         growths.append(np.where(usable, state.seat_growth(), np.nan)[rows])
-    known = good[:, None, None]
+        words.append(np.where(cold == "", np.array(state.outcome, dtype=str)[rows], cold))
+    known = (cold == "")[:, None, None]
     return ThermalPreloadResult(
         speed=scene.speed,
         difference=np.array(spec.differences),
         bearing=tuple(seat.name for seat in scene.spindle.seats),
         outcome=scene.outcome,
+        state=np.stack(words, axis=1),
         axial_load=np.where(known, np.stack(loads, axis=1), np.nan),
         growth=np.where(known, np.stack(growths, axis=1), np.nan),
     )

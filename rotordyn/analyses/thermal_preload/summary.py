@@ -26,4 +26,15 @@ def summary(result: ThermalPreloadResult) -> list[str]:
         lines.append(
             f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {words}"
         )
+        lines += _unsolved(result, index)
     return lines
+
+
+def _unsolved(result: ThermalPreloadResult, index: int) -> list[str]:
+    """The first difference without a state at a speed, and why."""
+    places = np.flatnonzero(result.state[index] != "")
+    if not places.size:
+        return []
+    at = f"{result.difference[places[0]]:+g} K"
+    many = f" and {places.size - 1} more" if places.size > 1 else ""
+    return [f"           no state at {at}{many}: {result.state[index, places[0]]}"]

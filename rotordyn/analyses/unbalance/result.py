@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
 from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+FEWER = Absence("behind the last peak", last="resonance")
 
 
 @dataclass(frozen=True)
@@ -63,21 +65,69 @@ class UnbalanceResult:
     critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
     fine_speed: Array = coordinate("fine_speed", unit="rad/s", label="speed")
     fine_displacement: Complex = quantity(
-        "fine_speed", "point", "axis", unit="m", label="displacement"
+        "fine_speed",
+        "point",
+        "axis",
+        unit="m",
+        label="displacement",
+        absent=(
+            Absence(
+                "at a speed at which a stop closes, or without a steady response",
+                by=("fine_speed",),
+            ),
+        ),
     )
     fine_major_axis: Array = quantity(
-        "fine_speed", "point", unit="m", label="major half axis of the orbit"
+        "fine_speed",
+        "point",
+        unit="m",
+        label="major half axis of the orbit",
+        absent=(
+            Absence(
+                "at a speed at which a stop closes, or without a steady response",
+                by=("fine_speed",),
+            ),
+        ),
     )
     fine_minor_axis: Array = quantity(
-        "fine_speed", "point", unit="m", label="minor half axis of the orbit, backward below 0"
+        "fine_speed",
+        "point",
+        unit="m",
+        label="minor half axis of the orbit, backward below 0",
+        absent=(
+            Absence(
+                "at a speed at which a stop closes, or without a steady response",
+                by=("fine_speed",),
+            ),
+        ),
     )
     fine_force_amplitude: Array = quantity(
-        "fine_speed", "support", unit="N", label="amplitude of the force, zero to peak"
+        "fine_speed",
+        "support",
+        unit="N",
+        label="amplitude of the force, zero to peak",
+        absent=(
+            Absence(
+                "at a speed at which a stop closes, or without a steady response",
+                by=("fine_speed",),
+            ),
+        ),
     )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
-    peak_speed: Array = quantity("point", "resonance", unit="rad/s", label="speed of the peak")
+    peak_speed: Array = quantity(
+        "point", "resonance", unit="rad/s", label="speed of the peak", absent=(FEWER,)
+    )
     peak_amplitude: Array = quantity(
-        "point", "resonance", unit="m", label="major half axis at the peak"
+        "point",
+        "resonance",
+        unit="m",
+        label="major half axis at the peak",
+        absent=(FEWER,),
+        infinite=(Absence("at a critical speed without damping", beside="critical_damping"),),
     )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
-    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")
+    error_asked: float = quantity(
+        unit="1",
+        label="largest error asked for, over that value",
+        infinite=(Absence("where none is asked for"),),
+    )

@@ -51,6 +51,20 @@ analyses:
 """
 
 
+def test_a_speed_without_a_solution_says_why():
+    machine = rotordyn.load("deep_groove_lobes").variants["at_speed"]
+    cutter = ["9000 rpm", "110000 rpm"]
+    given = {"speeds": ["0 rpm", "110000 rpm"], "analyses.stability_lobes.speeds": cutter}
+    results = rotordyn.run(machine.vary(given))
+    found = results["stability_lobes"]
+    assert np.isnan(found.depth.values).tolist() == [False, True]
+    assert found.cutting_outcome.values[0] == ""
+    why = str(found.cutting_outcome.values[1])
+    assert "preload lost" in why
+    words = "stability_lobes: no limit at 1 of 2 speeds of the cutter, first at 110000 rpm: "
+    assert words + why in results.warnings
+
+
 @pytest.fixture
 def case(tmp_path):
     def write(machine=MACHINE, **given):

@@ -266,6 +266,7 @@ def campbell(count: int = 49) -> CampbellResult:
         free=np.full(count, 2.0),
         stopped=np.zeros(count),
         overdamped=np.zeros((count, len(_MODES)), dtype=bool),
+        followed=np.ones((count, len(_MODES)), dtype=bool),
         decrement=np.full((count, len(_MODES)), 0.02 * 2.0 * math.pi),
         whirl=whirl,
         whirl_degree=whirl,

@@ -26,7 +26,7 @@ def test_every_item_once_and_in_order(
     items = list(range(count))
     parts = in_threads(lambda part: items[part], count, least=2)
     assert [k for part in parts for k in part] == items
-    assert len(parts) == max(1, min(processors, count // 2))
+    assert len(parts) == max(1, min(processors, count // 2), count // threads.MOST)
 
 
 def test_an_error_of_a_part_is_the_error_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -191,6 +191,14 @@ def test_without_spindle_and_with_missing_modes(results):
     assert "1 bw 903.0 → none" in text
 
 
+def test_a_mode_that_is_not_followed_is_said(results):
+    followed = results["campbell"].followed.copy()
+    followed[-2:, 0] = False
+    partial = {"campbell": replace(results["campbell"], followed=followed)}
+    (sentence,) = [w for w in result_warnings(partial) if "not followed" in w]
+    assert sentence.startswith("1 bw is not followed at 2 of the speeds, ")
+
+
 def test_one_speed_and_no_mode_are_said_plainly(case, results):
     campbell = results["campbell"]
     names = ("speed", "frequency", "damping_ratio", "whirl")

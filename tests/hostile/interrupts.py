@@ -1,0 +1,122 @@
+"""Ctrl-C at random moments of long runs of each analysis: how much work follows it.
+
+The runs are forks of this process. Judged is the processor time after the signal, which a busy
+machine does not change.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+ROTOR = "title: long\nspindle: {spindle}\nspeeds: {speeds}\nanalyses:\n  {analysis}\n"
+BEARING = "title: long\nbearing: {bearing}\nspeeds: {speeds}\nanalyses:\n  {analysis}\n"
+TICK = os.sysconf("SC_CLK_TCK")
+MOST = 1.0  # s that may follow
+BEYOND = 30.0  # s of processor time after which a run is killed
+
+
+def _rotor(analysis: str, speeds: str, spindle: str = "grinding_spindle") -> str:
+    return ROTOR.format(spindle=spindle, speeds=speeds, analysis=analysis)
+
+
+def _bearing(analysis: str) -> str:
+    speeds = "{from: 100 rpm, to: 20000 rpm, count: 1000}"
+    return BEARING.format(bearing="vex70", speeds=speeds, analysis=analysis)
+
+
+LOADS = ", ".join(f"{10 * k} N" for k in range(10, 200))
+MANY = "{from: 0 rpm, to: 12000 rpm, count: 4000}"
+CASES = {
+    "campbell": _rotor("campbell: {max_frequency: 8 kHz}", MANY),
+    "frf": _rotor(
+        "frf: {frequencies: {from: 1 Hz, to: 4000 Hz, count: 20000}, pairs: "
+        "[{response: nose.y, excitation: nose.y}, {response: nose.x, excitation: nose.x}]}",
+        "{from: 0 rpm, to: 12000 rpm, count: 400}",
+    ),
+    "preload": _rotor("preload: {}", "{from: 0 rpm, to: 12000 rpm, count: 50000}"),
+    "stiffness": _rotor("stiffness: {point: nose, max_force: 3 kN, steps: 200}", MANY),
+    "bearing_loads": _rotor("bearing_loads: {loss_steps: 200}", MANY)
+    + "conditions: {loads: [{at: nose, Fy: 3 kN}]}\n",
+    "unbalance": _rotor(
+        "unbalance: {points: [nose], unbalances: [{at: nose, unbalance: 1 g mm}]}", MANY
+    ),
+    "section_forces": _rotor("section_forces: {loads: [{at: nose, Fy: 1 kN}]}", MANY),
+    "static_sag": _rotor("static_sag: {point: nose}", MANY),
+    "life": _rotor("life: {}", MANY),
+    "thermal_preload": _rotor(
+        "thermal_preload: {differences: {from: -10 K, to: 10 K, count: 2000}}", MANY
+    ),
+    "axial_cycle": _rotor("axial_cycle: {highest: 2 kN, lowest: -2 kN, steps: 400}", MANY),
+    "stability_lobes": _rotor(
+        "stability_lobes: {point: nose, teeth: 4, diameter: 40 mm, tangential: 600 MPa, radial: "
+        "200 MPa, milling: down, immersion: 0.3, max_frequency: 4000 Hz}",
+        MANY,
+    ),
+    "bearing": _bearing(f"bearing: {{loads: [{LOADS}]}}"),
+    "bearing radial": _bearing(f"bearing: {{radial_loads: [{LOADS}], axial_load: 1 kN}}"),
+    "control": _bearing("control: {max_load: 5 kN}"),
+}
+
+
+class Stopped(NamedTuple):
+    """``waited`` processor time before Ctrl-C and ``after`` it [s], exit code; None of a run that
+    had ended before."""
+
+    name: str
+    waited: float
+    after: float
+    code: int | None
+
+
+def stopped(name: str, folder: Path, waited: float, *words: str) -> Stopped:
+    """A run that is sent Ctrl-C after so much processor time."""
+    case = folder / "case.yaml"
+    case.write_text(CASES[name], encoding="utf-8")
+    process = _started(["run", str(case), "-o", str(folder / "out"), "--quiet", "--yes", *words])
+    while (before := _spent(process)) < waited and _alive(process):
+        time.sleep(0.01)
+    os.kill(process, signal.SIGINT)
+    while _alive(process):
+        if _spent(process) - before > BEYOND:
+            os.kill(process, signal.SIGKILL)
+        time.sleep(0.01)
+    _, status, used = os.wait4(process, 0)
+    code = os.waitstatus_to_exitcode(status)
+    after = used.ru_utime + used.ru_stime - before
+    return Stopped(name, before, after, code if before >= waited else None)
+
+
+def interrupts(folder: Path, count: int, seed: int = 0) -> Iterator[Stopped]:
+    """Every analysis, stopped so many times."""
+    chance = random.Random(seed)
+    for name in CASES:
+        for _ in range(count):
+            yield stopped(name, folder, 0.2 + 3.0 * chance.random(), "--no-figures")
+
+
+def _started(words: list[str]) -> int:
+    process = os.fork()
+    if process == 0:
+        from rotordyn.cli import main
+
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - until the process ends
+        os._exit(main(words))
+    return process
+
+
+def _alive(process: int) -> bool:
+    return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+def _spent(process: int) -> float:
+    """Processor time so far [s]."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICK
