@@ -202,6 +202,7 @@ def preload(count: int = 49) -> PreloadResult:
         outer_grip=0.06 * s * ones,
         slipping=np.full(np.broadcast_shapes(np.shape(s), np.shape(ones)), ""),
         growth=43.2e-6 + 7.3e-6 * s * ones,
+        film_growth=0.0 * s * ones,
         speed_factor=speed[:, None] * 30.0 / math.pi * np.array([90.0] * 3 + [77.5] * 2),
         position=position,
         spring_force=np.column_stack([574.0 - 6.2e6 * front, 528.0 - 5.49e6 * rear]),
