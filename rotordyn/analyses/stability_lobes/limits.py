@@ -17,7 +17,7 @@ from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN
-from rotordyn.analyses.stability_lobes.spec import HOPF, METHODS, NONE
+from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
@@ -37,7 +37,7 @@ NOT_MODES = (
 
 @dataclass(frozen=True)
 class Limits:
-    """Of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
+    """Limits of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
 
     tip: Tip | MeasuredTip
     rows: Rows
@@ -53,17 +53,17 @@ class Limits:
             modes
         """
         spec = operation.spec
-        if spec.method == METHODS[1] or spec.turning is not None:
+        if spec.method == ZERO_ORDER or spec.turning is not None:
             return self._mean(operation, change)
         if isinstance(self.tip, Tip) and self.tip.modes is None:
             return self._sampled(self.tip, operation, change)
         assert self.tip.modes is not None
         tops = self.tip.tops[self.rows] * change.highest
-        own = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
+        tips = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
         # numpy leaves the interpreter free while it solves for eigenvalues
         with ThreadPoolExecutor(processors()) as pool:
-            return self._reported(pool.map(modal_limit, own, tops.tolist(), processes))
+            return self._reported(pool.map(modal_limit, tips, tops.tolist(), processes))
 
     def _reported(self, found: Iterator[Limit]) -> list[Limit]:
         """Limits as they come, reported in parts."""
@@ -75,6 +75,7 @@ class Limits:
         return every
 
     def _sampled(self, tip: Tip, operation: Operation, change: Change) -> list[Limit]:
+        """Limits of a receptance that is no sum of modes."""
         if operation.spec.process_damping > 0.0 or change != UNCHANGED:
             what = "leave process_damping and interval out, or take method: zero-order"
             raise InvalidInput(NOT_MODES.format(what=what))
@@ -90,7 +91,7 @@ class Limits:
             return self._reported(pool.map(limit, self.rows.tolist(), self.speed.tolist()))
 
     def _mean(self, operation: Operation, change: Change) -> list[Limit]:
-        """Zero order, of speeds with periods of one size at once."""
+        """Zero-order limits, solved together for speeds whose tooth periods are similar."""
         period = operation.period(self.speed)
         found: list[Limit] = []
         for part in _alike(period):
@@ -119,7 +120,7 @@ class Limits:
         return omega
 
     def _receptance(self, rows: Rows, change: Change, top: float) -> Callable[[Array], Complex]:
-        """Of frequencies (s, f) up to ``top`` of every row's own: (s, f, 2, 2)."""
+        """Receptance (s, f, 2, 2) as a function of frequencies (s, f) up to ``top`` [rad/s]."""
         modes = self.tip.modes
         if modes is not None:
             return modes.changed(change).of(rows, top * change.highest).receptance
@@ -130,6 +131,7 @@ class Limits:
 
 
 def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
+    """Receptance at some rows; the tip asks for frequencies at all of its speeds."""
     if tip.count == 1:
         flat = tip.receptance(omega.reshape(1, -1))
         return flat.reshape(*omega.shape, 2, 2)
@@ -139,7 +141,7 @@ def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
 
 
 def _alike(period: Array) -> Iterator[slice]:
-    """Runs of speeds whose periods differ little, in order of descending period."""
+    """Runs of speeds with periods that differ by up to ``TOGETHER``; periods descend."""
     first = 0
     for k in range(1, len(period) + 1):
         if k == len(period) or period[first] > TOGETHER * period[k]:
