@@ -1,7 +1,7 @@
 """Oil film between balls and races: thickness, its ratio to the roughness, its stiffness.
 
 Hamrock and Dowson's formulas of a fully flooded, isothermal elliptic contact; inlet heating after
-Gupta (1992). Both from memory of the prints [M].
+Gupta (1992). Both are written from memory, which [M] marks.
 """
 
 from __future__ import annotations

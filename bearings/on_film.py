@@ -11,7 +11,7 @@ At constant speed a film is a spring of dQ/dh = Q/(0.067 h) in series with its c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-CLOSE = 1e-13  # m
-MOST = 20
+CLOSE = 1e-13  # m, change of the films at which the iteration ends
+MOST = 20  # iterations of state and films
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,9 +44,9 @@ class OnFilm:
     """A bearing on its films, of leading shape (…).
 
     ``state``: its contacts as they are; the displacement and growth in it are those of grooves
-    without films. ``films``; ``growth``, ``axial`` (…) [m]: by which films seem to let the inner
-    groove grow and move; ``displacement`` (…, 5): of the ring itself; ``stiffness`` (…, 5, 5): with
-    films in series with the contacts.
+    without films. ``films``; ``growth``, ``axial`` (…) [m]: apparent growth and axial shift of the
+    inner groove by films; ``displacement`` (…, 5): of the ring itself; ``stiffness`` (…, 5, 5):
+    with films in series with the contacts.
     """
 
     state: BearingState
@@ -82,11 +82,8 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
     common: dict[str, Any] = {
         "speed": speed,
         "static_growth": static,
-        "kinematics": law.kinematics,
-        "moment_sharing": law.moment_sharing,
-        "friction": law.friction,
-        "dynamics": law.dynamics,
         "load": load,
+        **asdict(law),
     }
     more, axial = np.zeros(()), np.zeros(())
     for _ in range(MOST):
@@ -110,8 +107,8 @@ def _moved(displacement: ArrayLike, axial: Array) -> Array:
 
 
 def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
-    """Radial and axial part of what films take from the distance of the grooves (…) [m], mean over
-    the loaded balls; 0 where there is no state."""
+    """Apparent radial growth and axial shift of the inner groove by films (…) [m], mean over the
+    loaded balls; 0 where there is no state."""
     inner, outer = moved_races(state, films)
     balls = np.maximum((np.asarray(state.contact_load) > 0.0).any(axis=-1).sum(axis=-1), 1)
     mean = (inner + outer).sum(axis=-2) / balls[..., None]
@@ -120,8 +117,8 @@ def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
 
 
 def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:
-    """By how much films hold the inner race, and the outer one, off every ball, radially and
-    axially (…, balls, 2) [m].
+    """Radial and axial distance by which films part the inner race, and the outer one, from every
+    ball (…, balls, 2) [m].
 
     Along the normal of a single contact; of two, by the films along both normals, which have one
     solution.

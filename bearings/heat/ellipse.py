@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 RADIAL, AROUND = 6, 16  # points of the quadrature: within 1 % of the integral
 FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
 _SMOOTH = 1e-6  # of the largest velocity, below which it counts as zero
-_STEPS, _NEWTON = 6, 5
+_STEPS, _NEWTON = 6, 5  # iterations: reweighted least squares first, then Newton's
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +74,7 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     """
     if not (finite(friction) and friction > 0.0):
         raise InvalidBearing(f"friction of a contact must be positive, got {shown(friction)}")
+    # under an axial load all balls are alike, and one stands for them
     g, alike = state.operation.geometry, bool(state.operation.axial.all())
     split, few = len(g.inner_grooves), slice(1) if alike else slice(None)
     load = np.asarray(state.contact_load)[..., few, :]

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
+from bearings.life.equivalent import STATIC_FACTOR
 from bearings.life.rating import is_thrust, nominal_angle, static_rating
 
 if TYPE_CHECKING:
@@ -22,12 +23,6 @@ if TYPE_CHECKING:
 # f0 of single-row angular-contact bearings by the way the oil comes.
 OIL_FACTORS = {"oil-air": 1.0, "mist": 1.0, "grease": 2.0, "bath": 2.0, "jet": 4.0}
 _SLOW = 2000.0  # mm²/s · rpm, below which the viscous moment is constant
-_Y0 = np.array(  # contact angle [deg], Y0 of ISO 76
-    [
-        *((5, 0.52), (10, 0.50), (15, 0.46), (20, 0.42), (25, 0.38)),
-        *((30, 0.33), (35, 0.29), (40, 0.26), (45, 0.22)),
-    ]
-)
 
 
 @checked
@@ -69,13 +64,13 @@ def load_moment(state: BearingState, static_rating_: float | None = None) -> Arr
 
 
 def _loads(grooves: Grooves, axial: Array, radial: Array) -> tuple[float, float, Array, Array]:
-    """z, y, P0 and P1."""
+    """z, y, the equivalent static load P0 and the load P1 that drives the moment [N]."""
     alpha = nominal_angle(grooves)
     if is_thrust(grooves):
         return 0.0008, 0.33, axial, axial
     if alpha < np.radians(5.0):
         still = np.maximum(0.6 * radial + 0.5 * axial, radial)
         return 0.0005, 0.55, still, np.maximum(3.0 * axial - 0.1 * radial, radial)
-    y0 = np.interp(np.degrees(alpha), *_Y0.T)
+    y0 = np.interp(np.degrees(alpha), [*STATIC_FACTOR], [*STATIC_FACTOR.values()])
     still = np.maximum(0.5 * radial + y0 * axial, radial)
     return 0.001, 0.33, still, np.maximum(0.9 * axial / np.tan(alpha) - 0.1 * radial, radial)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -73,7 +73,7 @@ class Heated:
 
     @property
     def axial_load(self) -> Array:
-        """What the preload becomes (…) [N]."""
+        """Axial load at the temperatures reached (…) [N]."""
         return np.asarray(self.state.load[..., 0])
 
 
@@ -145,17 +145,10 @@ def speed_limit(
 
 
 def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
-    """Of speeds and growths [m] the state of the mounted bearing."""
+    """The state of the mounted bearing as a function of speed [rad/s] and growth [m]."""
     load = np.zeros((*force.shape, 5))
     load[..., 0] = force
-    law = mounting.law
-    common: dict[str, Any] = {
-        "kinematics": law.kinematics,
-        "moment_sharing": law.moment_sharing,
-        "friction": law.friction,
-        "dynamics": law.dynamics,
-        "static_growth": mounting.static_growth,
-    }
+    common: dict[str, Any] = {**asdict(mounting.law), "static_growth": mounting.static_growth}
     rest = bearing.equilibrium(load=load, **common)
     place = np.where((rest.outcome == "")[..., None], rest.displacement, 0.0)
     asked = {"displacement": place} if mounting.rigid else {"load": load}

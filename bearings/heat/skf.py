@@ -17,10 +17,11 @@ from bearings.errors import InvalidBearing, shown
 
 FASTEST = 0.8e6  # n·dm [rpm·mm]
 REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oil-air": 6e-8}
+# geometry constants of rolling (R) and sliding (S) and of starvation (KZ), bearings 72 B and 73 B
 _R1, _R2, _R3 = 5.03e-7, 1.97, 1.90e-12
 _S1, _S2, _S3 = 1.30e-2, 0.68, 1.91e-12
 _KZ = 4.4
-_HYBRID = 0.41
+_HYBRID = 0.41  # of the centrifugal force of steel balls
 
 
 class SkfMoment(NamedTuple):
@@ -34,7 +35,7 @@ class SkfMoment(NamedTuple):
 
     @property
     def total(self) -> Array:
-        """Both [N·m]."""
+        """Rolling and sliding moment together [N·m]."""
         return self.rolling + self.sliding
 
 

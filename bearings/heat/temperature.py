@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Heat = Callable[[Array], Any]
 HOTTEST = 250.0  # °C, beyond which no bearing runs
 TOLERANCE = 1e-5  # K
-MOST = 150
+MOST = 150  # iterations
 LONGEST = 20.0  # K, of one step: cold oil heats more than the bearing ever will
 _NUDGE = 0.02  # K, of differences
 _MOVES = np.concatenate([np.zeros((1, 3)), _NUDGE * np.eye(3)])
@@ -132,7 +132,8 @@ def _step(gaps: Array) -> Array:
 
 
 def _network(c: Conductances, t: Surroundings) -> tuple[Array, Array]:
-    """What leaves the nodes balls, inner and outer ring per kelvin, and what enters from around."""
+    """Conductance matrix of the nodes balls, inner and outer ring (3, 3) [W/K], and the heat that
+    the surroundings give to them at 0 °C (3,) [W]."""
     if min(c) < 0.0 or not (c.inner_shaft + c.outer_housing + c.balls_oil) > 0.0:
         raise InvalidBearing(
             f"heat must leave the bearing: conductances from 0 W/K up, one to shaft, housing or "

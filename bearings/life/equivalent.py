@@ -29,8 +29,18 @@ _SHALLOW = np.array(
 # them, the others from memory [M]
 _STEEP = {20: (0.57, 0.43, 1.00), 25: (0.68, 0.41, 0.87), 30: (0.80, 0.39, 0.76)}
 _STEEP |= {35: (0.95, 0.37, 0.66), 40: (1.14, 0.35, 0.57), 45: (1.34, 0.33, 0.50)}
-# Y0 of ISO 76; 15°, 20° and 25° as printed, the others from memory [M]
-_STATIC = {5: 0.52, 10: 0.50, 15: 0.46, 20: 0.42, 25: 0.38, 30: 0.33, 35: 0.29, 40: 0.26, 45: 0.22}
+# contact angle [deg]: Y0 of ISO 76; 15°, 20° and 25° as printed, the others from memory [M]
+STATIC_FACTOR = {
+    5: 0.52,
+    10: 0.50,
+    15: 0.46,
+    20: 0.42,
+    25: 0.38,
+    30: 0.33,
+    35: 0.29,
+    40: 0.26,
+    45: 0.22,
+}
 
 
 @checked
@@ -77,10 +87,10 @@ def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float)
     ``contact_angle`` [rad]: one of the table, 5° to 45° by 5°; raises InvalidBearing for others.
     """
     degrees = round(math.degrees(contact_angle))
-    if degrees not in _STATIC:
+    if degrees not in STATIC_FACTOR:
         raise InvalidBearing(f"no factor Y0 of ISO 76 for a contact angle of {degrees}°")
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
-    return np.asarray(np.maximum(0.5 * fr + _STATIC[degrees] * fa, fr))
+    return np.asarray(np.maximum(0.5 * fr + STATIC_FACTOR[degrees] * fa, fr))
 
 
 @checked

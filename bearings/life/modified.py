@@ -14,13 +14,14 @@ from numpy.typing import ArrayLike
 from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
+from bearings.life.rating import WEIBULL_SLOPE
 
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
-MOST = 50.0  # a_ISO
+MOST = 50.0  # largest a_ISO
 _RELIABILITY = {0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25}
 _HOT = ((150.0, 1.0), (200.0, 0.73), (250.0, 0.42), (300.0, 0.22))  # °C, factor on C
+# a_ISO: largest κ of each range, and the number and the exponent of its formula
 _KAPPA = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (HIGHEST_KAPPA, 1.9987, 0.071739))
-_SLOPE = 10.0 / 9.0
 _BALLS_PER_LIMIT = 22.0  # C0/Cu of ball bearings
 
 
@@ -134,4 +135,5 @@ def set_life(life: ArrayLike, axis: int = -1) -> Array:
     Lives of bearings that turn alike, all in revolutions or all in time.
     """
     with np.errstate(divide="ignore"):
-        return np.asarray((np.asarray(life, float) ** -_SLOPE).sum(axis=axis) ** (-1.0 / _SLOPE))
+        failures = (np.asarray(life, float) ** -WEIBULL_SLOPE).sum(axis=axis)
+        return np.asarray(failures ** (-1.0 / WEIBULL_SLOPE))

@@ -25,11 +25,12 @@ LARGE_BALL = 25.4e-3  # [m], from which size counts less
 _RADIAL, _THRUST, _MATERIAL = 0.95, 0.90, 1.3  # λ of both kinds, bm
 _LUNDBERG = 98.0665  # N, mm
 RADIAL_SHARE, REFERENCE_SHARE = 1.04, 1.044  # in ρ of ISO 281 and in that of ISO/TS 16281
-EXPONENT = 10.0 / 3.0
+WEIBULL_SLOPE = 10.0 / 9.0  # of the lives of ball bearings
+EXPONENT = 3.0 * WEIBULL_SLOPE  # of loads where probabilities of survival multiply, L ~ Q⁻³
 
 
 def nominal_angle(grooves: Grooves) -> float:
-    """Contact angle of ratings [rad]: the free one; 0 of a deep groove, where it is but play."""
+    """Contact angle of ratings [rad]: the free one; 0 of a deep groove, where it is only play."""
     one_arc = len(grooves.inner_offsets) == len(grooves.outer_offsets) == 1
     return 0.0 if one_arc and grooves.both_ways else grooves.free_angle
 
@@ -84,7 +85,7 @@ def _ratio(gamma: Any, inner: Any, outer: Any) -> Any:
 
 
 def _inner(gamma: Any, f: Any) -> Any:
-    """Of the inner race: its groove and its curvature."""
+    """Factor of the inner race in fc: osculation of its groove and curvature along rolling."""
     groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
     return groove * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
 

@@ -20,6 +20,7 @@ from bearings.life.rating import (
     EXPONENT,
     REFERENCE_SHARE,
     STATIC_PRESSURE,
+    WEIBULL_SLOPE,
     dynamic_rating,
     is_thrust,
     nominal_angle,
@@ -32,8 +33,7 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
 ROTATING = ("inner", "outer", "both")
-_INNER, _OUTER = 0.407, 0.389
-_SLOPE = 10.0 / 9.0  # Weibull's, of ball bearings
+_INNER, _OUTER = 0.407, 0.389  # ISO/TS 16281, of radial bearings
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,13 +109,14 @@ def life_of(
         [rotating != "outer"] * split + [rotating != "inner"] * len(grooves.outer_offsets)
     )
     load = np.asarray(state.contact_load)
+    # a ring that turns against the load sees every ball load in each of its points
     equivalent = np.where(turns, _mean(load, 3.0), _mean(load, EXPONENT))
     qi, qo = ball_ratings(grooves, rating)
     capacity = np.array([qi] * split + [qo] * len(grooves.outer_offsets))
     damage = (equivalent / capacity) ** EXPONENT
     with np.errstate(divide="ignore"):
-        millions = damage.sum(axis=-1) ** (-1.0 / _SLOPE)
-        race = 1e6 * damage ** (-1.0 / _SLOPE)
+        millions = damage.sum(axis=-1) ** (-1.0 / WEIBULL_SLOPE)
+        race = 1e6 * damage ** (-1.0 / WEIBULL_SLOPE)
     worst = np.array(grooves.contacts)[np.argmax(np.nan_to_num(damage), axis=-1)]
     loaded = np.nan_to_num(damage).sum(axis=-1) > 0.0
     return ReferenceLife(
@@ -148,7 +149,7 @@ def static_safety(state: BearingState, pressure: float = STATIC_PRESSURE) -> Arr
 
 
 def _mean(load: Array, power: float) -> Array:
-    """Of all balls of a bearing, unloaded ones included (…, contacts)."""
+    """Power mean over all balls of a bearing, unloaded ones included (…, contacts)."""
     return np.asarray(((load**power).mean(axis=-2)) ** (1.0 / power))
 
 

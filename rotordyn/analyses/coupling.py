@@ -1,4 +1,4 @@
-"""Coupling of receptances: a tool on a spindle that is known by its receptances at the joint.
+"""Receptance coupling: a tool on a spindle that is known by its receptances at the joint.
 
 A receptance matrix is [[y/f, y/m], [θ/f, θ/m]] with θ = dy/dx, x from the tip towards the spindle
 for tool and base alike; rows of Bishop's tables for a beam seen from its other end have the
@@ -22,13 +22,13 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LOST = 1e-11  # of a receptance: what is left of a difference is rounding
-SILENT = (
+UNRESPONSIVE = (
     "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
     "a shorter or stiffer blank"
 )
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
-LARGEST = 1e15  # SI units
-SCALED = 8.0  # λL up to which a section is not split
+LARGEST = 1e15  # SI units; beyond, products lose all digits or overflow
+SPLIT = 8.0  # λL beyond which a section is split, for e^λL would lose digits
 
 
 class Ends(NamedTuple):
@@ -44,15 +44,15 @@ class Ends(NamedTuple):
 def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     """Receptance at the tip (f, n, n) of a tool on a base.
 
-    base : receptance of the base at the joint (f, n, n); at two stations on one axis n = 2
+    base : receptance of the base at the joint (f, n, n); n = 2 in one plane, deflection and slope
     joint : flexibility of the joint (f, n, n) or (n, n), see ``joint_flexibility``; None is rigid
 
     Raises
     ------
     InvalidInput : matrices of unlike size, or directions
     """
-    _alike(tool, base)
-    across = tool.r22 + base + _joint(joint, base)
+    _refuse_unlike(tool, base)
+    across = tool.r22 + base + _flexibility(joint, base)
     try:
         tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
     except np.linalg.LinAlgError:
@@ -79,16 +79,16 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
     InvalidInput : matrices of unlike size; a blank whose tip does not respond to the base, or so
         little that ``noise`` leaves nothing of the base at half of the frequencies
     """
-    _alike(tool, tip)
+    _refuse_unlike(tool, tip)
     change = tool.r11 - tip
     size = np.abs(tool.r11).max(axis=(1, 2)) + np.abs(tip).max(axis=(1, 2))
     if (np.abs(change).max(axis=(1, 2)) <= LOST * size).any():
-        raise InvalidInput(SILENT)
+        raise InvalidInput(UNRESPONSIVE)
     try:
         inverse = np.linalg.inv(change)
     except np.linalg.LinAlgError:
-        raise InvalidInput(SILENT) from None
-    base = np.asarray(tool.r21 @ inverse @ tool.r12 - tool.r22 - _joint(joint, tip))
+        raise InvalidInput(UNRESPONSIVE) from None
+    base = np.asarray(tool.r21 @ inverse @ tool.r12 - tool.r22 - _flexibility(joint, tip))
     if not 0.0 <= noise < 1.0:
         raise InvalidInput(f"noise: given {noise:.6g}; allowed: from 0 to below 1")
     if noise > 0.0:
@@ -97,10 +97,10 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
 
 
 def amplification(tool: Ends, tip: Complex, joint: Complex | None = None) -> Array:
-    """By how much the noise of the entries of the tip, over their size, is larger in the base that
-    ``uncouple`` gives, over its entries (f, n, n): at 100 nothing of 1 % of noise is left.
+    """Factor (f, n, n) by which the relative noise of the tip grows in the base that ``uncouple``
+    gives: at 100 a noise of 1 % hides an entry of the base.
 
-    Standard deviations of small errors that are independent in every entry.
+    For standard deviations of small errors that are independent in every entry.
     """
     return _amplified(tool, tip, uncouple(tool, tip, joint))
 
@@ -115,7 +115,7 @@ def _amplified(tool: Ends, tip: Complex, base: Complex) -> Array:
 def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None:
     """Refuse a blank behind which noise leaves nothing of the base at half of the frequencies.
 
-    Once the noise rules, what it is compared with consists of noise: shares stay about 1.
+    Where noise dominates, the base computed from it consists of noise: their ratio stays about 1.
     """
     inverse = np.linalg.inv(tool.r11 - tip)
     within = np.abs(np.linalg.eigvals(np.abs(inverse) @ np.abs(tip))).max(axis=1)
@@ -203,7 +203,7 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
     if not sections:
         raise InvalidInput("no sections: at least one is needed")
     for section in sections:
-        _real(section)
+        _refuse_section(section)
     if not (omega > 0.0).all():
         raise InvalidInput("frequencies: a free body has receptances above 0 Hz only")
     whole: Ends | None = None
@@ -215,7 +215,8 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
     return whole
 
 
-def _real(section: Section) -> None:
+def _refuse_section(section: Section) -> None:
+    """Refuse a section that no shaft can have."""
     positive = (section.length, section.young, section.density, section.outer)
     others = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
     stiff = section.stiff_diameter or section.outer
@@ -248,14 +249,14 @@ def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
 
 
 def _in_planes(ahead: Complex, back: Complex) -> Complex:
-    """Of receptances of forward whirl at ω and of its mirror image (f, 2, 2): (f, 4, 4)."""
+    """Receptances (f, 4, 4) in both planes from those of forward and backward whirl (f, 2, 2)."""
     same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
     upper, lower = (np.concatenate(row, axis=2) for row in ((same, -across), (across, same)))
     return np.concatenate([upper, lower], axis=1)
 
 
 def _joined(first: Ends, second: Ends) -> Ends:
-    """Two free bodies in a row as one."""
+    """Two free bodies in series, coupled rigidly, as one."""
     across = first.r22 + second.r11
     to_first, to_second = (np.linalg.solve(across, each) for each in (first.r21, second.r12))
     return Ends(
@@ -267,10 +268,10 @@ def _joined(first: Ends, second: Ends) -> Ends:
 
 
 def _pieces(section: Section, omega: float) -> int:
-    """Pieces in which the functions of a section stay of one size."""
+    """Number of pieces in which the wave functions of a section, up to e^λL, keep their digits."""
     stiff = section.stiff_diameter or section.outer
     wave = section.density * 4.0 / stiff**2 * 4.0 / section.young  # at least ρA/EI of a ring
-    return max(1, int(np.ceil((wave * omega**2) ** 0.25 * section.length / SCALED)))
+    return max(1, int(np.ceil((wave * omega**2) ** 0.25 * section.length / SPLIT)))
 
 
 def _uniform(omega: Array, section: Section, speed: float) -> Ends:
@@ -287,9 +288,11 @@ def _uniform(omega: Array, section: Section, speed: float) -> Ends:
     area = section.area or np.pi / 4.0 * (section.outer**2 - inner**2)
     stiff_area = np.pi / 4.0 * (stiff**2 - inner**2)
     second = np.pi / 64.0 * (stiff**4 - inner**4)
+    # bending, shear and rotary inertia by the diameter that bends as much, mass by the true area
     kappa = _shear_coefficient(section.poisson, inner / stiff)
     length, bending, size = section.length, young * second, section.young * second
     a = np.zeros((len(omega), 4, 4), dtype=complex)
+    # y in units of 1, θ of 1/L, M of EI/L², V of EI/L³: entries of the matrix are then of one size
     scale = np.array([1.0, 1.0 / length, size / length**2, size / length**3])
     a[:, 0, 1], a[:, 0, 3] = 1.0, 1.0 / (kappa * shear * stiff_area)
     a[:, 1, 2] = 1.0 / bending
@@ -314,7 +317,7 @@ def _eyes(like: Complex) -> Complex:
 
 
 def _shear_coefficient(poisson: float, ratio: float) -> float:
-    """Of a ring (Cowper 1966)."""
+    """κ of a ring with inner over outer diameter ``ratio`` (Cowper 1966)."""
     m2 = ratio**2
     top = 6.0 * (1.0 + poisson) * (1.0 + m2) ** 2
     return top / ((7.0 + 6.0 * poisson) * (1.0 + m2) ** 2 + (20.0 + 12.0 * poisson) * m2)
@@ -338,7 +341,8 @@ def rotations(
     return np.stack([np.stack([first, slope], -1), np.stack([slope, turn], -1)], -2)
 
 
-def _joint(joint: Complex | None, like: Complex) -> Complex:
+def _flexibility(joint: Complex | None, like: Complex) -> Complex:
+    """Flexibility of a joint at every frequency, of the shape of ``like``; None is rigid."""
     if joint is None:
         return np.zeros_like(like)
     if np.shape(joint) not in (like.shape, like.shape[1:]) or not np.isfinite(joint).all():
@@ -349,7 +353,8 @@ def _joint(joint: Complex | None, like: Complex) -> Complex:
     return np.broadcast_to(joint, like.shape)
 
 
-def _alike(tool: Ends, other: Complex) -> None:
+def _refuse_unlike(tool: Ends, other: Complex) -> None:
+    """Refuse receptances that are no matrices of one shape, or hold no finite numbers."""
     for each in (*tool, other):
         if getattr(each, "dtype", np.dtype(object)).kind not in "fc":
             raise InvalidInput("receptances: they must be arrays of complex numbers (f, n, n)")

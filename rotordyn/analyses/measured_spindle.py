@@ -17,13 +17,15 @@ from rotordyn.quantity import Items, LossFactor, Whole
 
 NOSE = 0.0  # station of the nose face [m]
 PLANES = ("y", "z")
-NEEDED = "the responses at two points in one direction, front / front, front / behind and "
-NEEDED += "behind / behind, of which the front one is at the tip of the blank, or at the nose"
+NEEDED = (
+    "the responses at two points in one direction, front / front, front / behind and "
+    "behind / behind, of which the front one is at the tip of the blank, or at the nose"
+)
 
 
 @dataclass(frozen=True, slots=True)
 class MeasuredSpindle(Description):
-    """A spindle by receptances across its axis, measured at rest at two points of a blank or of
+    """A spindle described by radial receptances, measured at rest at two points of a blank or of
     the nose; the tool of the case is coupled to it."""
 
     responses: Annotated[
@@ -51,7 +53,8 @@ class MeasuredSpindle(Description):
         return tuple(way for way in PLANES if way in known)
 
     def of_plane(self, way: str) -> dict[tuple[str, str], MeasuredResponse]:
-        """Responses in a direction by the names of both points, in alphabetic order."""
+        """Responses in the direction ``way``; keys are the names of both points, alphabetic: by
+        reciprocity, the point of the force and that of the motion may be exchanged."""
         return {self._ends(one): one for one in self.responses if one.response.direction == way}
 
     @staticmethod
@@ -60,9 +63,9 @@ class MeasuredSpindle(Description):
         return first, second
 
     def _faults(self) -> Faults:
-        alike = [*self._directions()]
-        yield from alike
-        if alike or any(one.frequency[:1] == () for one in self.responses):
+        crossed = [*self._directions()]
+        yield from crossed
+        if crossed or any(one.frequency[:1] == () for one in self.responses):
             return
         yield from self._samples()
         if self.blank is not None:
@@ -112,7 +115,7 @@ class MeasuredSpindle(Description):
         for way in self.planes:
             names = {name for pair in self.of_plane(way) for name in pair}
             at = sorted((points[name], name) for name in names)
-            wanted = {(one, other) for _, one in at for _, other in at if one <= other}
+            wanted = {(one, other) for one in names for other in names if one <= other}
             given = {self._ends(one) for one in self.responses}
             if len(at) != 2 or wanted - given or abs(at[0][0] - front) > SLACK:
                 listed = ", ".join(one.pair for one in self.responses)
@@ -120,7 +123,7 @@ class MeasuredSpindle(Description):
                 return
 
     def faults_on(self, spindle: Spindle) -> Faults:
-        """What of the machine contradicts it."""
+        """Faults of the machine to which it is applied."""
         if not spindle.shaft.start < NOSE - SLACK:
             yield (), "no tool to couple to it: give tool, or tools, of the case"
             return
@@ -139,7 +142,7 @@ class MeasuredSpindle(Description):
 def uncoupled(
     path: tuple[str, ...], masses: tuple[PointMass, ...], joints: tuple[Joint, ...]
 ) -> Faults:
-    """What of a tool the coupling does not know."""
+    """Faults of a tool that has parts which the coupling does not model."""
     inner = [joint.name for joint in joints if joint.x < NOSE - SLACK]
     if masses:
         yield (
@@ -155,5 +158,5 @@ def uncoupled(
 
 
 def at_front(spindle: Spindle, point: str) -> bool:
-    """A point is at the front end of the shaft, where the tip of its tool is."""
+    """Whether a point is at the front end of the shaft, where the tip of its tool is."""
     return point in spindle.points and abs(spindle.points[point] - spindle.shaft.start) <= SLACK

@@ -1,5 +1,5 @@
-"""The tip of a tool on a spindle that is known by measured receptances: a modal fit of these, the
-blank taken off, the tool coupled in its place.
+"""Receptance of the tip of a tool on a spindle known by measured receptances: these are fitted by
+modes, the blank is uncoupled, and the tool is coupled in its place.
 
 The tool is exact by Timoshenko's theory and at rest, as the spindle was when it was measured.
 
@@ -36,10 +36,10 @@ from rotordyn.machine.station import SLACK
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-CONE_PIECES = 24
-SMALL = 1e-6  # of a response: step of differences
-MOST_MODES = 24
-IN_VAIN = 4  # modes added without a better fit
+CONE_PIECES = 24  # cylinders in place of a cone
+STEP = 1e-6  # of a response: of finite differences
+MOST_MODES = 24  # tried where the number is not given
+IN_VAIN = 4  # modes added without a better fit, after which no more are tried
 BETTER = 0.95  # of the misfit: a mode that lowers it by less fits noise
 
 
@@ -57,8 +57,8 @@ class OnMeasured:
         ]
         self._joint = _at_nose(spindle.joints)
         at = measured.stations(spindle)
-        names = {port.point for one in measured.responses for port in (one.response,)}
-        names |= {one.excitation.point for one in measured.responses}
+        ports = ((one.response, one.excitation) for one in measured.responses)
+        names = {port.point for pair in ports for port in pair}
         self._front, self._behind = sorted(names, key=lambda name: at[name])
         self._spacing = at[self._behind] - at[self._front]
 
@@ -86,7 +86,7 @@ class OnMeasured:
             raise InvalidInput(f"measured_spindle: {error}") from None
 
     def error(self, way: str, omega: Array) -> Array:
-        """Standard deviation of the same by the noise of the measurement (f,) [m/N].
+        """Standard deviation of ``tip`` from the noise of the measurement (f,) [m/N].
 
         The noise is the misfit of the modes, independent in every sample. What a fit averages is
         not counted: at peaks its bias is as large.
@@ -94,14 +94,15 @@ class OnMeasured:
         fit, parts = self.fits[way], self._parts(omega)
         values = fit(omega)
         known = self._tip(values, *parts)
-        moved = np.zeros(len(omega))
+        variance = np.zeros(len(omega))
         for k in range(values.shape[1]):
             changed = values.copy()
-            changed[:, k] *= 1.0 + SMALL
-            moved += np.abs((self._tip(changed, *parts) - known) / SMALL) ** 2
-        return np.asarray(fit.misfit * np.sqrt(moved))
+            changed[:, k] *= 1.0 + STEP
+            variance += np.abs((self._tip(changed, *parts) - known) / STEP) ** 2
+        return np.asarray(fit.misfit * np.sqrt(variance))
 
     def _fit(self, way: str) -> ModalFit:
+        """Modes of a plane: as many as are asked for, or until more of them fit noise alone."""
         named = self.measured.of_plane(way)
         front, behind = self._front, self._behind
         across = min(front, behind), max(front, behind)
@@ -123,7 +124,7 @@ class OnMeasured:
         """Blank with the flexibility of its joint to the nose, tool with that of its own."""
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
-            return None, np.zeros((len(omega), 2, 2), dtype=complex), *tool
+            return None, _flexibility(omega, None), *tool
         parts = _split(_pieces(blank.sections, self.loss), self._spacing)
         off = between_points(*(beam(omega, part) for part in parts))
         return off, _flexibility(omega, _at_nose(blank.joints)), *tool
@@ -137,6 +138,7 @@ class OnMeasured:
         joint: Complex,
         noise: float = 0.0,
     ) -> Complex:
+        """Receptance of the tip (f,) from ``values`` (f, 3): front, across and behind."""
         front, across, behind = values.T
         if blank is None:
             base = rotations(front, across, self._spacing, behind)
@@ -171,23 +173,21 @@ def _split(sections: list[Section], at: float) -> tuple[list[Section], list[Sect
 
 
 def _pieces(sections: Sequence[shaft.Section], loss: float) -> list[Section]:
-    """Sections as cylinders, cones in pieces."""
-    found = []
-    for own in sections:
-        many = 1 if own.outer[0] == own.outer[1] and own.inner[0] == own.inner[1] else CONE_PIECES
-        made = own.material
-        for k in range(many):
-            at = (k + 0.5) / many
-            outer, inner = (one + (other - one) * at for one, other in (own.outer, own.inner))
-            found.append(
+    """Sections as cylinders; a cone as ``CONE_PIECES`` of them, of its diameters half-way."""
+    pieces = []
+    for section in sections:
+        (outer, outer_end), (inner, inner_end) = section.outer, section.inner
+        count = 1 if outer == outer_end and inner == inner_end else CONE_PIECES
+        for share in (np.arange(count) + 0.5) / count:
+            pieces.append(
                 Section(
-                    own.length / many,
-                    outer,
-                    inner,
-                    made.young_modulus,
-                    own.density,
-                    made.poisson_ratio,
+                    section.length / count,
+                    outer + (outer_end - outer) * float(share),
+                    inner + (inner_end - inner) * float(share),
+                    section.material.young_modulus,
+                    section.density,
+                    section.material.poisson_ratio,
                     loss,
                 )
             )
-    return found
+    return pieces

@@ -1,5 +1,4 @@
-"""Dry friction of sleeves in the state of a spindle: what it holds at the end of the history, and
-as loads go on from there.
+"""Dry friction of sleeves: its forces at the end of the history, and while further loads grow.
 
 Friction is a force on each sleeve within ± its limit. A sleeve that sticks stands where it stood;
 one that slides is pushed against the way it goes.
@@ -24,7 +23,7 @@ from rotordyn.preload.state import PreloadState, dynamic_preload, settled
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 BEYOND = 1e-9  # of the limit: friction that sticks carries too much
-STILL = 1e-13  # m: a body that went less far did not slide
+STILL = 1e-13  # m: a body that moved less did not slide
 
 
 def operating_state(
@@ -64,10 +63,10 @@ def remembered(state: PreloadState) -> PreloadState:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Rubbing:
-    """Friction of bodies while a load grows.
+    """Friction of bodies while a load grows, of shape (states, bodies).
 
-    ``limit`` (bodies,) [N]; ``stuck`` (states, bodies) where they stand at ``place`` [m]; ``force``
-    (states, bodies) [N] on all others; ``begun`` (states, bodies) [m]: before the last step.
+    ``limit`` (bodies,) [N] of friction; ``stuck``: bodies that friction holds at ``place`` [m];
+    ``force`` [N]: friction on all others; ``begun`` [m]: positions before the last step.
     """
 
     limit: Array
@@ -84,22 +83,24 @@ class Rubbing:
         return cls(state.rubs, (state.rubs > 0.0) & ~held, position, force, position)
 
     def after(self, force: Array, position: Array, was: Flags, held: Flags) -> Rubbing:
-        """Friction as it must be where the balance was found.
+        """Friction corrected for the equilibrium at ``position`` [m].
 
-        ``force`` (states, bodies) [N] without friction and stops; bodies that ``was`` and are now
-        ``held`` at stops.
+        ``force`` (states, bodies) [N]: sum of all forces but friction and stops; ``was``, ``held``:
+        bodies that stood at a stop before the step, and that stand there now.
         """
         if not self.limit.any():
             return self
-        needs = -force
-        slides = self.stuck & (np.abs(needs) > self.limit * (1.0 + BEYOND))
-        rub = np.where(slides, np.sign(needs) * self.limit, self.force)
-        rubbing = (self.limit > 0.0) & ~held
-        way = position - self.begun
-        back = rubbing & ~self.stuck & ~was & (rub * way > self.limit * STILL)
-        leaves = rubbing & was
-        place = np.where(back, self.begun, np.where(leaves, position, self.place))
-        return replace(self, stuck=(self.stuck & ~slides) | back | leaves, force=rub, place=place)
+        needed = -force  # friction that would hold each body
+        slips = self.stuck & (np.abs(needed) > self.limit * (1.0 + BEYOND))
+        friction = np.where(slips, np.sign(needed) * self.limit, self.force)
+        free = (self.limit > 0.0) & ~held
+        # friction along the motion would drive the body: it has turned, and sticks where it began
+        turned = friction * (position - self.begun) > self.limit * STILL
+        sticks = free & ~self.stuck & ~was & turned
+        leaves = free & was  # a body that leaves its stop begins to stick there
+        place = np.where(sticks, self.begun, np.where(leaves, position, self.place))
+        stuck = (self.stuck & ~slips) | sticks | leaves
+        return replace(self, stuck=stuck, force=friction, place=place)
 
     def where(self, rows: Flags, other: Rubbing) -> Rubbing:
         """This one at some states, ``other`` at the rest."""

@@ -1,9 +1,10 @@
 """The axial network of a spindle with its memory: its history from assembly on, then loads along a
 path.
 
-Friction holds sleeves where they were, so that every state is followed from the one before. The
-bearings are tables of their loads and tangents at every speed; between two speeds they go over into
-one another with the share of the way.
+Friction holds sleeves where they were, so that every state is followed from the one before, from
+one event (a sleeve slips or sticks, a stop closes or opens) to the next. The bearings are tables of
+their loads and tangents at every speed, interpolated linearly between two speeds.
+``rotordyn.preload.play`` is a quicker solver of cycles of force alone, for identification.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from rotordyn.preload.arrangement import (
     at_rest,
     rigid,
 )
-from rotordyn.preload.network import Network as Instant
+from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
 from rotordyn.state.along import along
@@ -41,16 +42,19 @@ from rotordyn.state.rest import at_rest as mounted
 Array = NDArray[np.float64]
 SPACING = 1e-6  # m, of a table
 FINER = 2.0 ** -np.arange(1.0, 13.0)  # of the spacing, beside the place where a law begins
-REACH = 250e-6  # m
+REACH = 250e-6  # m, of deflection: a table begins so far unloaded and hardly ends farther loaded
 SLIDING = 1e-9  # of the limit of friction
 NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing has it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class History:
-    """``network`` of the spindle; what acts on it at ``rest`` and at every speed in the end,
-    ``loads``; what did ``before`` the run-up, while it went ``through`` the speeds, and ``after``
-    at each of them; ``lower``: number of speeds below the one that the run-up begins at."""
+    """Axial ``network`` of the spindle and the loads of its history.
+
+    ``rest``: load at assembly; ``before``: loads up to the run-up; ``through``: load at each speed
+    as the run-up passes it; ``after``: loads that follow there; ``loads``: the last one of each
+    speed. ``lower``: number of speeds below the one at which the run-up begins.
+    """
 
     network: Network
     rest: Load
@@ -66,6 +70,7 @@ class History:
         begun = self._followed(mounted(self.network, self.rest), path)
         found: list[State | str] = [begun] * len(self.loads)
         rows = range(len(self.loads))
+        # upward from the speed of the last step before, and downward from it: two separate paths
         for way in (rows[self.lower :], rows[: self.lower][::-1]):
             there, load = begun, path[-1]
             for row in way:
@@ -105,8 +110,9 @@ class History:
         return states
 
     def held(self, row: int, state: State, force: float, reach: float) -> float:
-        """How much more force than ``force`` [N] the shaft bears before a sleeve that slid there
-        slides back [N]; NaN where none slides, one stands at a stop, or ``reach`` is less."""
+        """Axial force [N] beyond ``force`` at which a sleeve first slides again, where friction of
+        all of them is at its limit in ``state``; NaN where one sticks or stands at a stop, where a
+        stop opens or closes before, or where none slides up to ``reach`` [N]."""
         limit = self.network.frictions.limit
         slides = np.abs(state.friction) >= limit * (1.0 - SLIDING)
         if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
@@ -130,7 +136,7 @@ class History:
         return replace(load, force=push)
 
     def softness(self, row: int, state: State, force: float, way: float) -> float:
-        """Axial displacement of the shaft over an axial force that changes ``way`` ±1 [m/N]."""
+        """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
         return way * float(compliance(step, turned(step, state))[SHAFT])
@@ -152,7 +158,7 @@ def history(preload: PreloadState, reach: float) -> History:
         for law, load, d in zip(
             tables.at(0.0, warm=False)[0],
             still.response.load[0].tolist(),
-            Instant(at_rest(joined), preload.network.springs).deflection(still.position)[0],
+            PreloadNetwork(at_rest(joined), preload.network.springs).deflection(still.position)[0],
             strict=True,
         )
     ]
@@ -212,7 +218,7 @@ def moments(
 def _changed(
     step: HistoryStep, here: Moment, weight: float, speeds: Sequence[float]
 ) -> list[Moment]:
-    """Where a step goes from ``here``, by way of those of ``speeds`` in between."""
+    """Moments to which a step goes from ``here``, with a stop at each of ``speeds`` in between."""
     if step.warm is not None:
         return [here._replace(warm=step.warm)]
     if step.axial_force is not None:
@@ -292,7 +298,10 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
 
 
 def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
-    """Axial loads and tangents of one bearing, up to the load ``most`` [N]."""
+    """Axial loads and tangents of one bearing, up to the load ``most`` [N].
+
+    The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
+    """
     from bearings.ring.tangents import stiffness
 
     high = 0.25 * REACH

@@ -1,9 +1,9 @@
 """The preload state of a spindle whose balls ride on their oil films.
 
-Films let the inner grooves seem to grow and to move along the axis (``bearings.on_film``), which
-raises a rigid preload and shifts a sprung one; they depend on the loads, so that both are found in
-turn. At rest there are none: springs keep their stated preload. Loads across the axis act on the
-films of the state without them, and the films differ little from ball to ball.
+A film acts as if the inner groove were larger and moved along the axis (``bearings.on_film``):
+a rigid preload rises, the rings of a sprung one shift. Films depend on the loads, so that state and
+films are iterated in turn. At rest there are none: springs keep their stated preload. Loads across
+the axis act on the films of the state without such loads: films differ little from ball to ball.
 
 Theory: docs/theory/life.md.
 """
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from rotordyn.preload.state import PreloadState
 
 Array = NDArray[np.float64]
-CLOSE = 1e-11  # m
-MOST = 30
+CLOSE = 1e-11  # m, change of the films at which the iteration ends
+MOST = 30  # iterations; films go as the load to −0.067, so that a few suffice
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -33,8 +33,8 @@ class Films:
     """Films of all bearings at speeds ``speed`` (s,) [rad/s], ascending, of an oil at a
     ``temperature`` [°C].
 
-    ``growth``, ``axial`` (s, seats) [m]: by which they let the inner grooves seem to grow, and to
-    move the way that loads the bearing; ``without`` (s, seats) [N]: axial loads without them.
+    ``growth``, ``axial`` (s, seats) [m]: apparent growth of the inner grooves, and their apparent
+    shift the way that loads the bearing; ``without`` (s, seats) [N]: axial loads without films.
     """
 
     lubricant: Lubricant
@@ -45,8 +45,8 @@ class Films:
     without: Array
 
     def at(self, speed: Array) -> tuple[Array, Array]:
-        """Growth and shift at other speeds, on straight lines between the own ones and rest, where
-        there are none (n, seats)."""
+        """Growth and shift (n, seats) [m] at other speeds, interpolated linearly between the speeds
+        of the films; 0 at rest."""
         if np.array_equal(speed, self.speed):
             return self.growth, self.axial
         known = np.concatenate([[0.0], self.speed])
@@ -66,7 +66,7 @@ class Films:
 def on_films(
     solve: Callable[[Films | None], PreloadState], lubricant: Lubricant, temperature: float
 ) -> PreloadState:
-    """The state that ``solve`` gives with the films of that very state."""
+    """Fixed point of ``solve``: the state with those films that belong to that state."""
     from bearings.on_film import grown
 
     bare = state = solve(None)

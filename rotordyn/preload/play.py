@@ -2,8 +2,11 @@
 
 Every sleeve slides in the housing and touches the shaft alone, so that its place follows from that
 of the shaft: friction leaves it where it is between the places at which it would slide either way
-(the play operator). Where the shaft moves one way, all forces of the way are solved together. The
-history that ``rotordyn.preload.history`` follows from event to event is the same path.
+(the play operator). Where the shaft moves one way, all forces of the way are solved together.
+
+``rotordyn.preload.history`` solves the same physics event by event, for any history of loads and
+temperatures. This one stands beside it for identification, which asks for thousands of machines: a
+cycle of friction at 3 speeds takes 26 ms here and 330 to 440 ms there; positions agree within 2 nm.
 
 Theory: docs/theory/identification.md.
 """
@@ -32,6 +35,7 @@ from rotordyn.preload.arrangement import (
 )
 
 Array = NDArray[np.float64]
+# dense near 0, by halving steps above it: there the law d^1.5 of a bearing at rest is not smooth
 PARTS = ((-300.0, -100.0, 20.0), (-100.0, -40.0, 4.0), (-40.0, 50.0, 1.5), (50.0, 80.1, 5.0))
 SOLVED = np.unique(
     np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
@@ -39,15 +43,15 @@ SOLVED = np.unique(
 FINE = np.unique(
     np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1) * 1e-6
 )  # m, the spline through them, drawn straight between
-FAR = 5e-3  # m
-GRID = np.arange(-1500.0, 500.0, 4.0) * 1e-6  # m
+FAR = 5e-3  # m, to which a curve goes on beyond the spline: constant below, straight above
+GRID = np.arange(-1500.0, 500.0, 4.0) * 1e-6  # m, places of the shaft tried around the last one
 STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
-MOST_KEPT = 400
+MOST_KEPT = 400  # curves, of which a fit over many machines would fill the memory
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Curve:
-    """Axial load [N] over deflection [m], which does not fall; straight between its points."""
+    """Axial load [N] over deflection [m], never falling; linear between its points."""
 
     deflection: Array
     load: Array
@@ -65,7 +69,9 @@ class Tables:
 
     def of(self, joined: Arrangement) -> list[list[Curve]]:
         """The curve of every bearing at every speed."""
-        keys = [[_key(b, joined.speed[k], k) for b in joined.bearings] for k in _rows(joined)]
+        keys = [
+            [_key(b, omega, k) for b in joined.bearings] for k, omega in enumerate(joined.speed)
+        ]
         missing = {
             key: (b, k)
             for k, row in enumerate(keys)
@@ -103,13 +109,9 @@ class Tables:
             self.known[key] = _curve(load, slope)
 
 
-def _rows(joined: Arrangement) -> range:
-    return range(len(joined.speed))
-
-
 def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
-    growth = float(bearing.growth[row])
-    return bearing.model, bearing.law, bearing.static_growth, growth, float(speed)
+    seat = bearing.static_growth, float(bearing.growth[row])
+    return bearing.model, bearing.law, *seat, float(speed)
 
 
 def _curve(load: Array, slope: Array) -> Curve:
@@ -122,10 +124,8 @@ def _curve(load: Array, slope: Array) -> Curve:
     inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
     step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
-    ends = fine[0], fine[-1] + step * (FAR - inside[-1])
-    return Curve(
-        np.concatenate([[-FAR], inside, [FAR]]), np.concatenate([[ends[0]], fine, [ends[1]]])
-    )
+    loads = np.concatenate([fine[:1], fine, [fine[-1] + step * (FAR - inside[-1])]])
+    return Curve(np.concatenate([[-FAR], inside, [FAR]]), loads)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -145,7 +145,7 @@ class Carrier:
 
     @property
     def places(self) -> Array:
-        """Where the first of its curves has points, ascending [m]."""
+        """Offsets w of the shaft at which the first of its curves has points, ascending [m]."""
         return np.sort(self.thrust[0] * self.curve[0].deflection) - self.shift[0]
 
     def standing(self, force: float) -> float:
@@ -181,7 +181,7 @@ class Slide:
         return [(x + w, x) for x in found]
 
     def between(self, u: Array) -> tuple[Array, ...]:
-        """Places between which the sleeve stays where it is with the shaft at u [m]."""
+        """Lowest and highest place at which friction holds the sleeve, the shaft at u [m]."""
         if np.isinf(self.stiffness):
             return np.full_like(u, self.place), np.full_like(u, self.place)
         low, high = (np.interp(u, *each) for each in self.sliding)
@@ -194,7 +194,7 @@ class Instant:
     that holds the shaft at ``place`` [m]."""
 
     slides: tuple[Slide, ...]
-    fixed: Carrier | None
+    fixed: Carrier
     support: float
     place: float
 
@@ -203,9 +203,7 @@ class Instant:
         (bodies,)."""
 
         def total(u: Array) -> tuple[Array, list[Array]]:
-            held = self.support * (u - self.place)
-            if self.fixed is not None:
-                held = held + self.fixed(u)
+            held = self.support * (u - self.place) + self.fixed(u)
             places = []
             for slide, x in zip(self.slides, before[SHAFT + 1 :], strict=True):
                 low, high = slide.between(u)
@@ -216,11 +214,11 @@ class Instant:
         grid = before[SHAFT] + GRID
         held = total(grid)[0]
         right = np.searchsorted(held, force)
-        if (right == 0).any() or (right == len(grid)).any():
-            far = force[(right == 0) | (right == len(grid))]
+        outside = (right == 0) | (right == len(grid))
+        if outside.any():
             raise NoSolution(
-                f"the shaft has no axial equilibrium under {far[0]:.6g} N: nothing holds it any "
-                "longer; lower the force, or hold it with a spring or a stop"
+                f"the shaft has no axial equilibrium under {force[outside][0]:.6g} N: nothing "
+                "holds it any longer; lower the force, or hold it with a spring or a stop"
             )
         left = right - 1
         ends = (grid[left], held[left] - force), (grid[right], held[right] - force)
@@ -327,50 +325,41 @@ def axial(
     """
     joined = arrangement(spindle, speed, force, law, temperatures)
     tables = tables or Tables()
-    resting, moving = tables.of(at_rest(joined))[0], tables.of(joined)
-    still = _resting(joined, resting)
-    standing = arrangement(spindle, np.zeros(1), force, law, temperatures)
-    warm = tables.of(standing)[0]
-    rest = _instant(spindle, standing, 0, warm, still, without_stop)
-    states = [rest.solved(np.array([force]), still)[0]]
+    mounted = _mounted(at_rest(joined), tables)
+    warm = arrangement(spindle, np.zeros(1), force, law, temperatures)
+    rest = _instant(spindle, warm, 0, tables.of(warm)[0], mounted, without_stop)
+    states = [rest.solved(np.array([force]), mounted)[0]]
     instants = []
-    for row, curves in enumerate(moving):
-        instants.append(_instant(spindle, joined, row, curves, still, without_stop))
+    for row, curves in enumerate(tables.of(joined)):
+        instants.append(_instant(spindle, joined, row, curves, mounted, without_stop))
         states.append(instants[-1].solved(np.array([force]), states[-1])[0])
-    idle = np.array(states[1:]).reshape(len(instants), len(still))
-    return Axial(joined.bodies, speed, force, still, states[0], idle, tuple(instants))
+    idle = np.array(states[1:]).reshape(len(instants), len(mounted))
+    return Axial(joined.bodies, speed, force, mounted, states[0], idle, tuple(instants))
 
 
-def _carrier(joined: Arrangement, row: int, curves: list[Curve], body: int) -> Carrier | None:
-    chosen = [k for k, bearing in enumerate(joined.bearings) if bearing.outer == body]
-    if not chosen:
-        return None
-    bearings = [joined.bearings[k] for k in chosen]
+def _carrier(joined: Arrangement, row: int, curves: list[Curve], body: int) -> Carrier:
+    """Bearings whose outer rings a body holds; a housing may hold none."""
+    carried = [k for k, bearing in enumerate(joined.bearings) if bearing.outer == body]
+    bearings = [joined.bearings[k] for k in carried]
     return Carrier(
         np.array([float(bearing.thrust) for bearing in bearings]),
         np.array([float(len(bearing.seats)) for bearing in bearings]),
-        tuple(curves[k] for k in chosen),
+        tuple(curves[k] for k in carried),
         np.array([float(bearing.shortening[row]) for bearing in bearings]),
     )
 
 
-def _resting(joined: Arrangement, curves: list[Curve]) -> Array:
-    """Positions at rest under the stated preloads alone (bodies,)."""
-    still = at_rest(joined)
-    fixed = _carrier(still, 0, curves, HOUSING)
-    pushed = sum(push.direction * push.preload for push in still.pushes)
-    shaft = fixed.standing(pushed) if fixed is not None else 0.0
+def _mounted(resting: Arrangement, tables: Tables) -> Array:
+    """Positions at rest under the stated preloads alone (bodies,) [m]."""
+    curves = tables.of(resting)[0]
+    fixed = _carrier(resting, 0, curves, HOUSING)
+    pushed = sum(push.direction * push.preload for push in resting.pushes)
+    shaft = fixed.standing(pushed) if fixed.curve else 0.0
     off = [
-        _held(still, curves, push.body).standing(-push.direction * push.preload)
-        for push in still.pushes
+        _carrier(resting, 0, curves, push.body).standing(-push.direction * push.preload)
+        for push in resting.pushes
     ]
     return np.array([shaft, *(shaft - each for each in off)])
-
-
-def _held(joined: Arrangement, curves: list[Curve], body: int, row: int = 0) -> Carrier:
-    carrier = _carrier(joined, row, curves, body)
-    assert carrier is not None, "a sleeve carries bearings"
-    return carrier
 
 
 def _instant(
@@ -378,12 +367,12 @@ def _instant(
     joined: Arrangement,
     row: int,
     curves: list[Curve],
-    still: Array,
+    mounted: Array,
     without_stop: str | None,
 ) -> Instant:
     slides = []
     for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True):
-        place = float(still[push.body])
+        place = float(mounted[push.body])
         travel = np.inf if rigid(push) or sleeve.name == without_stop else push.travel
         end = place - push.direction * travel
         slides.append(
@@ -395,9 +384,9 @@ def _instant(
                 sleeve.friction,
                 end if push.direction > 0 else -np.inf,
                 end if push.direction < 0 else np.inf,
-                _held(joined, curves, push.body, row),
+                _carrier(joined, row, curves, push.body),
             )
         )
     support = sum(each.along for each in spindle.supports)
     fixed = _carrier(joined, row, curves, HOUSING)
-    return Instant(tuple(slides), fixed, support, float(still[SHAFT]))
+    return Instant(tuple(slides), fixed, support, float(mounted[SHAFT]))

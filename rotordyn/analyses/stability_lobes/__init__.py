@@ -28,13 +28,13 @@ ANALYSIS = in_folder(
     heading="stable depth of cut, least and largest",
 )
 
-_HOME = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}
+_MODULES = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}
 
 
 def __getattr__(name: str) -> Any:
     """Import solvers when they are first used: reading a case needs specs alone."""
-    if name in _HOME:
+    if name in _MODULES:
         from importlib import import_module
 
-        return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+        return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -12,7 +12,7 @@ from rotordyn.numerics.vector_fit import Fit, residues, vector_fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-PAIRS = (1, 2, 3, 4, 6, 8, 12, 18)
+PAIRS = (1, 2, 3, 4, 6, 8, 12, 18)  # of conjugate poles, tried in this order
 EXACT = 1e-7  # of the largest receptance: a fit that near is the receptance itself
 SPURIOUS = 1e-7  # of the largest receptance: the peak of a mode that a fit does not need
 

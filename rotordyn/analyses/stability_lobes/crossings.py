@@ -20,6 +20,8 @@ Solve = Callable[[Array], Complex]
 ROUNDS = 12
 MOST_SAMPLES = 4000
 STEPS = 40  # of a root
+ROUNDED = 1e-12  # of an eigenvalue: a smaller imaginary part is rounding
+REAL = 1e-7  # the same at the last sample, where eigenvalues may be double and err more
 CLOSE = 1e-8  # of an eigenvalue, by which the imaginary part of a root may miss zero
 SAME = 0.05  # by which the line between samples may miss a crossing that is known
 FAR = 0.9  # rad of phase between samples
@@ -65,10 +67,11 @@ def _links(z: Complex) -> tuple[Complex, Complex]:
 
 def _best(solve: Solve, angle: Array, z: Complex, known: Crossing) -> Crossing:
     """The largest crossing between samples; at the last one, the largest real eigenvalue."""
-    last = z[-1].real[(np.abs(z[-1].imag) <= 1e-7 * np.abs(z[-1])) & (z[-1].real > 0.0)]
+    real = np.abs(z[-1].imag) <= REAL * np.abs(z[-1])
+    last = z[-1].real[real & (z[-1].real > 0.0)]
     best = max(known, Crossing(float(last.max(initial=0.0)), float(angle[-1])), key=_value)
-    z = np.where(np.abs(z.imag) <= 1e-12 * np.abs(z), z.real, z)
-    z[-1] = np.where(np.abs(z[-1].imag) <= 1e-7 * np.abs(z[-1]), z[-1].real, z[-1])
+    z = np.where(np.abs(z.imag) <= ROUNDED * np.abs(z), z.real, z)
+    z[-1] = np.where(real, z[-1].real, z[-1])
     low, high = _links(z)
     across = low.imag * high.imag < 0.0
     highest = np.where(across, np.maximum(low.real, high.real), 0.0)
@@ -90,9 +93,9 @@ def _value(crossing: Crossing) -> float:
 
 
 def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
-    """The crossing of a branch between two samples, by false position that halves where it
-    stalls."""
-    (a, b), share = (float(each) for each in angle), 0.0
+    """The crossing of a branch between two samples, by false position; the Illinois rule halves the
+    weight of an end that stays, which otherwise stalls."""
+    a, b = angle.tolist()
     if not max(low.real, high.real) > 0.0:
         return Crossing(0.0, a)
     side = 0

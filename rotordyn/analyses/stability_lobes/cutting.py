@@ -62,19 +62,22 @@ class Cut:
 
     def in_cut(self, angle: Array) -> NDArray[np.bool_]:
         """Whether some tooth cuts while the first one is at ``angle`` (n,)."""
-        at = self._teeth(angle)
-        return np.asarray(((at > self.entry) & (at - self.lag < self.exit)).any(axis=0))
+        return np.asarray(self._cuts(self._teeth(angle)).any(axis=0))
 
     def matrix(self, angle: Array) -> Array:
         """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
         at = self._teeth(angle)
-        cuts = (at > self.entry) & (at - self.lag < self.exit)
         if self.lag > 0.0:
+            # mean of H along the edge, of which a part is in cut
             begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)
             coefficients = (self._integral(end) - self._integral(begin)) / self.lag
         else:
             coefficients = self._one(at)
-        return np.where(cuts[..., None, None], coefficients, 0.0).sum(axis=0)
+        return np.where(self._cuts(at)[..., None, None], coefficients, 0.0).sum(axis=0)
+
+    def _cuts(self, at: Array) -> NDArray[np.bool_]:
+        """Whether some part of the edge of a tooth at ``at`` is in cut."""
+        return np.asarray((at > self.entry) & (at - self.lag < self.exit))
 
     def _teeth(self, angle: Array) -> Array:
         """Angles of all teeth, with those whose edges are still in cut (k, n)."""
@@ -101,7 +104,7 @@ class Cut:
 
 
 def checked(cut: Cut) -> Cut:
-    """The cut itself.
+    """The cut unchanged, if it is one that can be solved.
 
     Raises
     ------

@@ -43,10 +43,12 @@ class Floquet:
 
     @cached_property
     def _slow(self) -> ModalTip:
+        """Modes that decay too little over a span to be left out of the state (m,)."""
         return self.tip.below(REMEMBERED * self.spans.top)
 
     @cached_property
     def _places(self) -> list[slice]:
+        """Rows of every span among all polynomials."""
         ends = accumulate((count for *_, count in self.spans.each), initial=0)
         return [slice(low, high) for low, high in pairwise(ends)]
 
@@ -62,8 +64,8 @@ class Floquet:
 
     @cached_property
     def _integrals(self) -> list[tuple[Complex, Complex]]:
-        """Per span, polynomials of the decay of every mode from 1 (m, p), and what forces leave of
-        it at the end of the span (m, p)."""
+        """Per span, the decay of every mode from 1 expanded in polynomials (m, p), and the state of
+        the mode at the end of the span by forces (m, p)."""
         found = []
         for (_, half, _), (*_, count) in zip(self._times, self.spans.each, strict=True):
             order = np.arange(count)
@@ -140,7 +142,7 @@ class Floquet:
 
     @cached_property
     def _products(self) -> tuple[Array, Array, Array]:
-        """What a unit of depth makes of forces (2p, 2p), of the state before (2p, 2m), and of the
+        """Forces per unit of depth by forces (2p, 2p), by the state before (2p, 2m), and by the
         displacement before (2p, 2p)."""
         forced, free, *_ = self._parts
         cutting = self.spans.cutting

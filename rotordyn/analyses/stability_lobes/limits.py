@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN
-from rotordyn.analyses.stability_lobes.spec import HOPF, METHODS, NONE
+from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
@@ -36,7 +36,7 @@ NOT_MODES = (
 
 @dataclass(frozen=True)
 class Limits:
-    """Of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
+    """Limits of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
 
     tip: Tip | MeasuredTip
     rows: Rows
@@ -52,15 +52,15 @@ class Limits:
             modes
         """
         spec = operation.spec
-        if spec.method == METHODS[1] or spec.turning is not None:
+        if spec.method == ZERO_ORDER or spec.turning is not None:
             return self._mean(operation, change)
         if isinstance(self.tip, Tip) and self.tip.modes is None:
             return self._sampled(self.tip, operation, change)
         assert self.tip.modes is not None
         tops = self.tip.tops[self.rows] * change.highest
-        own = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
+        tips = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
-        every = [*zip(own, tops.tolist(), processes, strict=True)]
+        every = [*zip(tips, tops.tolist(), processes, strict=True)]
         # numpy leaves the interpreter free while it solves for eigenvalues
         return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
@@ -74,6 +74,7 @@ class Limits:
         return every
 
     def _sampled(self, tip: Tip, operation: Operation, change: Change) -> list[Limit]:
+        """Limits of a receptance that is no sum of modes."""
         if operation.spec.process_damping > 0.0 or change != UNCHANGED:
             what = "leave process_damping and interval out, or take method: zero-order"
             raise InvalidInput(NOT_MODES.format(what=what))
@@ -89,7 +90,7 @@ class Limits:
         return self._reported(each_in_threads(lambda one: limit(*one), every))
 
     def _mean(self, operation: Operation, change: Change) -> list[Limit]:
-        """Zero order, of speeds with periods of one size at once."""
+        """Zero-order limits, solved together for speeds whose tooth periods are similar."""
         period = operation.period(self.speed)
         found: list[Limit] = []
         for part in _alike(period):
@@ -118,7 +119,7 @@ class Limits:
         return omega
 
     def _receptance(self, rows: Rows, change: Change, top: float) -> Callable[[Array], Complex]:
-        """Of frequencies (s, f) up to ``top`` of every row's own: (s, f, 2, 2)."""
+        """Receptance (s, f, 2, 2) as a function of frequencies (s, f) up to ``top`` [rad/s]."""
         modes = self.tip.modes
         if modes is not None:
             return modes.changed(change).of(rows, top * change.highest).receptance
@@ -129,6 +130,7 @@ class Limits:
 
 
 def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
+    """Receptance at some rows; the tip asks for frequencies at all of its speeds."""
     if tip.count == 1:
         flat = tip.receptance(omega.reshape(1, -1))
         return flat.reshape(*omega.shape, 2, 2)
@@ -138,7 +140,7 @@ def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
 
 
 def _alike(period: Array) -> Iterator[slice]:
-    """Runs of speeds whose periods differ little, in order of descending period."""
+    """Runs of speeds with periods that differ by up to ``TOGETHER``; periods descend."""
     first = 0
     for k in range(1, len(period) + 1):
         if k == len(period) or period[first] > TOGETHER * period[k]:

@@ -1,4 +1,4 @@
-"""The tip of a tool on a measured spindle as a sum of modes, alike at every speed of the cutter."""
+"""The tip of a tool on a measured spindle as a sum of modes, the same at every cutter speed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.on_measured import OnMeasured
-from rotordyn.analyses.stability_lobes.modal import ABOUT, of_residues
+from rotordyn.analyses.stability_lobes.modal import (
+    feed_and_normal,
+    frequencies_near,
+    of_residues,
+)
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.vector_fit import Fit, vector_fit
@@ -26,8 +30,10 @@ STILL = 0.5  # of the largest receptance: a band that ends higher ends within a 
 
 @dataclass(frozen=True)
 class MeasuredTip:
-    """``machine`` at rest; ``feed`` [rad] from z in the sense of rotation. What lies above the band
-    of the measurement acts as a spring."""
+    """The tool on ``machine``, measured at rest; ``feed`` [rad] from z in the sense of rotation.
+
+    Modes above the band of the measurement act by their static residual.
+    """
 
     machine: OnMeasured
     feed: float
@@ -68,20 +74,14 @@ class MeasuredTip:
 
     @cached_property
     def modes(self) -> TipModes:
-        """Of its receptance in feed and normal."""
-        fit, turn = self._fit, self._turn
+        """Modes of the receptance in feed and normal."""
+        fit, turn = self._fit, feed_and_normal(self.feed)
         residue = np.einsum("ik,mk,jk->mij", turn, fit.residue, turn)
         constant = np.einsum("ik,k,jk->ij", turn, fit.constant, turn)
         tip = of_residues(fit.pole, residue, constant)
         return TipModes(
             tip.pole[None], tip.shape[None], tip.participation[None], tip.constant[None]
         )
-
-    @property
-    def _turn(self) -> Array:
-        """Feed and normal by y and z."""
-        s, c = math.sin(self.feed), math.cos(self.feed)
-        return np.array([[-s, c], [c, s]])
 
     @cached_property
     def poles(self) -> Complex:
@@ -96,6 +96,5 @@ class MeasuredTip:
 
     def about_poles(self, row: int) -> Array:
         """Frequencies that resolve the peaks, ascending [rad/s]."""
-        pole = self.poles[row]
-        near = pole.imag[:, None] + np.abs(pole.real)[:, None] * ABOUT
-        return np.unique(near[(near > 0.0) & (near <= self.tops[0])])
+        near = frequencies_near(self.poles[row])
+        return near[near <= self.tops[0]]

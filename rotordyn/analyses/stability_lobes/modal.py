@@ -1,4 +1,4 @@
-"""The tip of a tool as a sum of modes."""
+"""The tip of a tool as a sum of modes, in feed and normal."""
 
 from __future__ import annotations
 
@@ -12,22 +12,36 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 RANK = 1e-10  # of a residue: a second motion smaller than that is rounding
-ABOUT = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
+# of the decay rate of a mode: where its peak is sampled, to either side of its frequency
+BESIDE_PEAK = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
+
+
+def frequencies_near(pole: Complex) -> Array:
+    """Frequencies [rad/s] that resolve the peaks of ``pole`` (m,), ascending."""
+    near = np.abs(pole.imag)[:, None] + np.abs(pole.real)[:, None] * BESIDE_PEAK
+    return np.unique(near[near > 0.0])
+
+
+def feed_and_normal(feed: float) -> Array:
+    """Directions of feed and normal (2, 2) in y and z, the ``feed`` [rad] from z towards −y."""
+    s, c = math.sin(feed), math.cos(feed)
+    return np.array([[-s, c], [c, s]])
 
 
 class Change(NamedTuple):
-    """All stiffness and all damping ratios, times what the model has."""
+    """Factors on all stiffness and on all damping ratios of the model."""
 
     stiffness: float
     damping: float
 
     @property
     def highest(self) -> float:
-        """By which frequencies rise."""
+        """Factor on all natural frequencies."""
         return math.sqrt(self.stiffness)
 
     def poles(self, pole: Complex) -> tuple[Complex, Array]:
-        """Poles, and by how much residues are larger: modal masses stay."""
+        """Changed poles, and the factors on their residues: modal masses stay. Real poles keep
+        their damping, and a mode that would become overdamped keeps its own."""
         size = np.abs(pole)
         ratio = np.where(pole.imag > 0.0, self.damping, 1.0) * -pole.real / size
         ratio = np.where((pole.imag > 0.0) & (ratio >= 1.0), -pole.real / size, ratio)
@@ -42,8 +56,11 @@ UNCHANGED = Change(1.0, 1.0)
 
 @dataclass(frozen=True, eq=False)
 class ModalTip:
-    """Receptance Σ shape participation / (iω − pole), and the same of the conjugates, which are
-    not listed: of a real pole half of it is. ``constant`` (2, 2) [m/N]: of all that lies far above.
+    """Receptance Σ shape participation / (iω − pole) plus that of the conjugate poles.
+
+    These are not listed; a real pole is its own conjugate, so that half of its residue is listed.
+
+    ``constant`` (2, 2) [m/N]: static residual of the modes far above.
 
     ``pole`` (m,) [rad/s], Re < 0 where the tip is stable; ``shape`` (m, 2) and ``participation``
     (m, 2) in feed and normal.
@@ -64,12 +81,11 @@ class ModalTip:
 
     @property
     def frequencies(self) -> Array:
-        """At which a peak of the receptance is seen [rad/s] (n,), ascending."""
-        near = np.abs(self.pole.imag)[:, None] + np.abs(self.pole.real)[:, None] * ABOUT
-        return np.unique(near[near > 0.0])
+        """Frequencies [rad/s] (n,) that resolve the peaks of the receptance, ascending."""
+        return frequencies_near(self.pole)
 
     def below(self, top: float) -> ModalTip:
-        """Modes of |pole| below ``top``; of others what they come down to far below them."""
+        """Modes of |pole| below ``top`` [rad/s]; the others by their static residual."""
         near = np.abs(self.pole) < top
         far = ~near
         residue = np.einsum("mi,mj->mij", self.shape[far], self.participation[far])
@@ -85,7 +101,8 @@ class ModalTip:
 
 
 def of_residues(pole: Complex, residue: Complex, constant: Array) -> ModalTip:
-    """The tip of residues (m, 2, 2), of up to two motions to a pole."""
+    """The tip with residues (m, 2, 2) at the poles (m,), each of rank up to 2: a pole whose residue
+    has rank 2 is listed twice."""
     left, size, right = np.linalg.svd(residue)
     kept = size > RANK * size[:, :1]
     at, motion = np.nonzero(kept)

@@ -22,10 +22,7 @@ CERTAIN = 0.9  # of the depth below which no gain around the loop of force and m
 DEEPEST = 3000.0  # times that depth: deeper is taken as no limit
 JUST_BELOW = 1e-7  # of the depth of period doubling
 SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix
-COARSE, COARSE_SPARE = (
-    0.7,
-    5,
-)  # of the highest frequency, and polynomials, by which depths are tried
+COARSE, COARSE_SPARE = 0.7, 5  # of the highest frequency, and polynomials: the map for trials
 MOST_POLYNOMIALS = 500  # of forces over the cut: a limit then takes a minute
 ANGLES = 181  # at which the cutting force is largest
 
@@ -77,11 +74,11 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), flip)
     if depth > DEEPEST * low:
         return UNLIMITED
-    own = fine(depth)
-    value, force = own.dominant(depth)
+    final = fine(depth)
+    value, force = final.dominant(depth)
     angle = abs(float(np.angle(value)))
     kind = FLIP if value.imag == 0.0 and value.real < 0.0 else HOPF
-    return Limit(depth, own.spans.chatter(tip.receptance, angle, force), kind)
+    return Limit(depth, final.spans.chatter(tip.receptance, angle, force), kind)
 
 
 def _maps(tip: ModalTip, top: float, process: Process, spare: int) -> Callable[[float], Floquet]:
@@ -97,7 +94,7 @@ def _radius(maps: Callable[[float], Floquet]) -> Callable[[float], float]:
 
 
 def _gain(tip: ModalTip, process: Process) -> float:
-    """The most that forces of the cut make of themselves, per depth [1/m]."""
+    """Bound on the loop gain from cutting force by motion to cutting force, per depth [1/m]."""
     cut, omega = process.cut, tip.frequencies
     size = np.linalg.norm(tip.receptance(omega), 2, axis=(1, 2))
     pieces = cut.pieces()

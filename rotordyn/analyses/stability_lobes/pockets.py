@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.signal import find_peaks
 
 Array = NDArray[np.float64]
-MOST = 8
+MOST = 8  # pockets
 PROMINENT = 0.05  # of the deepest, by which a pocket is deeper than what is around it
 KEPT = 0.8  # of the depth of a pocket, which its margin keeps
 
@@ -34,6 +34,7 @@ def pockets(speed: Array, depth: Array) -> Pockets:
 
 
 def _ends(speed: Array, depth: Array, at: int) -> tuple[float, float]:
+    """Speeds below and above a pocket to which ``KEPT`` of its depth holds."""
     level = KEPT * depth[at]
     return _until(speed[at::-1], depth[at::-1], level), _until(speed[at:], depth[at:], level)
 

@@ -16,9 +16,10 @@ Receptance = Callable[[Array], Complex]
 LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
 FIRST = 1.01  # ratio of neighbours
 BENT = 0.05  # of its size, by which a receptance may leave the line between samples
-SMALL = 1e-2  # of the largest receptance: where it stays below, nothing chatters
+NEGLIGIBLE = 1e-2  # of the largest receptance: where it stays below, nothing chatters
 LEAST, MOST = 1e-20, 1e3  # m/N, between which the largest receptance of a tip is
 DAMPED = 1e-3  # of the largest receptance: what is less in quadrature damps nothing
+HALVINGS = 14  # of an interval between first samples
 SAMPLES = 2_000_000  # of a receptance at most
 LEAST_TURN = 1e-6  # between samples
 TURN = 2.0 * math.pi / 32.0  # phase from tooth to tooth between samples
@@ -27,8 +28,10 @@ TURN = 2.0 * math.pi / 32.0  # phase from tooth to tooth between samples
 def resolving(
     receptance: Receptance, band: tuple[float, float] = (LOWEST, HIGHEST), at_force: bool = True
 ) -> tuple[Array, float]:
-    """Angular frequencies between which a receptance is straight, and the highest one at which it
-    matters; ``at_force``: motion where the force acts, and in its directions.
+    """Angular frequencies between which linear interpolation of a receptance is close, and the
+    highest one at which it matters [rad/s].
+
+    ``at_force``: whether it is a driving-point receptance, which can only take energy.
 
     Raises
     ------
@@ -46,12 +49,12 @@ def resolving(
             "a displacement by a force in SI units"
         )
     new = np.arange(len(omega) - 1)
-    for _ in range(14):
+    for _ in range(HALVINGS):
         middle = 0.5 * (omega[new] + omega[new + 1])
         inserted = _known(receptance, middle)
         ends = value[new], value[new + 1]
         bend = _size(inserted - 0.5 * (ends[0] + ends[1]))
-        size = np.maximum(_size(ends[0]), _size(ends[1])) + SMALL * largest
+        size = np.maximum(_size(ends[0]), _size(ends[1])) + NEGLIGIBLE * largest
         bent = bend > BENT * size
         omega = np.insert(omega, new + 1, middle)
         value = np.insert(value, new + 1, inserted, axis=0)
@@ -59,7 +62,7 @@ def resolving(
         new = np.sort(np.concatenate([at[bent], at[bent] + 1]))
         if not len(new):
             break
-    matters = np.flatnonzero(_size(value) > SMALL * _size(value).max())
+    matters = np.flatnonzero(_size(value) > NEGLIGIBLE * _size(value).max())
     if matters[-1] == len(omega) - 1:
         raise InvalidInput(
             f"receptance: it does not fall up to {high / 2.0 / math.pi:.6g} Hz: give one that "

@@ -34,19 +34,18 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     NoSolution : the machine has none at any of the speeds
     """
     speeds = np.array(spec.speeds) if spec.speeds else scene.speed[scene.speed > 0.0]
-    turning = scene.at(speeds) if spec.speeds else scene
-    rows = np.flatnonzero(turning.speed[turning.usable] > 0.0)
+    running = scene.at(speeds) if spec.speeds else scene
+    rows = np.flatnonzero(running.speed[running.usable] > 0.0)
     if not rows.size:
         raise InvalidInput("stability_lobes: no speed above 0 has a solution")
-    usable = turning.speed[turning.usable[rows]]
-    why = dict(zip(turning.speed.tolist(), turning.outcome, strict=True))
+    usable = running.speed[running.usable[rows]]
+    why = dict(zip(running.speed.tolist(), running.outcome, strict=True))
     operations = [Operation(spec, *pair) for pair in spec.pairs]
-    limits = Limits(_tip(turning, spec), rows, usable, scene.progress)
+    limits = Limits(_tip(running, spec), rows, usable, scene.progress)
     own = limits.of(operations[0])
     ends = band(limits, operations, own, spec.interval)
-    at_rest = _tip(scene.at(np.zeros(1)), spec)
-    standing = Limits(at_rest, np.zeros_like(rows), usable, scene.progress)
-    still = standing.of(operations[0])
+    tip_at_rest = _tip(scene.at(np.zeros(1)), spec)
+    at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
     measured = _on_measured(scene, spec, operations[0], usable)
 
     place = np.searchsorted(speeds, usable)
@@ -68,7 +67,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         mode_frequency=modes[:, 0],
         mode_damping=modes[:, 1],
         removal=removal,
-        at_rest=_spread(place, len(speeds), _depths(still)),
+        at_rest=_spread(place, len(speeds), _depths(at_rest)),
         measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),

@@ -24,7 +24,7 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
-SPARE = 12
+SPARE = 12  # polynomials: from waves resolved to rounding
 TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
 
 
@@ -63,7 +63,7 @@ class Spans:
         return np.arange(-most - 1, most + 1)
 
     def between(self, cut: Cut) -> Array:
-        """H of a cut with these spans between the polynomials (2p, 2p) [Pa]."""
+        """Galerkin matrix of H between the polynomials (2p, 2p) [Pa], of a cut with these spans."""
         size = self.size
         found, at = np.zeros((size, 2, size, 2)), 0
         for centre, half, count in self.each:

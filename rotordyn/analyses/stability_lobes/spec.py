@@ -30,7 +30,8 @@ from rotordyn.quantity import (
 from rotordyn.scene.formulation import ROTATING
 from rotordyn.scene.spec import Setting, Spec
 
-METHODS = ("multi-frequency", "zero-order")
+MULTI_FREQUENCY, ZERO_ORDER = "multi-frequency", "zero-order"
+METHODS = (MULTI_FREQUENCY, ZERO_ORDER)
 MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, NONE = "hopf", "flip", ""
@@ -100,7 +101,7 @@ class StabilityLobesSpec(Spec):
         Length, "in turning by revolution; for the removal rate, it does not change the limits"
     ] = 1e-4
     method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
-        METHODS[0]
+        MULTI_FREQUENCY
     )
     measured_spindle: Annotated[
         MeasuredSpindle | None,
@@ -154,7 +155,7 @@ class StabilityLobesSpec(Spec):
                 ("immersion",),
                 "a slot has the immersion 1: given {given}; allowed: 1, or milling: up or down",
             )
-        if self.helix > 0.0 and self.method == METHODS[1]:
+        if self.helix > 0.0 and self.method == ZERO_ORDER:
             yield (
                 ("helix",),
                 "zero-order limits do not depend on it: given {given}; leave it out, or take "

@@ -11,9 +11,10 @@ from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.results.described import Described
 from rotordyn.results.display import MILLIMETRE, RPM, number
 from rotordyn.results.headline import Number
+from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
-MOST = 4
+MOST = 4  # pockets named
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
 
@@ -25,7 +26,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
     row = int(np.nanargmin(result.depth))
     least = (
         f"chatter    stable at every speed up to {_depth(result.depth[row])}, there limited at "
-        f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm by the mode at "
+        f"{_rpm(result, row)} by the mode at "
         f"{number(result.mode_frequency[row])} Hz (chatter at {number(result.chatter[row])} Hz)"
     )
     pockets = [
@@ -57,16 +58,12 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
 
 def _at_rest(result: StabilityLobesResult) -> list[str]:
     """Where the machine at rest would mislead most."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        moved = np.abs(np.log(result.at_rest / result.depth))
-    moved = np.where(np.isfinite(moved), moved, -1.0)
-    row = int(moved.argmax())
-    if moved[row] <= np.log(MOVED):
+    row, ratio = _largest_difference(result.at_rest, result.depth)
+    if ratio <= MOVED:
         return []
     return [
-        f"at rest    its receptance misleads most at "
-        f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm: {_depth(result.at_rest[row])} "
-        f"in place of {_depth(result.depth[row])}"
+        f"at rest    its receptance misleads most at {_rpm(result, row)}: "
+        f"{_depth(result.at_rest[row])} in place of {_depth(result.depth[row])}"
     ]
 
 
@@ -79,16 +76,22 @@ def _measured(result: StabilityLobesResult) -> list[str]:
         f"measured   the tool on the measured spindle is stable up to "
         f"{_depth(result.measured[row])}, limited at {_rpm(result, row)}"
     )
-    with np.errstate(divide="ignore", invalid="ignore"):
-        moved = np.abs(np.log(result.measured / result.at_rest))
-    moved = np.where(np.isfinite(moved), moved, -1.0)
-    most = int(moved.argmax())
-    if moved[most] > 0.0:
+    most, ratio = _largest_difference(result.measured, result.at_rest)
+    if ratio > 1.0:
         line += (
             f"; differs most from the machine as computed at rest at {_rpm(result, most)}: "
             f"{_depth(result.measured[most])} in place of {_depth(result.at_rest[most])}"
         )
     return [line]
+
+
+def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
+    """Row at which two limits differ most, and their ratio there, from 1; 0 where none is known."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.maximum(one / other, other / one)
+    ratio = np.where(np.isfinite(ratio), ratio, 0.0)
+    row = int(ratio.argmax())
+    return row, float(ratio[row])
 
 
 def _rpm(result: StabilityLobesResult, row: int) -> str:

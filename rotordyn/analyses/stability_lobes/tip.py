@@ -14,6 +14,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.modal import feed_and_normal, frequencies_near
+from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
@@ -24,8 +26,6 @@ from rotordyn.scene.scene import Scene
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
-MATTERS = 1e-2  # of the largest receptance: where it stays below, nothing chatters
-ABOUT = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
 BEYOND = 1.5  # times the highest mode that matters
 
 
@@ -40,7 +40,8 @@ class Tip:
 
     @cached_property
     def _parts(self) -> list[tuple[FreeMotions, list[tuple[int, int]], Array]]:
-        """Subsystems of the point: motions, which of (y, z) they move, rows of these (k, n)."""
+        """Subsystems that move the point: free motions, pairs (response, excitation) of the
+        directions y = 0 and z = 1 in each, rows of these directions (k, n)."""
         place = self.scene.spindle.place(self.point)
         grouped: dict[int, list[int]] = {}
         for k, way in enumerate("yz"):
@@ -60,12 +61,10 @@ class Tip:
 
     @property
     def _turn(self) -> Array:
-        """Feed and normal by y and z."""
-        s, c = math.sin(self.feed), math.cos(self.feed)
-        return np.array([[-s, c], [c, s]])
+        return feed_and_normal(self.feed)
 
     def receptance(self, omega: Array) -> Complex:
-        """At frequencies (s, f) of every speed's own: (s, f, 2, 2)."""
+        """Receptance (s, f, 2, 2) [m/N] at frequencies (s, f) [rad/s], others at each speed."""
         whole = np.zeros((*omega.shape, 2, 2), dtype=complex)
         for motions, pairs, rows in self._parts:
             ways = sorted({one for one, _ in pairs})
@@ -78,13 +77,14 @@ class Tip:
 
     @cached_property
     def modes(self) -> TipModes | None:
-        """Modes of which the receptance is the sum; None where it is none, with loss factors or
-        motions that nothing holds."""
+        """Modes whose sum is the receptance; None with loss factors or rigid-body modes, where it
+        is no such sum."""
         poles, shapes, participations = [], [], []
         for motions, pairs, rows in self._parts:
             if motions.lossy is not None or motions.modes.condition.max() >= WELL_CONDITIONED:
                 return None
             both = np.eye(2)[sorted({one for one, _ in pairs})] @ self._turn.T
+            # a real pole is its own conjugate, which ``ModalTip`` adds
             twice = (motions.pole.imag == 0.0) & (not motions.whirling)
             shape = np.einsum("wn,snk->skw", rows, motions.vector) @ both
             poles.append(motions.pole)
@@ -93,7 +93,7 @@ class Tip:
         return TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
 
     def at(self, row: int) -> Tip:
-        """At one of the speeds."""
+        """The tip at one of the speeds."""
         one = Tip(self.scene, self.point, self.feed, self.highest)
         chosen = np.array([row])
         parts = [(motions.at(chosen), *rest) for motions, *rest in self._parts]
@@ -102,7 +102,7 @@ class Tip:
 
     @cached_property
     def poles(self) -> Complex:
-        """Poles (s, k) that swing below the highest frequency, NaN in place of others.
+        """Poles (s, k) of oscillating modes below the highest frequency, NaN in place of others.
 
         Raises
         ------
@@ -135,7 +135,7 @@ class Tip:
         at = np.nan_to_num(self.poles.imag, nan=1.0)
         size = np.abs(self.receptance(at)).max(axis=(2, 3))
         size = np.where(np.isnan(self.poles.imag), 0.0, size)
-        matters = size > MATTERS * size.max(axis=1, keepdims=True)
+        matters = size > NEGLIGIBLE * size.max(axis=1, keepdims=True)
         highest = np.where(matters, at, 0.0).max(axis=1)
         if not (highest > 0.0).all():
             raise InvalidInput(
@@ -146,6 +146,5 @@ class Tip:
     def about_poles(self, row: int) -> Array:
         """Frequencies that resolve the peaks of a speed, ascending [rad/s]."""
         pole = self.poles[row]
-        pole = pole[np.isfinite(pole)]
-        near = pole.imag[:, None] + np.abs(pole.real)[:, None] * ABOUT
-        return np.unique(near[(near > 0.0) & (near <= self.tops[row])])
+        near = frequencies_near(pole[np.isfinite(pole)])
+        return near[near <= self.tops[row]]

@@ -11,8 +11,8 @@ from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change, ModalTip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FAR = 3.0  # times the highest frequency: modes beyond are a series in frequency
-TERMS = 12
+FAR = 3.0  # times the highest frequency: modes beyond are a power series in frequency
+TERMS = 12  # of that series, whose remainder is 3^−12 of a mode
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class TipModes:
         return TipModes(pole, self.shape * larger[..., None], self.participation, constant)
 
     def of(self, rows: NDArray[np.intp], top: float) -> TipSums:
-        """Sums at some of the speeds, for frequencies up to ``top`` [rad/s]."""
+        """Sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]."""
         pole = self.pole[rows]
         known = np.isfinite(pole)
         residue = self.shape[rows][..., :, None] * self.participation[rows][..., None, :]
