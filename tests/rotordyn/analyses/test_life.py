@@ -124,6 +124,11 @@ def test_a_step_without_a_state_is_refused(step: LoadStep, sentence: str) -> Non
         of_grinding(LifeSpec(spectrum=(step,)))
 
 
+def test_oil_that_does_not_flow_is_refused() -> None:
+    with pytest.raises(InvalidInput, match="does not flow"):
+        Lubrication("32 mm^2/s", "5.4 mm^2/s", "-60 degC")  # type: ignore[arg-type]
+
+
 def test_a_spectrum_at_rest_is_told() -> None:
     found = of_grinding(LifeSpec(spectrum=(LoadStep(share=1.0, speed=0.0),)))
     assert any("spectrum" in line and "set > 1e6" in line for line in summary(found))
