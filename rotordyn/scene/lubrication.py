@@ -51,8 +51,8 @@ class Lubrication(Description):
             if thick > THICKEST:
                 yield (
                     ("temperature",),
-                    f"at {{given}} this oil does not flow, by its {thick * 1e6:.3g} mm²/s: allowed: "
-                    f"a temperature at which it has up to {THICKEST * 1e6:.6g} mm²/s",
+                    f"at {{given}} this oil does not flow, by its {thick * 1e6:.3g} mm²/s: "
+                    f"allowed: a temperature at which it has up to {THICKEST * 1e6:.6g} mm²/s",
                 )
 
     @property
