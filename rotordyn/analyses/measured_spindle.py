@@ -65,7 +65,7 @@ class MeasuredSpindle(Description):
     def _faults(self) -> Faults:
         crossed = [*self._directions()]
         yield from crossed
-        if crossed or any(one.frequency[:1] == () for one in self.responses):
+        if crossed or any(len(one.frequency) < 2 for one in self.responses):
             return
         yield from self._samples()
         if self.blank is not None:
@@ -89,8 +89,10 @@ class MeasuredSpindle(Description):
                     ("responses", index),
                     "measured at other frequencies than the first response: allowed: the same",
                 )
-        if len(first) < 4 * (self.modes or 1) + 2:
-            most = max((len(first) - 2) // 4, 0)
+        if len(first) < 6:
+            yield ("responses",), f"too few frequencies: given {len(first)}; allowed: from 6"
+        elif self.modes and len(first) < 4 * self.modes + 2:
+            most = (len(first) - 2) // 4
             yield (
                 ("modes",),
                 f"too many for {len(first)} frequencies: given {{given}}; allowed: up to {most}",

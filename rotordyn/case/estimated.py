@@ -52,6 +52,8 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
         return None  # a material whose fault is reported already
     printed = values.pop("estimate") or Printed()
     values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
+    if any(map(_faulty, values.values())):
+        return None
     taken = {field.name for field in fields(Catalogue)}
     named = {_CALLED.get(key, key): value for key, value in values.items()}
     try:
@@ -61,3 +63,9 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     except InvalidBearing as error:
         faults.at_key(node.at("estimate"), (), f"no estimate: {error}")
         return None
+
+
+def _faulty(value: Any) -> bool:
+    """A number, or one of several, whose fault is reported already."""
+    several = value if isinstance(value, tuple) else (value,)
+    return any(isinstance(each, float) and math.isnan(each) for each in several)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated
 
-from rotordyn.description import Description, Faults
+from rotordyn.description import Description, Faults, known
 from rotordyn.quantity import Diameter, Interference, Whole
 
 if TYPE_CHECKING:
@@ -37,6 +38,12 @@ class BallGuide(Description):
                 ("interference",),
                 "far beyond a ball: given {given}; allowed: below a tenth of {given:ball_diameter}",
             )
+
+    @property
+    def stiffness(self) -> float:
+        """At the centre [N/m]; NaN of a guide one of whose values is reported as faulty."""
+        sizes = self.ball_diameter, self.column_diameter, self.interference
+        return self.law.stiffness if self.balls and all(map(known, sizes)) else math.nan
 
     @cached_property
     def law(self) -> LinearBallGuide:

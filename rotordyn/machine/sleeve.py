@@ -73,7 +73,7 @@ class Sleeve(Description):
     @property
     def radially(self) -> float:
         """Stiffness between sleeve and housing, infinite where the bore is rigid [N/m]."""
-        return self.radial_stiffness if self.ball_guide is None else self.ball_guide.law.stiffness
+        return self.radial_stiffness if self.ball_guide is None else self.ball_guide.stiffness
 
     def _faults(self) -> Faults:
         if self.ball_guide is not None and self.radial_stiffness < math.inf:

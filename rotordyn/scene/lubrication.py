@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
-from rotordyn.description import Description, Faults
+from rotordyn.description import Description, Faults, known
 from rotordyn.quantity import (
     Choice,
     Cleanness,
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
 
 SUPPLIES = ("oil-air", "mist", "grease", "bath", "jet")  # f0 in bearings.heat.OIL_FACTORS
+THICKEST = 0.1  # m²/s, kinematic
 LOSS_MODELS = ("ellipse", "palmgren")
 
 
@@ -45,6 +46,14 @@ class Lubrication(Description):
                 ("viscosity_100",),
                 "not below viscosity_40: given {given}; allowed: below {given:viscosity_40}",
             )
+        elif known(self.viscosity_100) and known(self.viscosity_40) and known(self.temperature):
+            thick = float(self.oil.kinematic(self.temperature))
+            if thick > THICKEST:
+                yield (
+                    ("temperature",),
+                    f"at {{given}} this oil does not flow, by its {thick * 1e6:.3g} mm²/s: "
+                    f"allowed: a temperature at which it has up to {THICKEST * 1e6:.6g} mm²/s",
+                )
 
     @property
     def oil(self) -> Lubricant:

@@ -156,6 +156,41 @@ def test_least_limit_of_turning():
     assert found.frequency == pytest.approx(at / 2.0 / math.pi, rel=1e-4)
 
 
+@pytest.mark.parametrize(("speed", "kind"), [(800.0, "hopf"), (1000.0, "hopf"), (1300.0, "flip")])
+@pytest.mark.parametrize("swept", [1e-3, 1e-6])
+def test_a_short_cut_is_an_impact(speed, kind, swept):
+    """The limit of ever shorter cuts: every tooth gives an impulse, the map of the free motion in
+    between is exact (Davies et al. 2000); the error falls with the angle in cut."""
+    k, natural, ratio, at = 1e7, 2.0 * math.pi * 500.0, 0.03, 1.2
+    period, own = math.pi / speed, natural * math.sqrt(1.0 - ratio**2)
+    c, s = math.cos(own * period), math.sin(own * period)
+    free = np.array([[c + ratio * natural / own * s, s / own], [-(natural**2) / own * s, 0.0]])
+    free[1, 1] = c - ratio * natural / own * s
+    free *= math.exp(-ratio * natural * period)
+    force = (6e8 * math.cos(at) + 2e8 * math.sin(at)) * math.sin(at) * swept / speed
+
+    def radius(depth):
+        pushed = depth * force * natural**2 / k
+        whole = np.zeros((3, 3))  # displacement and velocity before, displacement a tooth ago
+        whole[:2, :2] = free @ np.array([[1.0, 0.0], [-pushed, 1.0]])
+        whole[:2, 2] = free @ np.array([0.0, pushed])
+        whole[2, 0] = 1.0
+        return np.abs(np.linalg.eigvals(whole)).max()
+
+    def receptance(omega):
+        found = np.zeros((len(omega), 2, 2), dtype=complex)
+        r = omega / natural
+        found[:, 0, 0] = 1.0 / (k * (1.0 - r**2 + 2j * ratio * r))
+        return found
+
+    ends = at - 0.5 * swept, at + 0.5 * swept
+    found = limit_depth(receptance, 2, 6e8, 2e8, *ends, speed=speed)
+    assert found.kind == kind
+    assert (
+        radius((1.0 - 3.0 * swept) * found.depth) < 1.0 < radius((1.0 + 3.0 * swept) * found.depth)
+    )
+
+
 def test_mean_of_cutting_forces():
     """The closed mean of Altintas, and that of the forces over the tooth period, with a lag."""
     cut = Cut(3, 6e8, 2e8, 0.3, 2.1)
@@ -209,6 +244,7 @@ def test_receptances_that_end_before_the_chatter_band():
     [
         ({"entry": 2.0, "exit": 1.0}, "entry before exit"),
         ({"exit": 4.0}, "entry before exit"),
+        ({"exit": 1e-12}, "too short to tell from none"),
         ({"tangential": -1.0}, "cutting coefficients"),
         ({"teeth": 0}, "teeth"),
         ({"helix": math.pi / 2.0, "diameter": 0.01}, "90°"),

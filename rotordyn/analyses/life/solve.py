@@ -13,9 +13,11 @@ import bearings
 from bearings.ring.state import BearingState
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.ring_stress import ring_stress
+from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -196,14 +198,21 @@ def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
     """Life of every bearing under the load spectrum [s], NaN without one (bearings,)."""
     if not spec.spectrum:
         return np.full(len(rating), np.nan)
-    lives = np.array([_step_life(scene, step, rating) for step in spec.spectrum])
+    lives = np.array(
+        [_step_life(scene, place, step, rating) for place, step in enumerate(spec.spectrum)]
+    )
     shares = [step.share for step in spec.spectrum]
-    return np.where(np.isnan(lives).any(axis=0), np.nan, bearings.life.mean_life(shares, lives))
+    return np.asarray(bearings.life.mean_life(shares, lives))
 
 
-def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
-    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state; with
-    the loads of the conditions besides."""
+def _step_life(scene: Scene, place: int, step: LoadStep, rating: Array) -> Array:
+    """Life of every bearing under one step alone [s], infinite at rest; with the loads of the
+    conditions besides.
+
+    Raises
+    ------
+    InvalidInput : loads under which the machine, or a bearing, has no state
+    """
     given = scene.conditions
     conditions = replace(
         given,
@@ -212,7 +221,10 @@ def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
     )
     there = scene.at(np.array([step.speed])).under(conditions)
     if there.outcome[0]:
-        return np.full(len(rating), np.nan)
+        raise InvalidInput(
+            f"life: spectrum[{place}] at {step.speed * RPM.factor:.6g} rpm has no physical "
+            f"solution: {there.outcome[0]}; change the loads or the speed of this step"
+        )
     lives = []
     for seat, (balls, column), load_rating in zip(
         scene.spindle.seats, there.preload.seat_states(), rating, strict=True
@@ -220,6 +232,11 @@ def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
         radial = step.radial.get(seat.name, 0.0)
         if radial > 0.0:
             revolutions = _under_radial_load(scene, step, seat, balls, column, float(load_rating))
+            if math.isnan(revolutions):
+                raise InvalidInput(
+                    f"life: spectrum[{place}].radial.{seat.name}: no state under this load: given "
+                    f"{radial:.6g} N; allowed: what the bearing bears; lower it"
+                )
         else:
             revolutions = float(bearings.life.reference_life(balls, float(load_rating))[0, column])
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)

@@ -30,7 +30,7 @@ def summary(result: LifeResult) -> list[str]:
     rpm = result.speed[_last(result)] * RPM.factor
     lines = [f"life       L10r at {rpm:.0f} rpm [h] {_each(result, result.life / HOUR, hours)}"]
     lines[0] += f"; set {hours(result.set_life[_last(result)] / HOUR)}"
-    if np.isfinite(result.spectrum_life).any():
+    if not np.isnan(result.spectrum_life).all():
         lives = ", ".join(
             unbroken(f"{name} {hours(life / HOUR)}")
             for name, life in zip(result.bearing, result.spectrum_life, strict=True)

@@ -41,6 +41,12 @@ class Cut:
         """Angle between teeth [rad]."""
         return 2.0 * math.pi / self.teeth
 
+    @property
+    def interruption(self) -> float:
+        """Tooth period over the time in which some tooth cuts: so much deeper short cuts are
+        stable."""
+        return self.pitch / sum(high - low for low, high in self.pieces())
+
     def mean(self) -> Array:
         """Mean of H over a tooth period (2, 2) [Pa]; the lag does not change it."""
         swept = self._integral(np.array(self.exit)) - self._integral(np.array(self.entry))
@@ -117,6 +123,11 @@ def checked(cut: Cut) -> Cut:
         raise InvalidInput(
             f"entry and exit: given {cut.entry:.6g} and {cut.exit:.6g} rad; allowed: entry before "
             "exit, both from 0 to π, from the normal towards the feed"
+        )
+    if not cut.pieces():
+        raise InvalidInput(
+            f"entry and exit: given {cut.exit - cut.entry:.6g} rad in cut, too short to tell from "
+            f"none; allowed: from {LEAST_PIECE:g} of the angle between teeth"
         )
     if not (cut.tangential > 0.0 and cut.radial >= 0.0):
         raise InvalidInput(

@@ -28,6 +28,7 @@ SHALLOW = 0.05  # of the depth with straight edges, from which helical ones are 
 DEEPEST = 50.0  # times that depth: deeper is taken as no limit
 AHEAD, SHARE, LEAST_STEP = 0.4, 0.05, 0.005  # of the margin, of the axial pitch, of the depth
 WITHIN = 1e-6  # of the depth
+MOST_INTERRUPTED = 1e4  # tooth period over cut: harmonics are as many
 MOST_POLYNOMIALS = 200  # of forces over the cut, each time for hundreds of samples
 AT_END = 1e-9  # of π: a crossing there is a flip
 
@@ -97,6 +98,12 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
     InvalidInput : more waves in a tooth's cut than can be resolved
     """
     refuse_waves(Spans(process.cut, process.period, top), MOST_POLYNOMIALS)
+    if process.cut.interruption > MOST_INTERRUPTED:
+        raise InvalidInput(
+            f"entry and exit: a tooth cuts for 1/{process.cut.interruption:.3g} of its period; "
+            f"allowed of a receptance that is no sum of modes: from 1/{MOST_INTERRUPTED:g}: raise "
+            "the immersion, or leave the loss factor out"
+        )
     angle = folded(near, process.period)
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)

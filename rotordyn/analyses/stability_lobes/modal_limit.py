@@ -19,7 +19,7 @@ from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE
 
 Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
-DEEPEST = 3000.0  # times that depth: deeper is taken as no limit
+DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit
 JUST_BELOW = 1e-7  # of the depth of period doubling
 SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix
 COARSE, COARSE_SPARE = 0.7, 5  # of the highest frequency, and polynomials: the map for trials
@@ -70,9 +70,10 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     fine = _maps(tip, top, process, SPARE)
     step = SHARE * process.cut.pitch / process.lag if process.lag > 0.0 else math.inf
     flip = fine(0.0).doubling() if process.lag == 0.0 else math.inf
-    high = min(DEEPEST * low, (1.0 - JUST_BELOW) * flip)
+    deepest = DEEPEST * low * (1.0 if process.lag > 0.0 else process.cut.interruption)
+    high = min(deepest, (1.0 - JUST_BELOW) * flip)
     depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), flip)
-    if depth > DEEPEST * low:
+    if depth > deepest:
         return UNLIMITED
     final = fine(depth)
     value, force = final.dominant(depth)

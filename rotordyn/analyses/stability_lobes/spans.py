@@ -92,8 +92,10 @@ class Spans:
         return np.concatenate(found, axis=-1)
 
     def chatter(self, receptance: Receptance, angle: float, force: Complex) -> float:
-        """Frequency [Hz] at which the tip moves most by forces (2p,) e^{i angle t/T}."""
-        along: Array = angle + 2.0 * math.pi * self.order.astype(float)
+        """Frequency [Hz] at which the tip moves most by forces (2p,) e^{i angle t/T}: one up to
+        ``top``."""
+        most = math.ceil(self.top * self.period / (2.0 * math.pi)) + 2
+        along: Array = angle + 2.0 * math.pi * np.arange(-most - 1.0, most + 1.0)
         own = both_signs(receptance, along / self.period)
         motion = (own @ (self.coefficients(along) @ force.reshape(-1, 2))[:, :, None])[:, :, 0]
         place = int(np.linalg.norm(motion, axis=1).argmax())

@@ -106,6 +106,34 @@ def test_reliability_shortens_life() -> None:
     assert safe.life == pytest.approx(usual.life)
 
 
+@pytest.mark.parametrize(
+    ("step", "sentence"),
+    [
+        (
+            LoadStep(share=1.0, speed=6000 * RPM, axial_force=-20e3),
+            r"spectrum\[0\] at 6000 rpm has",
+        ),
+        (
+            LoadStep(share=1.0, speed=6000 * RPM, radial={"a": 1e6}),
+            r"radial\.a: no state .* 1e\+06 N",
+        ),
+    ],
+)
+def test_a_step_without_a_state_is_refused(step: LoadStep, sentence: str) -> None:
+    with pytest.raises(InvalidInput, match=sentence):
+        of_grinding(LifeSpec(spectrum=(step,)))
+
+
+def test_oil_that_does_not_flow_is_refused() -> None:
+    with pytest.raises(InvalidInput, match="does not flow"):
+        Lubrication("32 mm^2/s", "5.4 mm^2/s", "-60 degC")  # type: ignore[arg-type]
+
+
+def test_a_spectrum_at_rest_is_told() -> None:
+    found = of_grinding(LifeSpec(spectrum=(LoadStep(share=1.0, speed=0.0),)))
+    assert any("spectrum" in line and "set > 1e6" in line for line in summary(found))
+
+
 def test_spectrum_is_the_mean_of_its_steps() -> None:
     """Each step alone, then 1/L = Σ share of time over L."""
     whole = of_grinding(LifeSpec(spectrum=STEPS)).spectrum_life

@@ -202,6 +202,21 @@ def test_faults(tested, given, sentence):
 
 
 @pytest.mark.parametrize(
+    ("kept", "sentence"),
+    [(5, "too few frequencies: given 4; allowed: from 6"), (3, "column 2: not a finite number")],
+)
+def test_a_faulty_table_is_told_without_what_follows_from_it(tested, kept, sentence):
+    rows = (tested / "noisy.csv").read_text(encoding="utf-8").splitlines()[:kept]
+    if kept == 3:
+        rows[2] = ",".join([rows[2].split(",")[0], "nan", *rows[2].split(",")[2:]])
+    (tested / "few.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    with pytest.raises(RotordynError, match=sentence) as found:
+        case(tested, frf(measured("few.csv", "y")))
+    assert "other frequencies" not in str(found.value)
+    assert "nothing" not in str(found.value)
+
+
+@pytest.mark.parametrize(
     ("tool", "sentence"),
     [
         ("  sections: [{length: 1 mm, outer_diameter: 9 mm}]\n  points: {tip: 0 mm}\n", "no pair"),

@@ -124,3 +124,13 @@ def test_schema_asks_for_an_estimate_or_for_balls() -> None:
     assert "estimate" in second
     assert "balls" not in second
     assert "rigidities" in json_schema("bearing")["$defs"]["Printed"]["properties"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [("contact_angle: 25", "contact_angle: 89"), ("[190 N,", "[-190 N,")]
+)
+def test_a_faulty_value_is_told_once(tmp_path: Path, old: str, new: str) -> None:
+    with pytest.raises(InvalidInput) as caught:
+        rotordyn.model("bearings", written(tmp_path, BEARING.replace(old, new)))
+    assert len(caught.value.faults) == 1
+    assert "out of range" in str(caught.value)

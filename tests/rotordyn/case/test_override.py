@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import rotordyn
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 
 Override = Callable[..., Spindle]
@@ -135,3 +136,27 @@ def test_a_path_means_in_a_file_what_it_means_in_python(path: str, overridden: O
     varied = rotordyn.vary(plain, {path: value})
     assert overridden("title: x", f"{path}: {written}") == varied
     assert varied != plain
+
+
+@pytest.mark.parametrize(
+    ("balls", "interference"), [("2", "4 um"), ("250", "-4 um"), ("250", "3 mm")]
+)
+def test_a_faulty_ball_guide_is_told_with_its_place(
+    overridden: Override, balls: str, interference: str
+) -> None:
+    sizes = "ball_diameter: 4 mm, column_diameter: 0.1 m"
+    guide = f"{{balls: {balls}, {sizes}, interference: {interference}}}"
+    with pytest.raises(
+        InvalidInput, match=r"case\.yaml:4:.*ball_guide\.(balls|interference)"
+    ) as found:
+        overridden(f"sleeves.rear.ball_guide: {guide}")
+    assert len(found.value.faults) == 1
+
+
+def test_a_faulty_estimate_is_told_once(overridden: Override) -> None:
+    model = "name: A, bore_diameter: 70 mm, outside_diameter: 110 mm, contact_angle: 25 deg"
+    with pytest.raises(InvalidInput) as found:
+        overridden(f"bearings.*.model: {{{model}, estimate: {{preloads: [-190 N]}}}}")
+    assert [fault.path for fault in found.value.faults] == [
+        "override.bearings.*.model.estimate.preloads[0]"
+    ]
