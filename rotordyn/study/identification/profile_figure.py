@@ -56,9 +56,10 @@ def _profile(axes: Axes, found: Identification, profile: Profile) -> None:
     if deviation > 0.0:
         parabola = ((along - value) / deviation) ** 2
         axes.plot(along * scale, parabola, "--", lw=0.8, color=GREY, label="linear")
-    axes.plot(
-        profile.values * scale, profile.excess, "-o", ms=2.2, lw=0.9, color=BLUE, label="profile"
-    )
+    root = np.sign(profile.values - value) * np.sqrt(np.maximum(profile.excess, 0.0))
+    between = np.interp(along, profile.values, root) ** 2  # as its ends are read
+    axes.plot(along * scale, between, lw=0.9, color=BLUE, label="profile")
+    axes.plot(profile.values * scale, profile.excess, "o", ms=2.2, color=BLUE)
     axes.axhline(limit, color=ORANGE, lw=0.8, label="95 %")
     axes.axvspan(*(end * scale for end in profile.interval), color=BLUE, alpha=0.1, lw=0.0)
     axes.set_ylim(min(0.0, float(profile.excess.min())), TOP * limit)

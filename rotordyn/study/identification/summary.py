@@ -189,8 +189,7 @@ def _ends_of_profiles(found: Identification) -> Iterator[Column]:
         cells = []
         for unknown in found.explained.problem.unknowns:
             profile = found.profiles.get(unknown.path)
-            known = profile is not None
-            cells.append(f"{unknown.shown(profile.interval[end]):.9g}" if known else "")
+            cells.append("" if profile is None else f"{unknown.shown(profile.interval[end]):.9g}")
         yield f"{head} end by profile", cells
 
 
