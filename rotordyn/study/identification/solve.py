@@ -151,7 +151,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
     phases : names to ``Phase``, models that seek other unknowns, side by side
     predict : numbers of the case that are said of the identified machine, with their intervals
     profiles : "all", or paths or names of the unknowns whose intervals are told by profiles, too:
-        all others sought anew at values about the best
+        all others sought anew at values about the best; of those that the best model seeks
     criterion : mean absolute difference up to which a model suffices, with its unit, such as
         "1 um"; without it χ² decides
     minimise : "squares" of differences over noise, or their "absolute" mean
@@ -159,7 +159,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
     seed : of these
     workers : processes; as many as there are processors by default
     folder : where searches are kept as they end; the same study goes on from there
-    progress : called with the number of searches ended and of all
+    progress : called with the number of searches ended and of all, then of profiles
 
     Returns
     -------
