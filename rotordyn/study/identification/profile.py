@@ -74,7 +74,8 @@ class _Line:
     k: int
 
     def at(self, value: float, starts: Sequence[Array]) -> _Point | None:
-        """Least χ² there from the first start that has a machine; None where none has."""
+        """Least χ² there of all starts, as a search may end too soon; None without a machine."""
+        found: list[_Point] = []
         for start in starts:
             values = np.clip(start, *self.problem.bounds)
             values[self.k] = value
@@ -83,8 +84,9 @@ class _Line:
             except (InvalidInput, NoSolution):
                 continue
             excess = (cost - self.fit.cost) / self.sure.birge**2
-            return _Point(values, excess, math.sqrt(max(excess, 0.0)) / self.sure.quantile)
-        return None
+            root = math.sqrt(max(excess, 0.0)) / self.sure.quantile
+            found.append(_Point(values, excess, root))
+        return min(found, key=lambda each: each.excess, default=None)
 
     def _least(self, values: Array) -> tuple[Array, float]:
         """Values and χ² where all but one unknown are the best.
@@ -126,7 +128,7 @@ class _Line:
         while len(points) <= MOST:
             here = float(points[-1].values[self.k])
             value = min(max(here + sign * step, low), high)
-            found = self.at(value, _starts(points, value, self.k))
+            found = self.at(value, self._starts(points, value))
             if found is None:
                 return points, here, NO_MACHINE
             points.append(found)
@@ -138,6 +140,18 @@ class _Line:
             ratio = STEP / gain if gain > 0.0 else FURTHER
             step *= min(max(ratio, 1.0 / FURTHER), FURTHER)
         return points, float(points[-1].values[self.k]), UNFINISHED
+
+    def _starts(self, points: list[_Point], value: float) -> list[Array]:
+        """Where others begin: on from the last point as the covariance says, and straight on from
+        the last two; from the last alone where the unknown stands on a bound."""
+        scale, k, last = self.problem.scale, self.k, points[-1].values
+        column, starts = self.sure.covariance[:, k], []
+        if column[k] > 0.0:
+            starts.append(last + scale * column / column[k] * (value - last[k]) / scale[k])
+        if len(points) > 1:
+            before = points[-2].values
+            starts.append(last + (value - last[k]) / (last[k] - before[k]) * (last - before))
+        return starts or [last]
 
     def _crossing(self, points: list[_Point]) -> float:
         """Where √Δχ² meets its threshold between the last two points; inserts those it needs."""
@@ -155,16 +169,6 @@ class _Line:
             if found.root >= 1.0:
                 points.pop()
         return value
-
-
-def _starts(points: list[_Point], value: float, k: int) -> list[Array]:
-    """Where others begin: straight on from the last two points, or as at the last."""
-    last = points[-1].values
-    if len(points) == 1:
-        return [last]
-    before = points[-2].values
-    share = (value - last[k]) / (last[k] - before[k])
-    return [last + share * (last - before), last]
 
 
 def profiled(packed: bytes, number: int, count: int = 1) -> Profile:
