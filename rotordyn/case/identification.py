@@ -206,7 +206,7 @@ class IdentificationFile:
     ] = ()
     profiles: Annotated[
         Annotated[str, Choice((ALL,))] | tuple[str, ...],
-        "unknowns, by path or name, or `all`, whose intervals are told by profiles, too",
+        "unknowns, by path or name, or `all`, whose intervals are found by profiles, too",
     ] = ()
     criterion: Annotated[
         str | None, "mean absolute difference up to which a model suffices; by default χ² decides"

@@ -24,9 +24,9 @@ def _profiles(found: Identification) -> dict[str, Any]:
         np.concatenate([getattr(each, name) for each in found.profiles.values()])
         for name in ("values", "excess")
     )
-    told = "95 % interval by profile, SI; NaN of unknowns whose profile was not asked for"
+    meaning = "95 % interval by profile, SI; NaN of unknowns whose profile was not asked for"
     return {
-        "profile_interval": (("unknown", "end"), ends, {"long_name": told}),
+        "profile_interval": (("unknown", "end"), ends, {"long_name": meaning}),
         "profile_unknown": ("profile_point", np.array(paths, dtype=object)),
         "profile_value": ("profile_point", value, {"long_name": "value held, SI"}),
         "profile_excess": (

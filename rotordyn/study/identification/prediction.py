@@ -129,14 +129,14 @@ def predictions(
 
 
 def over_models(
-    told: Sequence[Prediction],
+    nominal: Sequence[Prediction],
     others: Sequence[tuple[str, Problem, Array]],
     wanted: tuple[Predicted, ...],
 ) -> tuple[Prediction, ...]:
     """Predictions with the range over the best model and the ``others`` that survive, each a name,
     problem and values."""
-    if not told or not others:
-        return tuple(told)
+    if not nominal or not others:
+        return tuple(nominal)
     found: dict[str, dict[str, tuple[str, float, float | None]]] = {}
     for name, problem, values in others:
         try:
@@ -144,7 +144,7 @@ def over_models(
         except (InvalidInput, NoSolution, BearingError):
             found[name] = {}
     ranged = []
-    for each in told:
+    for each in nominal:
         has = {model: of[each.name][1] for model, of in found.items() if each.name in of}
         every = [each.value, *has.values()]
         lacking = tuple(model for model in found if model not in has)

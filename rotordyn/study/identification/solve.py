@@ -150,7 +150,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
         measurements
     phases : names to ``Phase``, models that seek other unknowns, side by side
     predict : numbers of the case that are said of the identified machine, with their intervals
-    profiles : "all", or paths or names of the unknowns whose intervals are told by profiles, too:
+    profiles : "all", or paths or names of the unknowns whose intervals are found by profiles, too:
         all others sought anew at values about the best; of those that the best model seeks
     criterion : mean absolute difference up to which a model suffices, with its unit, such as
         "1 um"; without it χ² decides
@@ -222,9 +222,9 @@ def identified(
     answer = Identification(
         held.case.name, held.case.title, tuple(explained), held.criterion, **parts
     )
-    told = predictions(best.problem, best.sure, held.predict)
+    nominal = predictions(best.problem, best.sure, held.predict)
     others = [(each.name, each.problem, each.fit.values) for each in answer.survivors[1:]]
-    return replace(answer, predictions=over_models(told, others, held.predict))
+    return replace(answer, predictions=over_models(nominal, others, held.predict))
 
 
 def _explained(
