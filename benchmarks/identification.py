@@ -24,11 +24,11 @@ from benchmarks.kept import keep
 from benchmarks.processes import ROOT
 from rotordyn.study.identification.along_axis import BRANCHES, RPM, AxialCurve
 from rotordyn.study.identification.certainty import certainty
+from rotordyn.study.identification.identification import SURVIVES
 from rotordyn.study.identification.prediction import Predicted, numbers
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.read import read_identification
 from rotordyn.study.identification.search import search
-from rotordyn.study.identification.solve import SURVIVES
 from rotordyn.study.identification.trial import Known
 
 COUNT, POINTS, NOISE, TARE, APART = 100, 25, 0.4e-6, 1e-6, 0.1

@@ -24,6 +24,7 @@ from rotordyn.quantity import (
 )
 
 MINIMISED = ("squares", "absolute")
+ALL = "all"
 BRANCHES = ("falling", "rising")
 MOST_STARTS = 1000
 Lengths = tuple[Growth, ...]
@@ -202,6 +203,10 @@ class IdentificationFile:
     )
     predict: Annotated[
         tuple[PredictedEntry, ...], Items(0), "said of the identified machine, with intervals"
+    ] = ()
+    profiles: Annotated[
+        Annotated[str, Choice((ALL,))] | tuple[str, ...],
+        "unknowns, by path or name, or `all`, whose intervals are found by profiles, too",
     ] = ()
     criterion: Annotated[
         str | None, "mean absolute difference up to which a model suffices; by default χ² decides"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,12 +11,38 @@ from rotordyn.report.cf import about
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rotordyn.study.identification.solve import Identification
+    from rotordyn.study.identification.identification import Identification
+
+
+def _profiles(found: Identification) -> dict[str, Any]:
+    """Intervals by profile, and every value of every profile."""
+    ends = np.full((len(found.explained.problem.unknowns), 2), np.nan)
+    for each in found.profiles.values():
+        ends[each.number] = each.interval
+    paths = [path for path, each in found.profiles.items() for _ in each.values]
+    value, excess = (
+        np.concatenate([getattr(each, name) for each in found.profiles.values()])
+        for name in ("values", "excess")
+    )
+    meaning = "95 % interval by profile, SI; NaN of unknowns whose profile was not asked for"
+    return {
+        "profile_interval": (("unknown", "end"), ends, {"long_name": meaning}),
+        "profile_unknown": ("profile_point", np.array(paths, dtype=object)),
+        "profile_value": ("profile_point", value, {"long_name": "value held, SI"}),
+        "profile_excess": (
+            "profile_point",
+            excess,
+            {
+                "long_name": "least χ² above the best, over the Birge factor squared",
+                "threshold": found.explained.sure.quantile**2,
+            },
+        ),
+    }
 
 
 def dataset(found: Identification) -> xr.Dataset:
     """Values, intervals and correlation of the unknowns of the best model; every point; evidence
-    of all models; predictions as printed."""
+    of all models; predictions as printed; profiles."""
     import xarray as xr
 
     best, sure = found.explained, found.explained.sure
@@ -53,9 +79,12 @@ def dataset(found: Identification) -> xr.Dataset:
     }
     if found.predictions:
         coords["prediction"] = [each.name for each in found.predictions]
-        for name in ("value", "low", "high"):
+        for name in ("value", "low", "high", "least", "most"):
             numbers = [getattr(each, name) for each in found.predictions]
-            values[f"predicted_{name}"] = ("prediction", numbers)
+            if None not in numbers:
+                values[f"predicted_{name}"] = ("prediction", numbers)
+    if found.profiles:
+        values |= _profiles(found)
     case = problem.case
     attributes = about(found.name, found.title, case.digest)
     return xr.Dataset(values, coords, {**attributes, "verdict": "\n".join(found.verdict)})

@@ -13,7 +13,8 @@ from rotordyn.study.identification.started import Progress
 from rotordyn.study.identification.summary import summary, write_tables
 
 if TYPE_CHECKING:
-    from rotordyn.study.identification.solve import Asked, Identification
+    from rotordyn.study.identification.identification import Identification
+    from rotordyn.study.identification.solve import Asked
 
 BEST, SUMMARY, DATASET = "best.yaml", "summary.txt", "identification.nc"
 

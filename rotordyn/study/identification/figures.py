@@ -23,9 +23,9 @@ from rotordyn.figures.style import (
     head,
     new_figure,
 )
-from rotordyn.study.identification import response_figures
+from rotordyn.study.identification import profile_figure, response_figures
+from rotordyn.study.identification.identification import Explained, Identification
 from rotordyn.study.identification.responses import Responses
-from rotordyn.study.identification.solve import Explained, Identification
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -47,6 +47,8 @@ def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]
     yield from response_figures.figures(found)
     if len(found.explained.problem.unknowns) > 1:
         yield "correlation", partial(_correlation, found)
+    if found.profiles:
+        yield "profiles", partial(profile_figure.profiles, found)
     if len(found.models) > 1:
         yield "models", partial(_models, found)
 

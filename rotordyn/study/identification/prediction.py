@@ -5,7 +5,7 @@ By the delta method: the derivatives of a number by the unknowns, and the covari
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -38,7 +38,11 @@ class Predicted:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """A number of the identified machine as printed, its 95 % interval, what was measured."""
+    """A number of the identified machine as printed, its 95 % interval, what was measured.
+
+    ``least`` and ``most`` of the numbers of all surviving models at their best, where there are
+    several; ``lacking``: those of them that have no such number.
+    """
 
     name: str
     unit: str
@@ -46,6 +50,9 @@ class Prediction:
     low: float
     high: float
     measured: float | None
+    least: float | None = None
+    most: float | None = None
+    lacking: tuple[str, ...] = ()
 
 
 def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
@@ -119,6 +126,30 @@ def predictions(
         half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
         found.append(Prediction(name, unit, value, value - half, value + half, measured))
     return tuple(found)
+
+
+def over_models(
+    nominal: Sequence[Prediction],
+    others: Sequence[tuple[str, Problem, Array]],
+    wanted: tuple[Predicted, ...],
+) -> tuple[Prediction, ...]:
+    """Predictions with the range over the best model and the ``others`` that survive, each a name,
+    problem and values."""
+    if not nominal or not others:
+        return tuple(nominal)
+    found: dict[str, dict[str, tuple[str, float, float | None]]] = {}
+    for name, problem, values in others:
+        try:
+            found[name] = numbers(problem, values, wanted, Known())
+        except (InvalidInput, NoSolution, BearingError):
+            found[name] = {}
+    ranged = []
+    for each in nominal:
+        has = {model: of[each.name][1] for model, of in found.items() if each.name in of}
+        every = [each.value, *has.values()]
+        lacking = tuple(model for model in found if model not in has)
+        ranged.append(replace(each, least=min(every), most=max(every), lacking=lacking))
+    return tuple(ranged)
 
 
 def _slopes(

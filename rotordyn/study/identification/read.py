@@ -60,7 +60,7 @@ def read_identification(path: str | Path) -> Asked:
         "predict": _predicted(reading, root),
     }
     _stop(reading, root)
-    how = {key: given[key] for key in ("criterion", "minimise", "starts", "seed")}
+    how = {key: given[key] for key in ("profiles", "criterion", "minimise", "starts", "seed")}
     try:
         return asked(case, **parts, **how)
     except InvalidInput as refusal:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from rotordyn.study.identification.solve import Identification
+    from rotordyn.study.identification.identification import Identification
 
 Array = NDArray[np.float64]
 COLUMNS, ROW, MOST = 2, 50.0, 12  # mm; panels of a figure

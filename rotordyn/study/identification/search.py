@@ -103,16 +103,21 @@ def search(problem: Problem, start: Array, progress: Progress = lambda cost: Non
     NoSolution : the machine at the start has none
     """
     for blurred in problem.blurred:
-        led = _nearest(blurred, start, lambda _: None)
+        led = nearest(blurred, start)
         problem.evaluations += blurred.evaluations
         start = led.values
         if not led.ended:
             return _Search(problem, progress).at(start)
-    return _nearest(problem, start, progress)
+    return nearest(problem, start, progress)
 
 
-def _nearest(problem: Problem, start: Array, progress: Progress) -> Fit:
-    """The best about one start."""
+def nearest(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
+    """The best about one start; interrupted, the best so far.
+
+    Raises
+    ------
+    NoSolution : the machine at the start has none
+    """
     from scipy.optimize import least_squares
 
     seen = _Search(problem, progress)

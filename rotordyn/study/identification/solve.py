@@ -1,11 +1,10 @@
-"""Measurements explained by a machine: the best one, how sure it is, what else would do."""
+"""The call that joins it all: held against the case, searched, explained."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,25 +15,20 @@ from bearings.arguments import typed
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.case.identification import MINIMISED
-from rotordyn.case.varied import found_at
-from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.numerics.threads import processors
 from rotordyn.study.identification.certainty import (
-    BY_ITS_PRIOR,
-    IDENTIFIED,
-    ON_A_BOUND,
-    UNIDENTIFIABLE,
-    Certainty,
-    apart,
     certainty,
 )
 from rotordyn.study.identification.criterion import Criterion
-from rotordyn.study.identification.measurement import Beside, Measurement
+from rotordyn.study.identification.identification import Explained, Identification
+from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model, Phase, models
-from rotordyn.study.identification.prediction import Predicted, Prediction, numbers, predictions
+from rotordyn.study.identification.prediction import Predicted, numbers, over_models, predictions
 from rotordyn.study.identification.problem import Problem
+from rotordyn.study.identification.profile import asked_profiles
+from rotordyn.study.identification.profile import profiles as profiles_of
 from rotordyn.study.identification.search import Fit
 from rotordyn.study.identification.started import Progress, Search, Searches, best_of, run
 from rotordyn.study.identification.trial import Known
@@ -42,202 +36,9 @@ from rotordyn.study.identification.unknown import Unknown, sought
 from rotordyn.study.parameter import is_whole
 
 if TYPE_CHECKING:
-    import xarray as xr
+    pass
 
 Array = NDArray[np.float64]
-SURVIVES = 6.0  # difference of BIC up to which a model is kept
-INSUFFICIENT = "insufficient"
-UNDECIDED = "undecidable"
-
-
-@dataclass(frozen=True, eq=False)
-class Explained:
-    """One model at its best: ``fit``, how ``sure`` its values are, searches from all starts."""
-
-    model: Model
-    problem: Problem
-    fit: Fit
-    sure: Certainty
-    searches: tuple[Search, ...]
-
-    @property
-    def name(self) -> str:
-        """Of the model."""
-        return self.model.name
-
-    @property
-    def held(self) -> dict[str, Any]:
-        """What the model holds by path, as files write it."""
-        return {path: _written(self.problem.case, path) for path in self.model.holds}
-
-    @property
-    def information(self) -> float:
-        """BIC: χ² of measurements and priors + unknowns · ln of observations (G. Schwarz, Ann.
-        Statist. 6, 1978)."""
-        return self.fit.cost + len(self.problem.unknowns) * float(np.log(self.problem.count))
-
-    @property
-    def left(self) -> list[Array]:
-        """What it does not explain of every measurement [SI]."""
-        pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
-        return [each.left(one) for each, one in pairs]
-
-    @property
-    def case(self) -> Case:
-        """The machine."""
-        return self.problem.machine(self.fit.values)
-
-    @cached_property
-    def beside(self) -> list[Beside]:
-        """What measurements say of the machine beside differences."""
-        asked = [m for m in self.problem.measurements if hasattr(m, "beside")]
-        if not asked:
-            return []
-        trial = self.problem.trial(self.fit.values)
-        return [each.beside(trial) for each in asked]
-
-    @property
-    def on_bounds(self) -> list[str]:
-        """Names of the unknowns that stand on a bound."""
-        return [n for n, w in self.named if w == ON_A_BOUND]
-
-    @property
-    def named(self) -> list[tuple[str, str]]:
-        """Every unknown with the word about it."""
-        pairs = zip(self.problem.unknowns, self.sure.words, strict=True)
-        return [(unknown.name, word) for unknown, word in pairs]
-
-
-@dataclass(frozen=True, eq=False)
-class Identification:
-    """What measurements say of a case.
-
-    ``models`` by evidence, the best first; ``predictions`` of the best; ``failed``: models without
-    a machine, and why; ``stopped`` before the end.
-    """
-
-    name: str
-    title: str
-    models: tuple[Explained, ...]
-    criterion: Criterion
-    predictions: tuple[Prediction, ...] = ()
-    failed: Mapping[str, str] = field(default_factory=dict)
-    stopped: bool = False
-
-    @property
-    def order(self) -> list[Explained]:
-        """Models in the order in which they were asked for."""
-        return sorted(self.models, key=lambda each: each.searches[0].number)
-
-    @property
-    def explained(self) -> Explained:
-        """The best model."""
-        return self.models[0]
-
-    @property
-    def best(self) -> Case:
-        """The identified machine."""
-        return self.explained.case
-
-    @property
-    def values(self) -> dict[str, float]:
-        """Its unknowns by path [SI]."""
-        best = self.explained
-        pairs = zip(best.problem.unknowns, best.fit.values.tolist(), strict=True)
-        return {unknown.path: value for unknown, value in pairs}
-
-    @property
-    def intervals(self) -> dict[str, tuple[float, float]]:
-        """Their 95 % intervals [SI]; of one on a bound both ends are that bound."""
-        best = self.explained
-        pairs = zip(best.problem.unknowns, best.sure.interval.tolist(), strict=True)
-        return {unknown.path: (ends[0], ends[1]) for unknown, ends in pairs}
-
-    @cached_property
-    def evidence(self) -> list[float]:
-        """How far the BIC of every model lies above the best, χ² counted by the best model's where
-        that leaves more than the stated noise (K. Burnham and D. Anderson, 2002, 2.5)."""
-        best = self.models[0]
-        reduced = max(1.0, best.sure.reduced)
-        penalty = np.log(best.problem.count)
-
-        def scaled(model: Explained) -> float:
-            return model.fit.cost / reduced + len(model.problem.unknowns) * float(penalty)
-
-        return [scaled(each) - scaled(best) for each in self.models]
-
-    @property
-    def surviving(self) -> list[str]:
-        """Names of the models that the measurements do not rule out."""
-        pairs = zip(self.models, self.evidence, strict=True)
-        return [each.name for each, above in pairs if above <= SURVIVES]
-
-    @property
-    def residual(self) -> float:
-        """What the criterion bounds: the mean absolute difference, in its unit."""
-        return self.criterion.residual(self.explained.problem, self.explained.left)
-
-    @property
-    def verdict(self) -> list[str]:
-        """In sentences: does the model suffice, what is identified, what is not."""
-        best, lines = self.explained, []
-        why = self.criterion.excess(best.problem, best.left, best.sure)
-        bound = best.on_bounds
-        if bound:
-            what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
-            why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
-        head = f"{INSUFFICIENT}: " + "; ".join(why) if why else self.criterion.kept(self.residual)
-        lines.append(head)
-        lines += [remark for each in best.beside for remark in each.remarks]
-        for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
-            names = [name for name, each in best.named if each == word]
-            if names:
-                lines.append(f"{word}: {', '.join(names)}")
-        lines += apart(best.problem.unknowns, best.sure)
-        others = self.surviving
-        if len(others) > 1:
-            lines.append(f"{UNDECIDED}: {len(others)} models explain it alike: {'; '.join(others)}")
-        return lines
-
-    @property
-    def sufficient(self) -> bool:
-        """Whether the best model explains the measurements with no value on a bound."""
-        return not self.verdict[0].startswith(INSUFFICIENT)
-
-    @property
-    def summary(self) -> str:
-        """The whole in one screen of plain text."""
-        from rotordyn.study.identification.summary import summary
-
-        return summary(self)
-
-    def plot(self, name: str) -> Any:
-        """A figure by its name; ``figures`` lists them."""
-        from rotordyn.study.identification.figures import figures
-
-        known = dict(figures(self))
-        if name not in known:
-            raise InvalidInput(f"no figure {shown(name)}; allowed: {', '.join(known)}")
-        return known[name]()
-
-    @property
-    def figures(self) -> list[str]:
-        """Names of its figures."""
-        from rotordyn.study.identification.figures import figures
-
-        return [name for name, _ in figures(self)]
-
-    def dataset(self) -> xr.Dataset:
-        """Values, intervals, correlation, residuals, evidence and predictions."""
-        from rotordyn.study.identification.dataset import dataset
-
-        return dataset(self)
-
-    def save(self, folder: str | Path, *, draw: bool = True) -> None:
-        """Write summary, dataset, tables, figures and the identified machine into a folder."""
-        from rotordyn.study.identification.deliver import write
-
-        write(self, Path(folder), draw=draw)
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,6 +49,7 @@ class Asked:
     searches: Searches
     criterion: Criterion
     predict: tuple[Predicted, ...]
+    profiles: tuple[str, ...] = ()
 
 
 def asked(  # noqa: PLR0913 - see identify
@@ -258,6 +60,7 @@ def asked(  # noqa: PLR0913 - see identify
     hypotheses: Mapping[str, Sequence[Any]] | None = None,
     phases: Mapping[str, Phase] | None = None,
     predict: Sequence[Predicted] = (),
+    profiles: str | Sequence[str] = (),
     criterion: str | None = None,
     minimise: str = "squares",
     starts: int = 1,
@@ -271,6 +74,9 @@ def asked(  # noqa: PLR0913 - see identify
     found = sought(case, unknowns)
     if minimise not in MINIMISED:
         raise InvalidInput(f"minimise: given {shown(minimise)}; allowed: {', '.join(MINIMISED)}")
+    profiled = asked_profiles(found, profiles)
+    if profiled and minimise == MINIMISED[1]:
+        raise InvalidInput(f"profiles: are of least squares; given minimise: {minimise}")
     if not is_whole(starts, 1, 1000):
         raise InvalidInput(f"starts: given {shown(starts)}; allowed: a whole number up to 1000")
     if not is_whole(seed, 0):
@@ -283,7 +89,7 @@ def asked(  # noqa: PLR0913 - see identify
         first = searches.problem(0)
         with suppress(NoSolution, BearingError):
             numbers(first, first.start, tuple(predict), Known())  # refuses what is no number
-    return Asked(case, searches, held, tuple(predict))
+    return Asked(case, searches, held, tuple(predict), profiled)
 
 
 def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> None:
@@ -325,6 +131,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
     hypotheses: Mapping[str, Sequence[Any]] | None = None,
     phases: Mapping[str, Phase] | None = None,
     predict: Sequence[Predicted] = (),
+    profiles: str | Sequence[str] = (),
     criterion: str | None = None,
     minimise: str = "squares",
     starts: int = 1,
@@ -343,6 +150,8 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
         measurements
     phases : names to ``Phase``, models that seek other unknowns, side by side
     predict : numbers of the case that are said of the identified machine, with their intervals
+    profiles : "all", or paths or names of the unknowns whose intervals are found by profiles, too:
+        all others sought anew at values about the best; of those that the best model seeks
     criterion : mean absolute difference up to which a model suffices, with its unit, such as
         "1 um"; without it χ² decides
     minimise : "squares" of differences over noise, or their "absolute" mean
@@ -350,7 +159,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
     seed : of these
     workers : processes; as many as there are processors by default
     folder : where searches are kept as they end; the same study goes on from there
-    progress : called with the number of searches ended and of all
+    progress : called with the number of searches ended and of all, then of profiles
 
     Returns
     -------
@@ -369,6 +178,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
         hypotheses=hypotheses,
         phases=phases,
         predict=predict,
+        profiles=profiles,
         criterion=criterion,
         minimise=minimise,
         starts=starts,
@@ -391,36 +201,30 @@ def identified(
     explained: list[Explained] = []
     failed: dict[str, str] = {}
     for k, model in enumerate(searches.models):
-        best = best_of(found, k)
-        if best is None:
+        least = best_of(found, k)
+        if least is None:
             tried = [each.sentence for each in found if each.number[0] == k]
             failed[model.name] = tried[0] if tried else "not searched yet"
             continue
         mine = tuple(each for each in found if each.number[0] == k)
-        explained.append(_explained(model, searches.problem(k), best, mine))
+        explained.append(_explained(model, searches.problem(k), least, mine))
     if not explained:
         if stopped:
             raise KeyboardInterrupt
         raise NoSolution("; ".join(dict.fromkeys(failed.values())))
     explained.sort(key=lambda each: each.information)
-    shown_of = predictions(explained[0].problem, explained[0].sure, held.predict)
-    return Identification(
-        held.case.name,
-        held.case.title,
-        tuple(explained),
-        held.criterion,
-        shown_of,
-        failed,
-        stopped,
+    best = explained[0]
+    parts: dict[str, Any] = {"failed": failed, "stopped": stopped}
+    if held.profiles and not stopped:
+        parts["profiles"], parts["stopped"] = profiles_of(
+            best.problem, best.fit, best.sure, held.profiles, workers or processors(), progress
+        )
+    answer = Identification(
+        held.case.name, held.case.title, tuple(explained), held.criterion, **parts
     )
-
-
-def _written(case: Case, path: str) -> Any:
-    value, annotation = found_at(case, path)[0]
-    quantity = quantity_of(annotation)
-    if quantity is None or isinstance(value, str | bool):
-        return value
-    return quantity.infinite if np.isinf(value) else f"{value!r} {quantity.coherent_unit}".strip()
+    nominal = predictions(best.problem, best.sure, held.predict)
+    others = [(each.name, each.problem, each.fit.values) for each in answer.survivors[1:]]
+    return replace(answer, predictions=over_models(nominal, others, held.predict))
 
 
 def _explained(

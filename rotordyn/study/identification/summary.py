@@ -12,10 +12,11 @@ from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
 from rotordyn.results.text import wrapped
 from rotordyn.study.identification.certainty import ON_A_BOUND
+from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.unknown import Sought
 
 if TYPE_CHECKING:
-    from rotordyn.study.identification.solve import Explained, Identification
+    from rotordyn.study.identification.identification import Explained, Identification
 
 MOST_MODELS, MOST_ROWS = 12, 20
 
@@ -30,21 +31,16 @@ def _lines(found: Identification) -> Iterator[str]:
     yield found.title or found.name
     points = best.problem.count
     solved = sum(each.evaluations for model in found.models for each in model.searches)
+    solved += sum(each.evaluations for each in found.profiles.values())
     of = f", {best.name}" if len(found.models) > 1 else ""
     yield f"{points} points, {len(best.problem.unknowns)} unknowns, {solved} machines solved{of}"
     if found.stopped:
         yield "stopped before the end: the best so far"
     yield ""
-    yield from _table([("", "value", "95 %", ""), *_values(best)])
+    yield from _table([*_values(found)])
     if found.predictions:
         yield ""
-        rows = [("predicted", "value", "95 %", "measured")]
-        for each in found.predictions:
-            measured = "" if each.measured is None else f"{each.measured:.4g}"
-            interval = f"{each.low:.4g} to {each.high:.4g}"
-            heading = f"{each.name} [{each.unit}]" if each.unit else each.name
-            rows.append((heading, f"{each.value:.4g}", interval, measured))
-        yield from _table(rows)
+        yield from _predictions(found)
     yield ""
     yield from _table([("measurement", "points", "mean difference", "noise"), *_differences(best)])
     for beside in best.beside:
@@ -64,8 +60,38 @@ def _lines(found: Identification) -> Iterator[str]:
         yield from wrapped(sentence)
 
 
-def _values(model: Explained) -> Iterator[tuple[str, ...]]:
-    sure = model.sure
+def _predictions(found: Identification) -> Iterator[str]:
+    """Numbers of the best model, and their range over all that survive."""
+    several = any(each.least is not None for each in found.predictions)
+    over = ("over surviving models",) if several else ()
+    rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured")]
+    for each in found.predictions:
+        measured = "" if each.measured is None else f"{each.measured:.4g}"
+        interval = f"{each.low:.4g} to {each.high:.4g}"
+        heading = f"{each.name} [{each.unit}]" if each.unit else each.name
+        between = (f"{each.least:.4g} to {each.most:.4g}",) if several else ()
+        rows.append((heading, f"{each.value:.4g}", interval, *between, measured))
+    yield from _table(rows)
+    for each in found.predictions:
+        if each.lacking:
+            yield from wrapped(f"no {each.name} of {'; '.join(each.lacking)}, which survive too")
+
+
+def _profiled(found: Identification, unknown: Sought, digits: int) -> str:
+    """The interval by profile; ``bound`` before an end that is one."""
+    profile = found.profiles.get(unknown.path)
+    if profile is None:
+        return ""
+    words = [
+        f"{AT_BOUND if why == AT_BOUND else ''} {number(unknown.shown(end), digits)}".strip()
+        for end, why in zip(profile.interval, profile.why, strict=True)
+    ]
+    return " to ".join(words)
+
+
+def _values(found: Identification) -> Iterator[tuple[str, ...]]:
+    model, sure = found.explained, found.explained.sure
+    yield "", "value", "95 %", *(("by profile",) if found.profiles else ()), ""
     for unknown, value, ends, word in zip(
         model.problem.unknowns,
         sure.values.tolist(),
@@ -78,7 +104,9 @@ def _values(model: Explained) -> Iterator[tuple[str, ...]]:
         between = (
             f"{number(unknown.shown(ends[0]), digits)} to {number(unknown.shown(ends[1]), digits)}"
         )
-        yield unknown.heading, shown, "" if word == ON_A_BOUND else between, word
+        between = "" if word == ON_A_BOUND else between
+        profile = (_profiled(found, unknown, digits),) if found.profiles else ()
+        yield unknown.heading, shown, between, *profile, word
 
 
 def _digits(unknown: Sought, ends: Sequence[float]) -> int:
@@ -113,7 +141,7 @@ def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
 
 
 def write_tables(folder: Path, found: Identification) -> None:
-    """``values.csv``, ``differences.csv``, ``models.csv``, ``predictions.csv``."""
+    """Tables ``values``, ``profiles``, ``differences``, ``models`` and ``predictions``."""
     best = found.explained
     unknowns, sure = best.problem.unknowns, best.sure
     columns: list[Column] = [
@@ -129,6 +157,9 @@ def write_tables(folder: Path, found: Identification) -> None:
     ):
         pairs = zip(unknowns, values.tolist(), strict=True)
         columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
+    if found.profiles:
+        columns += _ends_of_profiles(found)
+        write_table(folder / "profiles.csv", _profiles(found))
     write_table(folder / "values.csv", [*columns, ("verdict", list(sure.words))])
     write_table(folder / "differences.csv", _points(best))
     for beside in best.beside:
@@ -145,9 +176,34 @@ def write_tables(folder: Path, found: Identification) -> None:
         ],
     )
     if found.predictions:
-        names = ("name", "unit", "value", "low", "high", "measured")
-        rows = [(n, [getattr(each, n) for each in found.predictions]) for n in names]
+        heads = {n: n for n in ("name", "unit", "value", "low", "high", "measured")}
+        if any(each.least is not None for each in found.predictions):
+            heads |= {n: f"{n} over surviving models" for n in ("least", "most")}
+        rows = [(h, [getattr(each, n) for each in found.predictions]) for n, h in heads.items()]
         write_table(folder / "predictions.csv", rows)
+
+
+def _ends_of_profiles(found: Identification) -> Iterator[Column]:
+    """Ends of intervals by profile, empty where none was asked for."""
+    for end, head in enumerate(("lower", "upper")):
+        cells = []
+        for unknown in found.explained.problem.unknowns:
+            profile = found.profiles.get(unknown.path)
+            cells.append("" if profile is None else f"{unknown.shown(profile.interval[end]):.9g}")
+        yield f"{head} end by profile", cells
+
+
+def _profiles(found: Identification) -> list[Column]:
+    """Every value of every profile, with its χ² above the best."""
+    unknowns = found.explained.problem.unknowns
+    rows = [
+        (unknown.path, unknown.unit, f"{unknown.shown(value):.9g}", f"{excess:.6g}")
+        for profile in found.profiles.values()
+        for unknown in (unknowns[profile.number],)
+        for value, excess in zip(profile.values, profile.excess, strict=True)
+    ]
+    heads = ("path", "unit", "value", "chi squared above the best")
+    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
 
 
 def _columns_of_models(found: Identification) -> list[Column]:

@@ -1,0 +1,247 @@
+"""What measurements say of a case: models at their best, by evidence, and the verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.study.identification.certainty import (
+    BY_ITS_PRIOR,
+    IDENTIFIED,
+    ON_A_BOUND,
+    UNIDENTIFIABLE,
+    Certainty,
+    apart,
+)
+from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.measurement import Beside
+from rotordyn.study.identification.models import Model
+from rotordyn.study.identification.prediction import Prediction
+from rotordyn.study.identification.problem import Problem
+from rotordyn.study.identification.profile import Profile, remarks
+from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.started import Search
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+SURVIVES = 6.0  # difference of BIC up to which a model is kept
+INSUFFICIENT = "insufficient"
+UNDECIDED = "undecidable"
+
+
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """One model at its best: ``fit``, how ``sure`` its values are, searches from all starts."""
+
+    model: Model
+    problem: Problem
+    fit: Fit
+    sure: Certainty
+    searches: tuple[Search, ...]
+
+    @property
+    def name(self) -> str:
+        """Of the model."""
+        return self.model.name
+
+    @property
+    def held(self) -> dict[str, Any]:
+        """What the model holds by path, as files write it."""
+        return {path: _written(self.problem.case, path) for path in self.model.holds}
+
+    @property
+    def information(self) -> float:
+        """BIC: χ² of measurements and priors + unknowns · ln of observations (G. Schwarz, Ann.
+        Statist. 6, 1978)."""
+        return self.fit.cost + len(self.problem.unknowns) * float(np.log(self.problem.count))
+
+    @property
+    def left(self) -> list[Array]:
+        """What it does not explain of every measurement [SI]."""
+        pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
+        return [each.left(one) for each, one in pairs]
+
+    @property
+    def case(self) -> Case:
+        """The machine."""
+        return self.problem.machine(self.fit.values)
+
+    @cached_property
+    def beside(self) -> list[Beside]:
+        """What measurements say of the machine beside differences."""
+        asked = [m for m in self.problem.measurements if hasattr(m, "beside")]
+        if not asked:
+            return []
+        trial = self.problem.trial(self.fit.values)
+        return [each.beside(trial) for each in asked]
+
+    @property
+    def on_bounds(self) -> list[str]:
+        """Names of the unknowns that stand on a bound."""
+        return [n for n, w in self.named if w == ON_A_BOUND]
+
+    @property
+    def named(self) -> list[tuple[str, str]]:
+        """Every unknown with the word about it."""
+        pairs = zip(self.problem.unknowns, self.sure.words, strict=True)
+        return [(unknown.name, word) for unknown, word in pairs]
+
+
+@dataclass(frozen=True, eq=False)
+class Identification:
+    """What measurements say of a case.
+
+    ``models`` by evidence, the best first; ``predictions`` and ``profiles``, by path, of the best;
+    ``failed``: models without a machine, and why; ``stopped`` before the end.
+    """
+
+    name: str
+    title: str
+    models: tuple[Explained, ...]
+    criterion: Criterion
+    predictions: tuple[Prediction, ...] = ()
+    profiles: Mapping[str, Profile] = field(default_factory=dict)
+    failed: Mapping[str, str] = field(default_factory=dict)
+    stopped: bool = False
+
+    @property
+    def order(self) -> list[Explained]:
+        """Models in the order in which they were asked for."""
+        return sorted(self.models, key=lambda each: each.searches[0].number)
+
+    @property
+    def explained(self) -> Explained:
+        """The best model."""
+        return self.models[0]
+
+    @property
+    def best(self) -> Case:
+        """The identified machine."""
+        return self.explained.case
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Its unknowns by path [SI]."""
+        best = self.explained
+        pairs = zip(best.problem.unknowns, best.fit.values.tolist(), strict=True)
+        return {unknown.path: value for unknown, value in pairs}
+
+    @property
+    def intervals(self) -> dict[str, tuple[float, float]]:
+        """Their 95 % intervals [SI]; of one on a bound both ends are that bound."""
+        best = self.explained
+        pairs = zip(best.problem.unknowns, best.sure.interval.tolist(), strict=True)
+        return {unknown.path: (ends[0], ends[1]) for unknown, ends in pairs}
+
+    @cached_property
+    def evidence(self) -> list[float]:
+        """How far the BIC of every model lies above the best, χ² counted by the best model's where
+        that leaves more than the stated noise (K. Burnham and D. Anderson, 2002, 2.5)."""
+        best = self.models[0]
+        reduced = max(1.0, best.sure.reduced)
+        penalty = np.log(best.problem.count)
+
+        def scaled(model: Explained) -> float:
+            return model.fit.cost / reduced + len(model.problem.unknowns) * float(penalty)
+
+        return [scaled(each) - scaled(best) for each in self.models]
+
+    @property
+    def survivors(self) -> list[Explained]:
+        """Models that the measurements do not rule out, the best first."""
+        pairs = zip(self.models, self.evidence, strict=True)
+        return [each for each, above in pairs if above <= SURVIVES]
+
+    @property
+    def surviving(self) -> list[str]:
+        """Their names."""
+        return [each.name for each in self.survivors]
+
+    @property
+    def residual(self) -> float:
+        """What the criterion bounds: the mean absolute difference, in its unit."""
+        return self.criterion.residual(self.explained.problem, self.explained.left)
+
+    @property
+    def verdict(self) -> list[str]:
+        """In sentences: does the model suffice, what is identified, what is not."""
+        best, lines = self.explained, []
+        why = self.criterion.excess(best.problem, best.left, best.sure)
+        bound = best.on_bounds
+        if bound:
+            what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
+            why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
+        head = f"{INSUFFICIENT}: " + "; ".join(why) if why else self.criterion.kept(self.residual)
+        lines.append(head)
+        lines += [remark for each in best.beside for remark in each.remarks]
+        for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
+            names = [name for name, each in best.named if each == word]
+            if names:
+                lines.append(f"{word}: {', '.join(names)}")
+        lines += apart(best.problem.unknowns, best.sure)
+        lines += remarks(self.profiles, best.problem, best.sure)
+        others = self.surviving
+        if len(others) > 1:
+            lines.append(f"{UNDECIDED}: {len(others)} models explain it alike: {'; '.join(others)}")
+        return lines
+
+    @property
+    def sufficient(self) -> bool:
+        """Whether the best model explains the measurements with no value on a bound."""
+        return not self.verdict[0].startswith(INSUFFICIENT)
+
+    @property
+    def summary(self) -> str:
+        """The whole in one screen of plain text."""
+        from rotordyn.study.identification.summary import summary
+
+        return summary(self)
+
+    def plot(self, name: str) -> Any:
+        """A figure by its name; ``figures`` lists them."""
+        from rotordyn.study.identification.figures import figures
+
+        known = dict(figures(self))
+        if name not in known:
+            raise InvalidInput(f"no figure {shown(name)}; allowed: {', '.join(known)}")
+        return known[name]()
+
+    @property
+    def figures(self) -> list[str]:
+        """Names of its figures."""
+        from rotordyn.study.identification.figures import figures
+
+        return [name for name, _ in figures(self)]
+
+    def dataset(self) -> xr.Dataset:
+        """Values, intervals, correlation, residuals, evidence and predictions."""
+        from rotordyn.study.identification.dataset import dataset
+
+        return dataset(self)
+
+    def save(self, folder: str | Path, *, draw: bool = True) -> None:
+        """Write summary, dataset, tables, figures and the identified machine into a folder."""
+        from rotordyn.study.identification.deliver import write
+
+        write(self, Path(folder), draw=draw)
+
+
+def _written(case: Case, path: str) -> Any:
+    value, annotation = found_at(case, path)[0]
+    quantity = quantity_of(annotation)
+    if quantity is None or isinstance(value, str | bool):
+        return value
+    return quantity.infinite if np.isinf(value) else f"{value!r} {quantity.coherent_unit}".strip()
