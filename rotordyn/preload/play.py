@@ -99,8 +99,8 @@ class Tables:
             **asdict(first.law),
         )
         slopes = stiffness(state, "complete")[..., 0, 0]
-        for (key, _, _), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
-            self.known[key] = _curve(load, slope)
+        for (key, b, k), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
+            self.known[key] = _curve(load, slope, _stateless(b, speed[k], k))
 
 
 def _rows(joined: Arrangement) -> range:
@@ -112,12 +112,21 @@ def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
     return bearing.model, bearing.law, bearing.static_growth, growth, float(speed)
 
 
-def _curve(load: Array, slope: Array) -> Curve:
+def _stateless(bearing: AxialBearing, speed: float, row: int) -> str:
+    """What there is to say of a bearing that no deflection brings into balance."""
+    return (
+        f"bearing of seat {bearing.seats[0]} at {speed * 30.0 / np.pi:.6g} rpm, groove growth "
+        f"{bearing.growth[row] * 1e6:.4g} µm: it has no axial state at any deflection; lower the "
+        "speed or the growth"
+    )
+
+
+def _curve(load: Array, slope: Array, otherwise: str) -> Curve:
     from scipy.interpolate import CubicHermiteSpline
 
     good = np.isfinite(load) & np.isfinite(slope)
     if good.sum() < 2:
-        raise NoSolution("a bearing has no axial state at any deflection")
+        raise NoSolution(otherwise)
     d, load, slope = SOLVED[good] * 1e-6, load[good], slope[good]
     inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))

@@ -304,6 +304,9 @@ criterion: 1 um
 """
 
 
+HYPOTHESIS = "hypotheses: {{conditions.kinematics: [{}]}}"
+
+
 def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = _study(tmp_path)
     path.write_text(SMALL, encoding="utf-8")
@@ -328,10 +331,16 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
         ("deviation: 0.4 um, tare", "deviation: 400 um, tare", "noise swamps it"),
         ("data/twin_shaft.csv", "data/none.csv", "cannot be read"),
         ("of: rear", "of: middle", "no such body; allowed: shaft, front, rear"),
-        ("from: 20 um, to: 100 um", "from: 100 um, to: 20 um", "between a lower and a higher end"),
+        ("from: 20 um, to: 100 um", "from: 100 um, to: 20 um", "a higher end, got 100 um to 20 um"),
         ("stop_travel: {from", "stop_way: {from", "unknown key 'stop_way'"),
         ("prior: 70 N, deviation: 30 N", "prior: 70 N", "give both or none"),
-        ("[16000 rpm]", "[16000 rpm, 20000 rpm]", "one displacement at each speed"),
+        ("[16000 rpm]", "[16000 rpm, 20000 rpm]", "at each speed is needed, got 1 at 2 speeds"),
+        ("[16000 rpm]", "[-1 rpm]", "from 0 rpm up"),
+        ("criterion: 1 um", "predict: 'stiffness: full'", ":14:10: predict: wrong shape"),
+        ("criterion: 1 um", "predict: [{of: 'stifness: full'}]", ":14:10: predict: 'stifness"),
+        ("criterion: 1 um", "phases: {a: {unknowns: [P9]}}", "phases.a: phase a: no unknown 'P9'"),
+        ("criterion: 1 um", HYPOTHESIS.format(""), "given a list; allowed: a list of at least one"),
+        ("criterion: 1 um", HYPOTHESIS.format("outer, outer"), "'outer' is given twice"),
         ("criterion: 1 um", "criterion: 1 N", "allowed: a mean difference in µm"),
         ("points: 8", "points: 1", "points"),
     ],
