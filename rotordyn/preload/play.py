@@ -115,7 +115,7 @@ def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
 def _stateless(bearing: AxialBearing, speed: float, row: int) -> str:
     """What there is to say of a bearing that no deflection brings into balance."""
     return (
-        f"bearing of seat {bearing.seats[0]} at {speed * 30.0 / np.pi:.6g} rpm, groove growth "
+        f"bearing number {bearing.seats[0] + 1} of the spindle at {speed * 30.0 / np.pi:.6g} rpm, groove growth "
         f"{bearing.growth[row] * 1e6:.4g} µm: it has no axial state at any deflection; lower the "
         "speed or the growth"
     )

@@ -15,7 +15,7 @@ import rotordyn
 from rotordyn import AxialCurve, NoLoad, Numbers, Phase, Predicted, StopMet, Unknown, identify
 from rotordyn.case.case import Case
 from rotordyn.cli import main
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.study.identification import search as searching
 from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.certainty import certainty
@@ -23,6 +23,7 @@ from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.read import read_identification
 from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Known, Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
@@ -352,6 +353,13 @@ def test_faults_of_a_file(tmp_path: Path, old: str, new: str, said: str) -> None
     with pytest.raises(InvalidInput) as refusal:
         read_identification(path)
     assert said in str(refusal.value)
+
+
+def test_a_speed_at_which_bearings_have_no_state_is_named(tmp_path: Path) -> None:
+    path = _study(tmp_path)
+    path.write_text(SMALL.replace("[16000 rpm]", "[2000000 rpm]"), encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"bearing number \d of the spindle at 2e\+06 rpm"):
+        identified(read_identification(path), workers=1)
 
 
 HEAD = "speed [rpm],branch,force [N],displacement [um]\n"
