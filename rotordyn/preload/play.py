@@ -114,10 +114,10 @@ def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
 
 def _stateless(bearing: AxialBearing, speed: float, row: int) -> str:
     """What there is to say of a bearing that no deflection brings into balance."""
+    rpm, growth = speed * 30.0 / np.pi, bearing.growth[row] * 1e6
     return (
-        f"bearing number {bearing.seats[0] + 1} of the spindle at {speed * 30.0 / np.pi:.6g} rpm, groove growth "
-        f"{bearing.growth[row] * 1e6:.4g} µm: it has no axial state at any deflection; lower the "
-        "speed or the growth"
+        f"bearing number {bearing.seats[0] + 1} of the spindle at {rpm:.6g} rpm, groove growth "
+        f"{growth:.4g} µm: it has no axial state at any deflection; lower the speed or the growth"
     )
 
 
