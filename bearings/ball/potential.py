@@ -24,7 +24,16 @@ from bearings.ball.plane import (
     minus,
     where,
 )
-from bearings.ball.race import Springs, against, facing, is_free, spring, springs, vector_to
+from bearings.ball.race import (
+    Springs,
+    against,
+    facing,
+    facing_radius,
+    is_free,
+    spring,
+    springs,
+    vector_to,
+)
 from bearings.geometry import Geometry, Groove
 
 SEATED = 1e-8  # of the ball's own loads
@@ -198,14 +207,16 @@ def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
     along = (length * length + outer * outer - inner * inner) / (2.0 * length)
     along = np.minimum(np.maximum(along, -outer), outer)
     across = np.sqrt(outer * outer - along * along)
-    pressed = length > inner + outer
+    level = facing_radius(c.inner_grooves[0], centre[1])
+    reach = np.sqrt(centre[0] * centre[0] + level * level)
+    pressed = reach > inner + outer
     still = resting_seat(c, centre)
     axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
     radial = where(pressed, still[1], along * cos + across * np.abs(sin))
     if len(c.inner_grooves[0].walls) == 0:
         lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_centre_distance
         return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
-    beyond = (radial > centre[1]) & (length <= inner + outer)
+    beyond = ((radial > centre[1]) | (radial < 0.0)) & (reach <= inner + outer)
     wall = centre[0] - where(sin < 0.0, -inner, inner)
     wall = np.minimum(np.maximum(wall, -outer), outer)
     return where(beyond, wall, axial), where(beyond, np.sqrt(outer * outer - wall * wall), radial)
@@ -242,13 +253,32 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
     noise = 4.0 * EPS * reach * hold
     energy = potential(c, inner, outer, ball, centrifugal_force)
     slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
+    step = dot(back[0], gap), dot(back[1], gap)
+    if len(c.outer_grooves[0].walls) > 0:
+        step = _rising(c, both, outer, (gap, step), ball[1])
     return SeatStep(
-        step=(dot(back[0], gap), dot(back[1], gap)),
+        step=step,
         energy=energy,
         most=energy + slack,
         hold=hold,
         moving=np.sqrt(dot(gap, gap)) > SEATED * size + noise,
     )
+
+
+def _rising(
+    c: Geometry, both: Block, outer: Springs, newton: tuple[Pair, Pair], radial: Any
+) -> Pair:
+    """The step of a ball; not Newton's where straight walls alone press it and Fc finds no hold.
+
+    It rises above the level of the outer groove centre, whose arc then carries Fc: as far as the
+    load of the wall, turned with the arc, carries it. ``newton``: force missing and step.
+    """
+    (gap, step), hold = newton, both[0][0]
+    pinched = (both[1][1] == 0.0) & (hold > 0.0) & (outer.force[0] != 0.0)
+    turning = np.abs(outer.force[0]) / c.outer_centre_distance
+    rise = gap[1] / where(pinched, turning, 1.0) - radial
+    along = gap[0] / where(pinched, hold, 1.0)
+    return where(pinched, along, step[0]), where(pinched, rise, step[1])
 
 
 def improves(now: SeatStep, then: SeatStep) -> Any:

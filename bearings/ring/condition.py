@@ -41,7 +41,11 @@ def refusal(state: BearingState) -> NoEquilibrium:
 
 def _remedy(state: BearingState) -> str:
     """What helps where there is no equilibrium under these assumptions."""
-    law, ways = state.operation.law, ["raise the load", "lower the speed"]
+    law, free = state.operation.law, state.operation.free
+    ways = ["raise the load" if free.any() else "displace the ring less"]
+    if law.dynamics == "frozen":
+        return ways[0]
+    ways.append("lower the speed")
     if law.dynamics == "resultant" and state.contact_load.shape[-1] == 4:
         ways.append('look at dynamics "frozen", which counts the contacts of every ball')
     if law.friction is None:
@@ -61,7 +65,8 @@ def condition(state: BearingState) -> Words:
     ``"loaded on the open side (balls 0–3) …"``, ``"an arc presses beyond the middle of its groove
     …"``, ``"gross gyroscopic slip …"``, ``"slips on the inner race (balls 0–4)"``. Where there is
     no state: ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above … rpm at this
-    load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this load"``: the
+    load"``, ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this load"`` or, far
+    out of the grooves, ``"no equilibrium: the inner race lifts balls off the outer race …"``: the
     first speed without a state, spinning up from rest (``bearings.ring.spin_up``); ``"(states again
     from … to … rpm)"`` where some exist above it.
     Balls count from 0.
@@ -123,6 +128,8 @@ def _ending(operation: Operation, gap: Gap, thrown: Flags) -> str:
         where += f" (states again{', with gaps,' if gap.broken else ''} {span})"
     if thrown.any():
         return f"balls {_ranges(thrown)} are thrown off a race {where}"
+    if not free.any() and operation.law.dynamics == "frozen":  # nothing else ends a convex state
+        return f"the inner race lifts balls off the outer race {where}"
     return f"stiffness vanishes {where}"
 
 

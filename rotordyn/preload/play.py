@@ -105,8 +105,8 @@ class Tables:
             **asdict(first.law),
         )
         slopes = stiffness(state, "complete")[..., 0, 0]
-        for (key, _, _), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
-            self.known[key] = _curve(load, slope)
+        for (key, b, k), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
+            self.known[key] = _curve(load, slope, _stateless(b, speed[k], k))
 
 
 def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
@@ -114,12 +114,21 @@ def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
     return bearing.model, bearing.law, *seat, float(speed)
 
 
-def _curve(load: Array, slope: Array) -> Curve:
+def _stateless(bearing: AxialBearing, speed: float, row: int) -> str:
+    """What there is to say of a bearing that no deflection brings into balance."""
+    rpm, growth = speed * 30.0 / np.pi, bearing.growth[row] * 1e6
+    return (
+        f"bearing number {bearing.seats[0] + 1} of the spindle at {rpm:.6g} rpm, groove growth "
+        f"{growth:.4g} µm: it has no axial state at any deflection; lower the speed or the growth"
+    )
+
+
+def _curve(load: Array, slope: Array, otherwise: str) -> Curve:
     from scipy.interpolate import CubicHermiteSpline
 
     good = np.isfinite(load) & np.isfinite(slope)
     if good.sum() < 2:
-        raise NoSolution("a bearing has no axial state at any deflection")
+        raise NoSolution(otherwise)
     d, load, slope = SOLVED[good] * 1e-6, load[good], slope[good]
     inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))

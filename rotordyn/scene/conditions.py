@@ -119,6 +119,14 @@ class Conditions(Description):
     def _faults(self) -> Faults:
         for path, sentence in history_faults(self.history):
             yield ("history", *path), sentence
+        if self.temperatures is None and self.heat_flow is None:
+            for k, step in enumerate(self.history):
+                if step.warm:
+                    yield (
+                        ("history", k, "warm"),
+                        "no temperatures to take: given {given}; allowed: beside temperatures or "
+                        "heat_flow in the conditions",
+                    )
 
     @property
     def pull(self) -> tuple[float, float, float]:

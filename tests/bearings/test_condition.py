@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 import re
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings import NoEquilibrium
+from bearings import AngularContactBallBearing, NoEquilibrium
 from bearings import condition as words_of
 from bearings.ring import condition, equilibrium, followed_stage
 from bearings.ring.linearised import linearise
@@ -202,3 +203,19 @@ def test_residual_is_told() -> None:
     state = VEX70.equilibrium(load=loads, speed=FAST)
     assert (state.residual < 1e-11).all()
     assert state.residual.shape == (3,)
+
+
+def test_balls_that_the_inner_race_lifts() -> None:
+    """A ring moved by more than the gap of the groove centres reaches around some balls."""
+    far = [-1.4e-5, -1.9e-4, -2.7e-4, 0.028, 0.020]
+    bearing = AngularContactBallBearing(
+        ball_diameter=5e-3,
+        pitch_diameter=18e-3,
+        balls=8,
+        contact_angle=math.radians(34.0),
+        inner_conformity=0.507,
+        outer_conformity=0.543,
+    )
+    message = "the inner race lifts balls off the outer race .*: displace the ring less$"
+    with pytest.raises(NoEquilibrium, match=message):
+        bearing.equilibrium(displacement=far, speed=3000.0, dynamics="frozen")

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from bearings import BallBearing, DeepGrooveBallBearing
 from bearings.ring import convex_stage
 from tests.oracles import known_grooves
+from tests.oracles.groove_balance import balanced
 from tests.oracles.known_bearings import RPM
 from tests.oracles.random_kinds import KINDS, Asked, draw
 
@@ -81,6 +82,44 @@ def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
     assert (np.abs(there.inner_angle[loaded]) == math.pi / 2.0).any()
     warm = one.solve(near.solve())
     assert there.contact_load == pytest.approx(warm.contact_load, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(
+    ("kind", "number", "place", "times"),
+    [
+        ("four point", 3, 3, 10.0),  # balls between two straight walls, where Fc finds no hold
+        ("four point", 6, 1, 10.0),
+        (
+            "four point",
+            28,
+            0,
+            10.0,
+        ),  # far behind the level of the inner groove, free of it at first
+        ("deep groove", 26, 3, 30.0),
+        ("deep groove", 40, 1, 30.0),
+        ("deep groove", 55, 0, 30.0),  # level with the far half of the circle of the outer groove
+    ],
+)
+def test_a_ring_displaced_far_has_a_state(
+    kind: str, number: int, place: int, times: float, compiled: bool
+) -> None:
+    """At a given displacement every ball has one place, on its outer race wherever the ring is."""
+    asked = _alone(draw(kind, number, 4), place)
+    far = replace(
+        asked,
+        free=np.zeros(5, dtype=bool),
+        displacement=times * asked.displacement,
+        dynamics="frozen",
+    )
+    with mock.patch("bearings.ring.request._compiled", return_value=compiled):
+        there = far.solve()
+    assert there.outcome.tolist() == [""]
+    assert np.degrees(np.abs(there.inner_angle)).max() == pytest.approx(90.0, abs=1e-6)
+    assert there.outer_load.min() >= 0.999 * there.centrifugal_force.min() > 0.0
+    fault = balanced(asked.oracle, there, "frozen", asked.shift)
+    assert max(fault.ball[0], fault.ring[0], fault.motion[0]) < 1e-9
+    assert fault.gap[0] < 1e-9 * asked.oracle.drawing.ball_diameter
 
 
 @pytest.mark.parametrize(("number", "place"), [(938, 38), (1052, 30), (1938, 18)])

@@ -83,7 +83,10 @@ def _row(trial: Trial, speed: float) -> int:
 
 def _require_speeds(name: str, speed: Array) -> None:
     if len(speed) and not (np.isfinite(speed).all() and speed.min() >= 0.0):
-        raise InvalidInput(f"measurement {name}: a speed is a number from 0 rpm up")
+        wrong = speed[~(np.isfinite(speed) & (speed >= 0.0))][0] * 30.0 / np.pi
+        raise InvalidInput(
+            f"measurement {name}: a speed is a number from 0 rpm up, got {wrong:.6g} rpm"
+        )
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -223,8 +226,12 @@ class NoLoad(_Axial):
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "displacement")
         _require_speeds(self.name, self.speed)
-        if len(self.speed) != len(self.displacement) or len(set(self.speed)) < len(self.speed):
-            raise InvalidInput(f"measurement {self.name}: one displacement at each speed is needed")
+        speeds, moved = len(self.speed), len(self.displacement)
+        if speeds != moved or len(set(self.speed)) < speeds:
+            raise InvalidInput(
+                f"measurement {self.name}: one displacement at each speed is needed, got {moved} "
+                f"at {speeds} speeds, {len(set(self.speed))} of them different"
+            )
 
     @cached_property
     def data(self) -> Data:

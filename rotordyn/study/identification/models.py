@@ -55,6 +55,8 @@ def models(
     for path, values in hypotheses.items():
         if isinstance(values, str) or not len(values):
             raise InvalidInput(f"{path}: a list of values is needed, got {shown(values)}")
+        if twice := [value for value in values if list(values).count(value) > 1]:
+            raise InvalidInput(f"{path}: {shown(twice[0])} is given twice: once is a hypothesis")
         if not found_at(case, path):
             vary(case, {path: values[0]})  # which says where the path goes astray
         if any(path in (each.path, *each.also) for each in unknowns):

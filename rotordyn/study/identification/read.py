@@ -83,6 +83,11 @@ def _place(root: Node, parts: dict[str, Any], why: str) -> tuple[str, ...]:
         for path in parts[key]:
             if why.startswith(f"{path}:"):
                 return key, path
+    for name in parts["phases"]:
+        if why.startswith(f"phase {name}:"):
+            return "phases", name
+    if any(why.startswith(f"'{each.of}':") for each in parts["predict"]):
+        return ("predict",)
     word = why.partition(":")[0]
     return (word,) if root.child(word) else ()
 
@@ -157,7 +162,7 @@ def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurem
 
 def _values(reading: Reading, case: Case, path: str, node: Node) -> Any:
     if not isinstance(node.value, list) or not node.value:
-        return reading.wrong_shape(list, node, "a list of values")
+        return reading.wrong_shape(list, node, "a list of at least one value")
     return [value_at(reading, case, path, item) for item in node.value]
 
 
@@ -173,6 +178,9 @@ def _phase(reading: Reading, case: Case, name: str, node: Node) -> Phase | None:
 
 def _predicted(reading: Reading, root: Node) -> tuple[Predicted, ...]:
     node = root.child("predict")
+    if node is not None and not isinstance(node.value, list):
+        reading.wrong_shape(list, node, "a list of numbers: [{of: …}]")
+        return ()
     found = []
     for item in node.value if node is not None else ():
         before = len(reading.faults.reported)

@@ -110,8 +110,8 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
     low, high = (_number(case, path, end) for end in (asked.low, asked.high))
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise InvalidInput(
-            f"{path}: an unknown lies between a lower and a higher end, got {asked.low} to "
-            f"{asked.high}"
+            f"{path}: an unknown lies between a lower and a higher end, got "
+            f"{_written(case, path, low)} to {_written(case, path, high)}"
         )
     for other in asked.also:
         _number(case, other, asked.low)
@@ -127,13 +127,21 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
     inside = low <= start <= high
     if asked.start is not None and not inside:
         raise InvalidInput(
-            f"{path}: the start {asked.start} lies outside {asked.low} to {asked.high}"
+            f"{path}: the start {_written(case, path, start)} lies outside "
+            f"{_written(case, path, low)} to {_written(case, path, high)}"
         )
     if not inside:
         start = min(max(start, low), high) if math.isfinite(start) else 0.5 * (low + high)
     quantity = quantity_of(found_at(case, path)[0][1])
     name = asked.name or _short(path)
     return Sought(path, name, low, high, start, prior, deviation, tuple(asked.also), quantity)
+
+
+def _written(case: Case, path: str, value: float) -> str:
+    """A value of a path in a usual unit."""
+    quantity = quantity_of(found_at(case, path)[0][1])
+    unit = "" if quantity is None else usual_unit(quantity, [value])
+    return f"{value / (parse_unit(unit).scale if unit else 1.0):g} {unit}".rstrip()
 
 
 def _short(path: str) -> str:

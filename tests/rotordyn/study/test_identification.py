@@ -15,7 +15,7 @@ import rotordyn
 from rotordyn import AxialCurve, NoLoad, Numbers, Phase, Predicted, StopMet, Unknown, identify
 from rotordyn.case.case import Case
 from rotordyn.cli import main
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.study.identification import search as searching
 from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.certainty import certainty
@@ -23,6 +23,7 @@ from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.read import read_identification
 from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Known, Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
@@ -304,6 +305,9 @@ criterion: 1 um
 """
 
 
+HYPOTHESIS = "hypotheses: {{conditions.kinematics: [{}]}}"
+
+
 def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = _study(tmp_path)
     path.write_text(SMALL, encoding="utf-8")
@@ -328,10 +332,16 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
         ("deviation: 0.4 um, tare", "deviation: 400 um, tare", "noise swamps it"),
         ("data/twin_shaft.csv", "data/none.csv", "cannot be read"),
         ("of: rear", "of: middle", "no such body; allowed: shaft, front, rear"),
-        ("from: 20 um, to: 100 um", "from: 100 um, to: 20 um", "between a lower and a higher end"),
+        ("from: 20 um, to: 100 um", "from: 100 um, to: 20 um", "a higher end, got 100 um to 20 um"),
         ("stop_travel: {from", "stop_way: {from", "unknown key 'stop_way'"),
         ("prior: 70 N, deviation: 30 N", "prior: 70 N", "give both or none"),
-        ("[16000 rpm]", "[16000 rpm, 20000 rpm]", "one displacement at each speed"),
+        ("[16000 rpm]", "[16000 rpm, 20000 rpm]", "at each speed is needed, got 1 at 2 speeds"),
+        ("[16000 rpm]", "[-1 rpm]", "from 0 rpm up"),
+        ("criterion: 1 um", "predict: 'stiffness: full'", ":14:10: predict: wrong shape"),
+        ("criterion: 1 um", "predict: [{of: 'stifness: full'}]", ":14:10: predict: 'stifness"),
+        ("criterion: 1 um", "phases: {a: {unknowns: [P9]}}", "phases.a: phase a: no unknown 'P9'"),
+        ("criterion: 1 um", HYPOTHESIS.format(""), "given a list; allowed: a list of at least one"),
+        ("criterion: 1 um", HYPOTHESIS.format("outer, outer"), "'outer' is given twice"),
         ("criterion: 1 um", "criterion: 1 N", "allowed: a mean difference in µm"),
         ("points: 8", "points: 1", "points"),
     ],
@@ -343,6 +353,13 @@ def test_faults_of_a_file(tmp_path: Path, old: str, new: str, said: str) -> None
     with pytest.raises(InvalidInput) as refusal:
         read_identification(path)
     assert said in str(refusal.value)
+
+
+def test_a_speed_at_which_bearings_have_no_state_is_named(tmp_path: Path) -> None:
+    path = _study(tmp_path)
+    path.write_text(SMALL.replace("[16000 rpm]", "[900000 rpm]"), encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"bearing number \d of the spindle at 900000 rpm"):
+        identified(read_identification(path), workers=1)
 
 
 HEAD = "speed [rpm],branch,force [N],displacement [um]\n"
