@@ -61,7 +61,7 @@ def test_states_asked_of_the_bearings(monkeypatch: pytest.MonkeyPatch) -> None:
     original = AngularContactBallBearing.equilibrium
 
     def counted(self: Any, **request: Any) -> Any:
-        if "displacement" in request:
+        if np.ndim(request.get("displacement")) > 1:  # as mounted, tilts are alike for all
             widths.add(np.shape(request["displacement"])[-2])
         return original(self, **request)
 

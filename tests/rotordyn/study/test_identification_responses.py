@@ -394,7 +394,7 @@ def test_faults_of_a_file_have_their_line(tmp_path: Path, keys: str, sentence: s
 
 
 def test_the_shipped_twin_knows_its_modes() -> None:
-    """At the true values of ``docs/examples/response_twins.py``: no mode lacks, χ² of the noise."""
+    """At the true values of ``docs/generate/response_twins.py``: no mode lacks, χ² of the noise."""
     asked = read_identification("cases/identification/grinding_spindle_taps.yaml")
     problem = asked.searches.problem(0)
     true = np.array([88e-3, 74e-3, 46e-3, 36e-3, 1.85, 800.0, 350.0])

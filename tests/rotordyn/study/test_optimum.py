@@ -201,6 +201,7 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "at most 1900 N" in printed
     assert {p.name for p in folder.iterdir()} == {
         "best.yaml",
+        "optimum.json",
         "optimum.png",
         "summary.txt",
         "trials.csv",
