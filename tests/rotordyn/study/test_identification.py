@@ -333,7 +333,7 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
         ("prior: 70 N, deviation: 30 N", "prior: 70 N", "give both or none"),
         ("[16000 rpm]", "[16000 rpm, 20000 rpm]", "one displacement at each speed"),
         ("criterion: 1 um", "criterion: 1 N", "allowed: a mean difference in µm"),
-        ("criterion: 1 um", "profiles: [stip]", ": profiles: no unknown 'stip'; allowed: all, stop"),
+        ("criterion: 1 um", "profiles: [stip]", ":14:11: profiles: no unknown 'stip'"),
         ("points: 8", "points: 1", "points"),
     ],
 )
