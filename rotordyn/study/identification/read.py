@@ -65,7 +65,8 @@ def read_identification(path: str | Path) -> Asked:
         return asked(case, **parts, **how)
     except InvalidInput as refusal:
         faults = Faults()
-        faults.at(root, _place(root, parts, str(refusal)), str(refusal))
+        place = _place(root, parts, str(refusal))
+        faults.at(root, place, str(refusal).removeprefix(f"{'.'.join(place[:1])}: "))
         raise InvalidInput(in_order(faults.reported, root.file)) from None
 
 

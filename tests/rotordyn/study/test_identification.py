@@ -343,6 +343,7 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
         ("criterion: 1 um", HYPOTHESIS.format(""), "given a list; allowed: a list of at least one"),
         ("criterion: 1 um", HYPOTHESIS.format("outer, outer"), "'outer' is given twice"),
         ("criterion: 1 um", "criterion: 1 N", "allowed: a mean difference in µm"),
+        ("criterion: 1 um", "profiles: [stip]", ":14:11: profiles: no unknown 'stip'"),
         ("points: 8", "points: 1", "points"),
     ],
 )
