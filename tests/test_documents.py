@@ -295,6 +295,7 @@ def test_figures_are_there_and_small() -> None:
         "scaling.png",
         "zero_order.png",
         *(f"mfw2310_{name}.png" for name in SHOWN),
+        *(f"mfw2310_identified_{name}.png" for name in ("measured", "correlation")),
         *PICTURES,
     }
     assert sum(path.stat().st_size for path in images.values()) < 500_000
