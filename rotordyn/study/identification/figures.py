@@ -101,7 +101,9 @@ def _curve(axes: Axes, best: Explained, place: int) -> None:
         shown = (predicted + left) * data.factor
         mark = POINTS[1] if word.endswith("rising") else POINTS[0]
         full = "none" if word.endswith("rising") else colour
-        axes.plot(data.at[rows], shown[rows], mark, ms=2.2, mew=0.5, color=colour, mfc=full)
+        said = ", ".join(["measured", *word.split(", ")[1:]])
+        points = axes.plot(data.at[rows], shown[rows], mark, ms=2.2, mew=0.5, color=colour)
+        points[0].set(markerfacecolor=full, label=said)
     axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
@@ -131,7 +133,7 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
     axes.set_xlim(-1.1 * widest, 1.1 * widest)
     axes.axvline(0.0, color=BLACK, lw=0.6)
     axes.set_title("single values", fontsize=FONT_SIZE)
-    axes.set_xlabel("measured − machine, over the noise", fontsize=FONT_SIZE - 1.0)
+    axes.set_xlabel("(measured − machine) / noise", fontsize=FONT_SIZE - 1.0)
 
 
 def _residuals(found: Identification) -> Figure:
