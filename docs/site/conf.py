@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pygments.lexers.special import TextLexer
+from sphinx.application import Sphinx
+
 import rotordyn
 
 project = "rotordyn"
@@ -39,6 +42,12 @@ autodoc_class_signature = "mixed"
 python_maximum_signature_line_length = 88
 python_use_unqualified_type_names = True
 add_module_names = False
+
+
+def setup(app: Sphinx) -> None:
+    """Tables of measured values stand in blocks ``csv``, which Pygments does not know."""
+    app.add_lexer("csv", TextLexer)
+
 
 html_theme = "furo"
 html_title = f"rotordyn {release}"
