@@ -17,7 +17,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in, swings
-from rotordyn.numerics.modes import UNSEEN, grows
+from rotordyn.numerics.modes import grows
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -95,6 +95,5 @@ def _growth(scene: Scene, band: Band, subsystem: int, speed: float) -> float:
     motions = other.system(subsystem)
     inside = (found_in(motions, MARGIN * band.highest) | _diverging(motions))[0]
     pole = motions.pole[0][inside]
-    noise = ROUNDING + UNSEEN * motions.modes.largest.max() / np.abs(pole)
     ratio = pole.real / np.abs(pole)
-    return float(np.where(np.abs(ratio) <= noise, -noise, ratio).max(initial=-1.0))
+    return float(np.where(np.abs(ratio) <= ROUNDING, -ROUNDING, ratio).max(initial=-1.0))
