@@ -16,6 +16,8 @@ from scipy.optimize import brentq, minimize_scalar
 Radius = Callable[[float], float]
 RATIO = 1.25  # of depths tried
 SHORTEST = 0.01  # of the depth between depths tried: over many pitches of a helix forces are even
+EVEN = 200.0  # steps: 10 axial pitches, over which forces pulse by 1/(10 π); ratios are tried first
+PULSING = 0.05  # of the depth, by which pulsing forces move a limit at most
 NEAR = 0.8  # a maximum of the radius below that is not refined
 DOUBTFUL = 0.02  # of 1: so near, the radius of a coarse map does not tell which side
 WITHIN = 1e-8  # of the depth
@@ -45,11 +47,12 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
 def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float = 0.0) -> float:
     """The least depth at which the radius is 1; NaN where a maximum is nearer to 1 than
     ``doubtful``."""
-    depth, size, doubt = [low], [radius(low)], False
-    while size[-1] < 1.0 and depth[-1] < high:
-        further = max(step, SHORTEST * depth[-1])
-        depth.append(min(depth[-1] * RATIO, depth[-1] + further, high))
-        size.append(radius(depth[-1]))
+    depth = [low]
+    while radius(depth[-1]) < 1.0 and depth[-1] < high:
+        depth.append(min(depth[-1] * RATIO, depth[-1] + _further(depth[-1], step), high))
+    if radius(depth[-1]) >= 1.0 and len(depth) > 1 and depth[-1] > EVEN * step:
+        depth = _finely(radius, depth, step)
+    size, doubt = [radius(each) for each in depth], False
     for k in range(1, len(depth) - 1):
         if NEAR < size[k] < 1.0 and size[k] >= max(size[k - 1], size[k + 1]):
             top = _peak(radius, depth[k - 1], depth[k + 1])
@@ -59,6 +62,22 @@ def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float
     if doubt or size[0] >= 1.0:
         return math.nan
     return _root(radius, depth[-2], depth[-1]) if size[-1] >= 1.0 else math.inf
+
+
+def _further(depth: float, step: float) -> float:
+    """To the next depth tried."""
+    return math.inf if depth > EVEN * step else max(step, SHORTEST * depth)
+
+
+def _finely(radius: Radius, depth: list[float], step: float) -> list[float]:
+    """Depths tried, of which the last is unstable, with small steps before that one."""
+    last = depth[-1]
+    found = [each for each in depth if each < (1.0 - PULSING) * depth[-2]] or depth[:1]
+    fine = max(found[-1], (1.0 - PULSING) * depth[-2])
+    while radius(fine) < 1.0:
+        found.append(fine)
+        fine = min(fine + max(step, SHORTEST * fine), last)
+    return [*found, fine]
 
 
 def _peak(radius: Radius, low: float, high: float) -> float:
