@@ -135,7 +135,7 @@ def _still(centre: Motion, none: Any) -> Motion:
 
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
-    reach = c.inner_centre_distance + c.outer_centre_distance
+    reach = c.free_distance
     return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].walls)
 
 
@@ -248,7 +248,7 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
         + np.sqrt(dot(outer.force, outer.force))
         + centrifugal_force
     )
-    reach = c.inner_centre_distance + c.outer_centre_distance
+    reach = c.free_distance
     hold = both[0][0] + both[1][1]
     noise = 4.0 * EPS * reach * hold
     energy = potential(c, inner, outer, ball, centrifugal_force)

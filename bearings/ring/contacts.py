@@ -51,10 +51,7 @@ def contacts(
     outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
-        least = (
-            c.inner.stiffness
-            * (tol.IDLE * EPS * (c.inner_centre_distance + c.outer_centre_distance)) ** 1.5
-        )
+        least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
         joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
     split = len(c.inner_grooves)
     (qi, si, ci), (qo, so, co) = (

@@ -109,12 +109,7 @@ def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, Flag
     k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = (
-        tol.ROUNDING
-        * EPS
-        * (g.inner_centre_distance + g.outer_centre_distance)
-        * np.abs(k).max(axis=(1, 2))
-    )
+    noise = tol.ROUNDING * EPS * g.free_distance * np.abs(k).max(axis=(1, 2))
     needed = tol.BALANCED if problem.turning else 0.1 * tol.TOLERANCE
     return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
@@ -145,7 +140,7 @@ def _searched(
 
     before = total(balls.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
-    reach = g.inner_centre_distance + g.outer_centre_distance
+    reach = g.free_distance
     slack = 64.0 * EPS * (np.abs(before) + largest * reach)
     slack += 4.0 * EPS * reach * centrifugal_load(g, problem.squared)
     length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))

@@ -74,7 +74,7 @@ def scaled_error(
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
-    reach = g.inner_centre_distance + g.outer_centre_distance
+    reach = g.free_distance
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     noise = rounding * EPS * reach * slope
     ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (

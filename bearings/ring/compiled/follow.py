@@ -75,7 +75,7 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
 def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """(d, X) of the convex stage, written anew; whether it was reached."""
     there = evaluate_convex(p, d, x, w)
-    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
+    reach = p.geometry.free_distance
     soft = tol.SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
     for _ in range(tol.CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
@@ -99,13 +99,7 @@ def error(p: One, there: Evaluation, w: Workspace) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
     slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
-    noise = (
-        tol.ROUNDING
-        * EPS
-        * (c.inner_centre_distance + c.outer_centre_distance)
-        * slope
-        / tol.TOLERANCE
-    )
+    noise = tol.ROUNDING * EPS * c.free_distance * slope / tol.TOLERANCE
     worst = there.imbalance / (there.largest + noise + 1e-300)
     size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
@@ -174,7 +168,7 @@ def _searched(
     p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Workspace
 ) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
-    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
+    reach = p.geometry.free_distance
     before = there.energy - (p.load * d).sum()
     most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
     most += 4.0 * EPS * reach * centrifugal_load(p.geometry, p.squared)
