@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -133,6 +133,11 @@ def acting(g: Geometry, dynamics: str) -> Geometry:
     if dynamics == "centrifugal":
         return g._replace(ball_inertia=0.0)
     return g._replace(orbital_factor=0.0) if dynamics == "gyroscopic" else g
+
+
+def frozen_force(g: Geometry, squared: Any) -> Any:
+    """Fc of a ball on its orbit at the free contact angle, at ω² = ``squared`` [N]."""
+    return g.orbital_factor * g.nominal_orbit_ratio_squared * squared
 
 
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:

@@ -66,6 +66,12 @@ def stiffness(inner: Springs, outer: Springs) -> Block:
     return (inner.slope[0] + outer.slope[0], mixed), (mixed, inner.slope[2] + outer.slope[2])
 
 
+def rounding_force(c: Geometry, largest: Any) -> Any:
+    """What a rounding of the lengths makes of the load of a ball under ``largest`` [N]."""
+    slope = 1.5 * (c.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
+    return EPS * c.free_distance * slope
+
+
 def potential(
     c: Geometry, inner: Springs, outer: Springs, ball: Pair, centrifugal_force: Any
 ) -> Any:
@@ -135,8 +141,7 @@ def _still(centre: Motion, none: Any) -> Motion:
 
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
-    reach = c.free_distance
-    return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].walls)
+    return Groove(c.series_stiffness, c.free_distance, 0.0, c.inner_grooves[0].walls)
 
 
 def resting_seat(c: Geometry, centre: Pair) -> Pair:
@@ -248,11 +253,10 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
         + np.sqrt(dot(outer.force, outer.force))
         + centrifugal_force
     )
-    reach = c.free_distance
     hold = both[0][0] + both[1][1]
-    noise = 4.0 * EPS * reach * hold
+    noise = 4.0 * EPS * c.free_distance * hold
     energy = potential(c, inner, outer, ball, centrifugal_force)
-    slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
+    slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + c.free_distance * size)
     step = dot(back[0], gap), dot(back[1], gap)
     if len(c.outer_grooves[0].walls) > 0:
         step = _rising(c, both, outer, (gap, step), ball[1])

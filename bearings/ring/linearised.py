@@ -12,7 +12,8 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
-from bearings.ball.plane import EPS, Pair
+from bearings.ball.plane import Pair
+from bearings.ball.potential import rounding_force
 from bearings.ball.race import facing
 from bearings.ring import tolerances as tol
 from bearings.ring.assembly import rows
@@ -74,19 +75,13 @@ def scaled_error(
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
-    reach = g.free_distance
-    slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
-    noise = rounding * EPS * reach * slope
-    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
-        largest + noise / tol.TOLERANCE + 1e-300
-    )
+    noise = rounding * rounding_force(g, largest) / tol.TOLERANCE
+    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (largest + noise + 1e-300)
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
-    count = g.balls
-    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * count * largest
-    ring = miss.max(axis=-1) / (size + count * noise / tol.TOLERANCE + 1e-300)
-    return np.maximum(ball, ring)
+    size = problem.load_size + g.balls * (1e-3 * largest + noise) + 1e-300
+    return np.maximum(ball, miss.max(axis=-1) / size)
 
 
 def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:

@@ -75,6 +75,11 @@ class Problem:
         radius = self.geometry.centre_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
+    @property
+    def load_size(self) -> Array:
+        """Largest part of every load, as a force (s,) [N]."""
+        return np.asarray(np.abs(self.load / self.scale).max(axis=-1))
+
 
 def turns(g: Geometry, speed: Array) -> Flags:
     """False where the centrifugal force does not press a ball measurably into its race."""

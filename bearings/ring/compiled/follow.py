@@ -10,7 +10,9 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.plane import EPS, turned_far
+from bearings.ball.potential import rounding_force
 from bearings.ball.race import facing
+from bearings.geometry import frozen_force
 from bearings.ring import tolerances as tol
 from bearings.ring.compiled.one_state import (
     Evaluation,
@@ -22,7 +24,6 @@ from bearings.ring.compiled.one_state import (
     followed,
     moved,
 )
-from bearings.ring.convex_stage import centrifugal_load
 
 
 def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
@@ -98,8 +99,7 @@ def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
 def error(p: One, there: Evaluation, w: Workspace) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
-    slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
-    noise = tol.ROUNDING * EPS * c.free_distance * slope / tol.TOLERANCE
+    noise = tol.ROUNDING * rounding_force(c, there.largest) / tol.TOLERANCE
     worst = there.imbalance / (there.largest + noise + 1e-300)
     size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
@@ -168,10 +168,9 @@ def _searched(
     p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Workspace
 ) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
-    reach = p.geometry.free_distance
-    before = there.energy - (p.load * d).sum()
-    most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
-    most += 4.0 * EPS * reach * centrifugal_load(p.geometry, p.squared)
+    g, before = p.geometry, there.energy - (p.load * d).sum()
+    load = 64.0 * p.load_size + 4.0 * g.balls * frozen_force(g, p.squared)
+    most = before + EPS * (64.0 * abs(before) + g.free_distance * load)
     follow, length = w.follow.copy(), 1.0
     w.d[:], w.x[:] = d, x
     for _ in range(tol.HALVINGS):

@@ -18,7 +18,7 @@ from bearings.ball.potential import (
     resting_seat,
     seat_step,
 )
-from bearings.geometry import Geometry, Groove
+from bearings.geometry import Geometry, Groove, frozen_force
 from bearings.ring.tolerances import SEAT_STEPS
 
 
@@ -150,7 +150,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluati
 def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
     """The convex stage at d, balls settled from X, which is written anew."""
     largest, energy, c = 0.0, 0.0, p.geometry
-    centrifugal_force = c.orbital_factor * c.nominal_orbit_ratio_squared * p.squared
+    centrifugal_force = frozen_force(c, p.squared)
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
