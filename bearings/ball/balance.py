@@ -21,14 +21,19 @@ from bearings.ball.plane import (
     Block,
     Motion,
     Pair,
+    Polar,
     Triple,
     combined,
     determinant,
+    exchanged,
     inverse,
+    less_by,
+    more_by,
     plus,
+    scaled,
+    times,
     where,
 )
-from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
 from bearings.ball.potential import both_grooves, resting_reaction
 from bearings.ball.race import Contact, Race, against, facing, race
 from bearings.geometry import Geometry

@@ -29,7 +29,6 @@ from bearings.ball.race import (
     against,
     facing,
     facing_radius,
-    is_free,
     spring,
     springs,
     vector_to,
@@ -127,16 +126,10 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
 def resting_reaction(c: Geometry, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
     p = spring(both_grooves(c), centre)
-    still = _still(centre, 0.0 * p.energy)
+    still = combined(0.0, centre, 0.0, centre)
     first, second, _ = _rows(centre, p)
     action = (p.force[0], p.force[1], still[0])
     return Reaction(p.energy, action, (first, second, still), (still, still))
-
-
-def _still(centre: Motion, none: Any) -> Motion:
-    if len(centre) == 2:
-        return none, none
-    return none, none, none
 
 
 def both_grooves(c: Geometry) -> Groove:
@@ -169,7 +162,7 @@ def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     if len(c.outer_grooves) == 2:
         return x
     riding = riding_radius(c, centrifugal_force)
-    free = is_free(c.inner_grooves, against(centre, (0.0 * riding, riding)))
+    free = springs(c.inner_grooves, against(centre, (0.0 * riding, riding)), 1.0).energy == 0.0
     return where(free, 0.0, x[0]), where(free, riding, x[1])
 
 

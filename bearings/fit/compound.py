@@ -96,41 +96,36 @@ def compound(
     return CompoundState(stack, axial, speeds, pressure, gap)
 
 
-def centrifugal_growth(
-    bodies: Sequence[Cylinder],
-    interference: ArrayLike,
-    radius: float,
-    speed: ArrayLike,
-    *,
-    axial: str = "plane_stress",
-) -> Array:
-    """Growth of the outermost body at ``radius`` that rotation adds to rest [m], (…)."""
-    turning = compound(bodies, interference, speed, axial=axial).radial_growth(radius)
-    return turning - compound(bodies, interference, 0.0, axial=axial).radial_growth(radius)
-
-
 def release_speed(
     bodies: Sequence[Cylinder], interference: ArrayLike = (), *, axial: str = "plane_stress"
 ) -> Array:
     """Speed at which each fit first lets go [rad/s], shape (fits,).
 
     0 for a fit that does not press at rest; infinite for one that never lets go. Pressures are
-    piecewise linear in ω²: the pieces are followed from rest.
+    piecewise linear in ω²: between neighbouring zeros of the pressures and gaps of all sets of
+    pressing fits one set presses.
     """
     stack, overlap = _checked(bodies, interference, axial)
     opening, compliance = openings(stack, axial)
     start, slope = opening[:, -1] - overlap, opening[:, -2]
-    active = _contact_pressure(start, compliance) > 0.0
-    release = np.where(active, np.inf, 0.0)
-    squared, joint = 0.0, None
-    for _ in range(4 ** len(overlap)):
-        squared, joint = _next_event(start, slope, compliance, active, squared, joint)
-        if joint is None:
-            break
-        if active[joint] and not math.isfinite(release[joint]):
-            release[joint] = math.sqrt(squared)
-        active[joint] = not active[joint]
-    return release
+    zeros = [0.0, *_zeros(start, slope, compliance)]
+    squared = np.append(np.unique(zeros), 4.0 * max(zeros) + 1.0)
+    middle = 0.5 * (squared[:-1] + squared[1:])
+    free = _contact_pressure(start + middle[:, None] * slope, compliance) <= 0.0
+    return np.where(free.any(axis=0), np.sqrt(squared[np.argmax(free, axis=0)]), np.inf)
+
+
+def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
+    """ω² > 0 at which a pressure or a gap of any set of pressing fits is zero."""
+    zeros = []
+    for choice in itertools.product((False, True), repeat=len(start)):
+        active = np.array(choice, bool)
+        p0, p1 = (_pressing(part, compliance, active) for part in (start, slope))
+        value = np.where(active, p0, start + compliance @ p0)
+        rate = np.where(active, p1, slope + compliance @ p1)
+        zeros.append(-value / np.where(rate == 0.0, np.inf, rate))
+    each = np.concatenate(zeros)
+    return each[each > 0.0]
 
 
 def thermal_growth(
@@ -203,24 +198,3 @@ def _pressing(free: Array, compliance: Array, active: Flags) -> Array:
         block = compliance[np.ix_(active, active)]
         pressure[..., active] = -np.linalg.solve(block, free[..., active][..., None])[..., 0]
     return pressure
-
-
-def _next_event(
-    start: Array,
-    slope: Array,
-    compliance: Array,
-    active: Flags,
-    squared: float,
-    last: int | None,
-) -> tuple[float, int | None]:
-    """The next ω² at which a fit lets go or closes, and which one (None when nothing more does)."""
-    p0, p1 = (_pressing(part, compliance, active) for part in (start, slope))
-    value = np.where(active, p0, start + compliance @ p0)
-    rate = np.where(active, p1, slope + compliance @ p1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        when = np.where(rate < 0.0, -value / rate, np.inf)
-    when = np.where(when < squared * (1.0 - 1e-12), np.inf, when)
-    if last is not None:
-        when[last] = np.inf
-    joint = int(np.argmin(when)) if when.size else 0
-    return (float(when[joint]), joint) if when.size and np.isfinite(when[joint]) else (0.0, None)

@@ -12,9 +12,7 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
-from bearings.ball.plane import Pair
 from bearings.ball.potential import rounding_force
-from bearings.ball.race import facing
 from bearings.ring import tolerances as tol
 from bearings.ring.assembly import rows
 from bearings.ring.problem import Problem
@@ -117,12 +115,3 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     if loose and (rest := soft[~regular[soft]]).size:
         step[rest] = (np.linalg.pinv(k[rest], rcond=tol.SINGULAR) @ gap[rest, :, None])[..., 0]
     return step
-
-
-def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
-    """Vectors along which the middles of outer and inner groove face a ball, of any length."""
-    g, inner = problem.geometry, problem.centres(d)[:2] - x
-    if g.touching:
-        return (x[0], x[1]), (inner[0], inner[1])
-    outer = facing(g.outer_grooves[0], (x[0], x[1]))
-    return outer[:2], facing(g.inner_grooves[0], (inner[0], inner[1]))[:2]

@@ -9,6 +9,8 @@ import numpy as np
 
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
+from bearings.ball.plane import Pair
+from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin
 from bearings.ring.assembly import Assembly
 from bearings.ring.operation import Operation
@@ -44,6 +46,10 @@ class Problem:
     def centres(self, displacement: Array) -> Array:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2."""
         return self.assembly.centres(self.origin, displacement)
+
+    def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
+        """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""
+        return faced(self.geometry, tuple(self.centres(displacement)), (ball[0], ball[1]))
 
     @property
     def placed(self) -> bool:

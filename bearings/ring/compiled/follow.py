@@ -11,7 +11,7 @@ import numpy as np
 from bearings.arrays import Array
 from bearings.ball.plane import EPS, turned_far
 from bearings.ball.potential import rounding_force
-from bearings.ball.race import facing
+from bearings.ball.race import faced
 from bearings.geometry import frozen_force
 from bearings.ring import tolerances as tol
 from bearings.ring.compiled.one_state import (
@@ -188,17 +188,11 @@ def _searched(
 def _turned_little(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """Whether no direction to a groove centre has turned far since the stride began."""
     for ball in range(len(x)):
-        before, now = centre_of(p, w.d, ball), centre_of(p, d, ball)
-        there, here = (w.x[ball, 0], w.x[ball, 1]), (x[ball, 0], x[ball, 1])
-        inner, then = (
-            (before[0] - there[0], before[1] - there[1]),
-            (now[0] - here[0], now[1] - here[1]),
-        )
-        if not p.geometry.touching:
-            groove = p.geometry.inner_grooves[0]
-            inner, then = facing(groove, inner)[:2], facing(groove, then)[:2]
-        turned = turned_far(inner, then, tol.LONGEST_TURN)
-        if turned or turned_far(there, here, tol.LONGEST_TURN):
+        before = faced(p.geometry, centre_of(p, w.d, ball), (w.x[ball, 0], w.x[ball, 1]))
+        now = faced(p.geometry, centre_of(p, d, ball), (x[ball, 0], x[ball, 1]))
+        if turned_far(before[0], now[0], tol.LONGEST_TURN):
+            return False
+        if turned_far(before[1], now[1], tol.LONGEST_TURN):
             return False
     return True
 
