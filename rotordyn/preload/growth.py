@@ -20,8 +20,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Rises, Temperatures
 
 if TYPE_CHECKING:
-    from bearings.fit.compound import CompoundState
-    from bearings.fit.cylinder import Cylinder
+    from bearings.fit.compound import CompoundState, Cylinder
     from bearings.materials import Material
 
     States = list[tuple[NDArray[np.intp], CompoundState]]
@@ -159,7 +158,7 @@ def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
 
 def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:
     """A body ``rise`` [K] warmer than it was assembled."""
-    from bearings.fit.cylinder import Cylinder
+    from bearings.fit.compound import Cylinder
 
     alpha = material.thermal_expansion
     return Cylinder(inner, outer, material, rise if alpha else 0.0, alpha)

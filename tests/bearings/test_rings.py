@@ -11,11 +11,12 @@ from scipy.integrate import solve_bvp
 
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
 from bearings.fit.compound import (
+    AXIAL_CONDITIONS,
+    Cylinder,
     compound,
     release_speed,
     thermal_growth,
 )
-from bearings.fit.cylinder import AXIAL_CONDITIONS, Cylinder
 
 SHAFT_STEEL = Material("shaft steel", 210e9, 0.3, 7850.0)
 CERAMIC = Material("ceramic", 315e9, 0.26, 3190.0)

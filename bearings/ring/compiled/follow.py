@@ -21,7 +21,7 @@ from bearings.ring.compiled.one_state import (
     centre_of,
     evaluate,
     evaluate_convex,
-    followed,
+    followed_by,
     moved,
 )
 
@@ -67,7 +67,7 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
     if good and p.turning:
         good = there.fold > 0.0 and there.pressed and _turned_little(p, d, x, w)
         good = good and not _jumped(p, there.largest, w)
-        good = good and (len(p.free) == 0 or solve(*_reduced(p, w.action, w))[1] > 0.0)
+        good = good and (len(p.free) == 0 or eliminated(*_reduced(p, w.action, w))[1] > 0.0)
     if not good:
         d[:], x[:] = w.d, w.x
     return good, used
@@ -88,7 +88,7 @@ def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
         share = missing / (missing + p.load_size + 1e-300)
         for i in range(len(gap)):
             k[i, i] += soft + tol.SOFTEST * max(share, tol.HARDEST) * largest
-        part, step = solve(k, gap)[0], np.zeros(5)
+        part, step = eliminated(k, gap)[0], np.zeros(5)
         shrink = min(1.0, tol.LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
         for i, j in enumerate(p.free):
             step[j] = shrink * part[i] / p.scale[j]
@@ -111,12 +111,12 @@ def _newton(p: One, d: Array, x: Array, w: Workspace) -> None:
     """A Newton step of balls and ring together."""
     step = np.zeros(5)
     if len(p.free):
-        part = solve(*_reduced(p, w.condensed, w))[0]
+        part = eliminated(*_reduced(p, w.condensed, w))[0]
         for i, j in enumerate(p.free):
             step[j] = part[i] / p.scale[j]
             d[j] += step[j]
     for ball in range(len(x)):
-        axial, radial = followed(w.follow[ball], moved(p, step, ball))
+        axial, radial = followed_by(w.follow[ball], moved(p, step, ball))
         x[ball, 0] += w.still[ball, 0] + axial
         x[ball, 1] += w.still[ball, 1] + radial
 
@@ -132,7 +132,7 @@ def _reduced(p: One, carried: Array, w: Workspace) -> tuple[Array, Array]:
     return k, gap
 
 
-def solve(matrix: Array, right: Array) -> tuple[Array, float]:
+def eliminated(matrix: Array, right: Array) -> tuple[Array, float]:
     """x of ``matrix`` x = ``right``, and the determinant of the matrix over its largest entry.
 
     x = 0 where that is singular to rounding. Elimination with pivots: a library call would cost
@@ -176,7 +176,7 @@ def _searched(
     for _ in range(tol.HALVINGS):
         d[:] = w.d + length * step
         for ball in range(len(x)):
-            axial, radial = followed(follow[ball], moved(p, length * step, ball))
+            axial, radial = followed_by(follow[ball], moved(p, length * step, ball))
             x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial
         there = evaluate_convex(p, d, x, w)
         if there.energy - (p.load * d).sum() <= most:

@@ -114,7 +114,7 @@ def moved(p: One, d: Array, ball: int) -> Motion:
     return without_tilt(p.geometry.inner_grooves, motion)
 
 
-def followed(f: Array, step: Motion) -> Pair:
+def followed_by(f: Array, step: Motion) -> Pair:
     """What a ball does where its groove moves by ``step``."""
     axial, radial = f[0] * step[0] + f[1] * step[1], f[3] * step[0] + f[4] * step[1]
     if len(step) == 2:
