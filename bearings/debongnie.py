@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from bearings.arguments import finite, real_numbers
+from bearings.arguments import MOST, finite, real_numbers
 from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.bearing import BallBearing
@@ -200,6 +200,10 @@ class RadialRing:
     def __post_init__(self) -> None:
         for name in (f.name for f in fields(self) if f.name != "clearance"):
             _check_positive(name, getattr(self, name))
+            if not 1.0 / MOST <= getattr(self, name) <= MOST:
+                raise InvalidBearing(
+                    f"{name} must lie from {1.0 / MOST:g} to {MOST:g}: is the unit right?"
+                )
         if not finite(self.clearance):
             raise InvalidBearing(
                 f"clearance must be a finite length in m, got {shown(self.clearance)}"

@@ -103,12 +103,13 @@ def operation(
     free = _free(force, move)
     omega, static = finite_numbers("speed", speed), finite_numbers("static_growth", static_growth)
     total = static if growth is None else finite_numbers("growth", growth)
-    arrays = (omega, static, total)
+    shapes = (force.shape[:-1], move.shape[:-1], omega.shape, static.shape, total.shape)
     try:
-        shape = np.broadcast_shapes(force.shape[:-1], move.shape[:-1], *(a.shape for a in arrays))
+        shape = np.broadcast_shapes(*shapes)
     except ValueError as error:
-        raise InvalidBearing(f"leading shapes do not fit together: {error}") from error
-    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in arrays)
+        words = ", ".join(f"{name} {each}" for name, each in zip(LARGEST, shapes, strict=True))
+        raise InvalidBearing(f"leading shapes do not fit together: {words}") from error
+    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in (omega, static, total))
     force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
     force, move = (np.where(np.isnan(a), 0.0, a) for a in (force, move))
     return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
