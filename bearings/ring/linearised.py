@@ -10,12 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bearings.arrays import Array
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
 from bearings.ball.potential import rounding_force
 from bearings.ring import tolerances as tol
-from bearings.ring.assembly import rows
-from bearings.ring.problem import Problem
+from bearings.ring.assembly import full_assembly, rows
+from bearings.ring.operation import Operation
+from bearings.ring.problem import Problem, turns
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -115,3 +116,14 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     if loose and (rest := soft[~regular[soft]]).size:
         step[rest] = (np.linalg.pinv(k[rest], rcond=tol.SINGULAR) @ gap[rest, :, None])[..., 0]
     return step
+
+
+def frozen_tangent(operation: Operation, d: Array, x: Array, good: Flags) -> tuple[Array, Index]:
+    """Tangents (k, 5, 5) with Fc and Mg kept as they are, and the places (k,) of these states.
+
+    Of solved states, d (s, 5) and X (2, s, n): of those that are ``good`` (s,) and turn.
+    """
+    index = np.flatnonzero(good & turns(operation.geometry, operation.speed))
+    part = Problem.of(operation, full_assembly).take(index)
+    linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
+    return tangent(part, linear.balls), index
