@@ -146,7 +146,7 @@ def real_numbers(value: Any) -> Array | None:
         array = np.asarray(value)
         if array.dtype.kind not in "fiu" or isinstance(value, list | tuple):
             for each in np.asarray(value, dtype=object).flat:
-                if each is not None and (not isinstance(each, Real) or isinstance(each, bool)):
+                if each is not None and (isinstance(each, bool) or not isinstance(each, Real)):
                     return None
         return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):

@@ -51,7 +51,7 @@ class Geometry(NamedTuple):
     ball_diameter: float
     pitch_diameter: float
     balls: int
-    contact_angle: float
+    free_angle: float
     inner: HertzContact
     outer: HertzContact
     inner_grooves: tuple[Groove, ...]
@@ -98,7 +98,7 @@ def geometry(bearing: Grooves) -> Geometry:
         ball_diameter=diameter,
         pitch_diameter=pitch,
         balls=bearing.balls,
-        contact_angle=bearing.free_angle,
+        free_angle=bearing.free_angle,
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
@@ -151,9 +151,9 @@ def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     if not g.touching:
         open_ = np.minimum(radial, g.radial_gap + static_growth) < WIDEST * g.free_distance
         return np.where(open_, np.nan, np.stack([np.zeros_like(radial), radial]))
-    cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
+    cosine = np.cos(g.free_angle) + static_growth / g.free_distance
     possible = np.abs(cosine) <= 1.0
-    least = WIDEST if g.contact_angle <= STEEP else WIDEST - 1.0
+    least = WIDEST if g.free_angle <= STEEP else WIDEST - 1.0
     possible &= radial >= least * g.free_distance
     axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))
     return np.stack([axial, radial])

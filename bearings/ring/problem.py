@@ -104,7 +104,7 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
         g.pitch_diameter / 2.0
     )
-    share = thrust / (g.balls * max(np.sin(g.contact_angle), 0.2))
+    share = thrust / (g.balls * max(np.sin(g.free_angle), 0.2))
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
