@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from bearings.arguments import check_fields, checked
 from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing, shown
 from bearings.materials import Material
@@ -57,10 +58,9 @@ class Cylinder:
 
     def __post_init__(self) -> None:
         radii = (self.inner_radius, self.outer_radius)
-        if not (all(map(math.isfinite, radii)) and 0.0 <= radii[0] < radii[1]):
+        check_fields(self)
+        if not 0.0 <= radii[0] < radii[1]:
             raise InvalidBearing(f"cylinder radii must satisfy 0 <= inner < outer, got {radii} m")
-        if not (math.isfinite(self.temperature_rise) and math.isfinite(self.expansion)):
-            raise InvalidBearing("temperature_rise and expansion must be finite")
         if self.temperature_rise != 0.0 and self.expansion == 0.0:
             raise InvalidBearing("a temperature_rise needs the expansion coefficient, got 0")
 
@@ -100,6 +100,7 @@ class CompoundState:
         return np.concatenate([self.pressure, spin, np.ones_like(spin)], axis=-1)
 
 
+@checked
 def compound(
     bodies: Sequence[Cylinder],
     interference: ArrayLike = (),
@@ -131,6 +132,7 @@ def compound(
     return CompoundState(stack, axial, speeds, pressure, gap)
 
 
+@checked
 def release_speed(
     bodies: Sequence[Cylinder], interference: ArrayLike = (), *, axial: str = "plane_stress"
 ) -> Array:
@@ -163,6 +165,7 @@ def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
     return each[each > 0.0]
 
 
+@checked
 def thermal_growth(
     pitch_diameter: float,
     ball_diameter: float,
