@@ -352,6 +352,8 @@ def test_impossible_questions() -> None:
         compound(STACK, [FIT], axial="plane")
     with pytest.raises(InvalidBearing, match="speed"):
         compound(STACK, [FIT], math.inf)
+    with pytest.raises(InvalidBearing, match="speed must be numbers"):
+        compound(STACK, [FIT], "fast")
     with pytest.raises(InvalidBearing, match="outside the body"):
         compound(STACK, [FIT]).radial_growth(0.03)
     with pytest.raises(InvalidBearing, match="outside the body"):
@@ -367,6 +369,8 @@ def test_impossible_questions() -> None:
         dict(inner_radius=0.01, outer_radius=math.inf),
         dict(inner_radius=0.01, outer_radius=0.02, temperature_rise=20.0),
         dict(inner_radius=0.01, outer_radius=0.02, expansion=math.nan),
+        dict(inner_radius="10 mm", outer_radius=0.02),
+        dict(inner_radius=0.01, outer_radius=10**400),
     ],
 )
 def test_impossible_cylinders(wrong: dict[str, float]) -> None:
