@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
-from functools import wraps
+from functools import cache, wraps
 from itertools import chain
 from numbers import Integral, Rational, Real
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeGuard, TypeVar
@@ -84,6 +84,7 @@ def _refusal(value: object, words: str, tests: Sequence[Check]) -> str:
     return "" if taken else f"must be {words}, got {shown(value)}"
 
 
+@cache
 def _test(annotation: str) -> tuple[str, tuple[Check, ...]]:
     """What an annotation takes, in words, and a test for each of its forms; none if it is open."""
     forms = re.split(r" \| (?![^\[]*\])", annotation)

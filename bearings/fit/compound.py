@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bearings.arguments import check_fields, checked
+from bearings.arguments import check_fields, checked, real_numbers
 from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing, shown
 from bearings.materials import Material
@@ -100,7 +100,6 @@ class CompoundState:
         return np.concatenate([self.pressure, spin, np.ones_like(spin)], axis=-1)
 
 
-@checked
 def compound(
     bodies: Sequence[Cylinder],
     interference: ArrayLike = (),
@@ -122,9 +121,9 @@ def compound(
     InvalidBearing : radii that do not meet, wrong number of interferences, non-finite values
     """
     stack, overlap = _checked(bodies, interference, axial)
-    speeds = np.asarray(speed, float)
-    if not np.isfinite(speeds).all():
-        raise InvalidBearing("speed must be finite")
+    speeds = real_numbers(speed)
+    if speeds is None or not np.isfinite(speeds).all():
+        raise InvalidBearing(f"speed must be finite numbers, got {shown(speed)}")
     opening, compliance = openings(stack, axial)
     free = opening[:, -1] - overlap + speeds[..., None] ** 2 * opening[:, -2]
     pressure = _contact_pressure(free, compliance)
@@ -165,7 +164,6 @@ def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
     return each[each > 0.0]
 
 
-@checked
 def thermal_growth(
     pitch_diameter: float,
     ball_diameter: float,
@@ -192,7 +190,8 @@ def thermal_growth(
 def _checked(
     bodies: Sequence[Cylinder], interference: ArrayLike, axial: str
 ) -> tuple[tuple[Cylinder, ...], Array]:
-    stack, overlap = tuple(bodies), np.atleast_1d(np.asarray(interference, float))
+    stack, given = tuple(bodies), real_numbers(interference)
+    overlap = np.full(1, np.nan) if given is None else np.atleast_1d(given)
     if axial not in AXIAL_CONDITIONS:
         raise InvalidBearing(f"axial must be one of {AXIAL_CONDITIONS}, got {shown(axial)}")
     if not stack:
@@ -200,7 +199,7 @@ def _checked(
     if overlap.shape != (len(stack) - 1,) or not np.isfinite(overlap).all():
         raise InvalidBearing(
             f"{len(stack)} cylinders need {len(stack) - 1} finite interferences, "
-            f"got {overlap.tolist()}"
+            f"got {shown(interference)}"
         )
     for inside, outside in itertools.pairwise(stack):
         if not math.isclose(inside.outer_radius, outside.inner_radius, rel_tol=1e-9):

@@ -352,7 +352,7 @@ def test_impossible_questions() -> None:
         compound(STACK, [FIT], axial="plane")
     with pytest.raises(InvalidBearing, match="speed"):
         compound(STACK, [FIT], math.inf)
-    with pytest.raises(InvalidBearing, match="speed must be numbers"):
+    with pytest.raises(InvalidBearing, match="speed must be finite numbers"):
         compound(STACK, [FIT], "fast")
     with pytest.raises(InvalidBearing, match="outside the body"):
         compound(STACK, [FIT]).radial_growth(0.03)
