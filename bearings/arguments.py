@@ -12,12 +12,15 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
-from functools import wraps
+from functools import cache, wraps
 from itertools import chain
 from numbers import Integral, Rational, Real
-from typing import Any, ParamSpec, TypeGuard, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeGuard, TypeVar
 
 from bearings.errors import InvalidBearing, shown
+
+if TYPE_CHECKING:
+    from bearings.arrays import Array
 
 MOST = 1e50  # SI units
 P = ParamSpec("P")
@@ -81,6 +84,7 @@ def _refusal(value: object, words: str, tests: Sequence[Check]) -> str:
     return "" if taken else f"must be {words}, got {shown(value)}"
 
 
+@cache
 def _test(annotation: str) -> tuple[str, tuple[Check, ...]]:
     """What an annotation takes, in words, and a test for each of its forms; none if it is open."""
     forms = re.split(r" \| (?![^\[]*\])", annotation)
@@ -135,26 +139,26 @@ def _whole(value: Any) -> bool:
     return isinstance(value, Integral) and finite(value) and abs(value) < 2**31
 
 
-def _numbers(value: Any) -> bool:
-    if type(value) is float:
-        return not abs(value) > MOST or math.isinf(value)
+def real_numbers(value: Any) -> Array | None:
+    """An array of floats, NaN for None; None where there is text, True or False among them."""
     import numpy as np
 
     try:
         array = np.asarray(value)
-        if array.dtype.kind not in "fiu" and not _all_numbers(array):
-            return False
-        size = np.abs(array.astype(float))
+        if array.dtype.kind not in "fiu" or isinstance(value, list | tuple):
+            for each in np.asarray(value, dtype=object).flat:
+                if each is not None and (isinstance(each, bool) or not isinstance(each, Real)):
+                    return None
+        return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
-        return False
-    return not ((size > MOST) & (size < math.inf)).any()
+        return None
 
 
-def _all_numbers(array: Any) -> bool:
-    return array.dtype == object and all(
-        each is None or (isinstance(each, Real) and not isinstance(each, bool))
-        for each in array.flat
-    )
+def _numbers(value: Any) -> bool:
+    if type(value) is float:
+        return not abs(value) > MOST or math.isinf(value)
+    array = real_numbers(value)
+    return array is not None and not ((abs(array) > MOST) & (abs(array) < math.inf)).any()
 
 
 def _row(value: Any, absent: bool) -> bool:

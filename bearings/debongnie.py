@@ -13,12 +13,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import MOST, finite, real_numbers
 from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.bearing import BallBearing
@@ -30,7 +30,6 @@ LOWEST, HIGHEST = 1e-2, 1e2  # x for which A and n are meant
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
 LEAST_SPEED = 1e-3  # rad/s
-FAR = 1e300  # SI; beyond it squares are no numbers
 
 
 class PowerLaw(NamedTuple):
@@ -201,7 +200,11 @@ class RadialRing:
     def __post_init__(self) -> None:
         for name in (f.name for f in fields(self) if f.name != "clearance"):
             _check_positive(name, getattr(self, name))
-        if not _number(self.clearance):
+            if not 1.0 / MOST <= getattr(self, name) <= MOST:
+                raise InvalidBearing(
+                    f"{name} must lie from {1.0 / MOST:g} to {MOST:g}: is the unit right?"
+                )
+        if not finite(self.clearance):
             raise InvalidBearing(
                 f"clearance must be a finite length in m, got {shown(self.clearance)}"
             )
@@ -337,7 +340,7 @@ def _constants(
 
 
 def _check_positive(name: str, value: float) -> None:
-    if not (_number(value) and value > 0.0):
+    if not (finite(value) and value > 0.0):
         raise InvalidBearing(f"{name} must be a finite number above zero, got {shown(value)}")
 
 
@@ -346,19 +349,11 @@ def _check_conformities(inner: float, outer: float) -> None:
         raise InvalidBearing("conformities must be above 0.5: grooves are wider than the ball")
 
 
-def _number(value: object) -> bool:
-    """A finite real number."""
-    if isinstance(value, bool) or not isinstance(value, Real):
-        return False
-    return bool(value < FAR) and not value <= -FAR
-
-
 def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:
     """Finite numbers from ``low`` up, or above zero."""
-    try:
-        array = np.asarray(values, float)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {shown(values)}") from error
+    array = real_numbers(values)
+    if array is None:
+        raise InvalidBearing(f"{name} must be numbers, got {shown(values)}")
     good = array > 0.0 if low is None else array >= low
     if not (np.isfinite(array) & good).all():
         least = "above zero" if low is None else f"from {low:g} up"

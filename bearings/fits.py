@@ -1,6 +1,6 @@
 """Limits of tolerance classes (ISO 286), of bearing rings (ISO 492), and the interference of fits.
 
-Deviations and interferences are on the DIAMETER [m]; ``bearings.fit.cylinder`` takes the radius.
+Deviations and interferences are on the DIAMETER [m]; ``bearings.fit.compound`` takes the radius.
 Grades IT3 to IT7 above 18 mm were read in a catalogue; all else is from memory of the standard [M].
 """
 

@@ -14,7 +14,7 @@ from bearings.errors import InvalidBearing, NoEquilibrium, shown
 from bearings.geometry import acting, geometry, groove_origin
 from bearings.ring.assembly import full_assembly
 from bearings.ring.equilibrium import one_by_one
-from bearings.ring.operation import finite, five_numbers
+from bearings.ring.operation import finite_numbers, five_numbers
 from bearings.ring.problem import Problem, first_displacement, turns
 
 if TYPE_CHECKING:
@@ -64,10 +64,10 @@ class Follower:
         for given, kind in ((bearing, BallBearing), (law, Law)):
             if not isinstance(given, kind):
                 raise InvalidBearing(f"a follower takes a {kind.__name__}, got {shown(given)}")
-        static = finite("static_growth", static_growth, single=True)
-        total = static if growth is None else finite("growth", growth, single=True)
+        static = finite_numbers("static_growth", static_growth, single=True)
+        total = static if growth is None else finite_numbers("growth", growth, single=True)
         self._bearing = bearing
-        self.speed = float(finite("speed", speed, single=True)[0])
+        self.speed = float(finite_numbers("speed", speed, single=True)[0])
         self._geometry, self._law = acting(geometry(bearing.grooves), law.dynamics), law
         self._origin = groove_origin(self._geometry, static, total)
         if not np.isfinite(self._origin).all():
@@ -100,7 +100,7 @@ class Follower:
         self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool
     ) -> Followed:
         shape = load.shape[:-1]
-        turning = np.abs(finite("speed", self.speed if speed is None else speed))
+        turning = np.abs(finite_numbers("speed", self.speed if speed is None else speed))
         try:
             omega = np.broadcast_to(turning, shape).reshape(-1)
         except ValueError as error:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -51,7 +51,7 @@ class Geometry(NamedTuple):
     ball_diameter: float
     pitch_diameter: float
     balls: int
-    contact_angle: float
+    free_angle: float
     inner: HertzContact
     outer: HertzContact
     inner_grooves: tuple[Groove, ...]
@@ -98,7 +98,7 @@ def geometry(bearing: Grooves) -> Geometry:
         ball_diameter=diameter,
         pitch_diameter=pitch,
         balls=bearing.balls,
-        contact_angle=bearing.free_angle,
+        free_angle=bearing.free_angle,
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
@@ -135,6 +135,11 @@ def acting(g: Geometry, dynamics: str) -> Geometry:
     return g._replace(orbital_factor=0.0) if dynamics == "gyroscopic" else g
 
 
+def frozen_force(g: Geometry, squared: Any) -> Any:
+    """Fc of a ball on its orbit at the free contact angle, at ω² = ``squared`` [N]."""
+    return g.orbital_factor * g.nominal_orbit_ratio_squared * squared
+
+
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     """Middle of the inner groove (2, …) at zero displacement, seen from that of the outer one.
 
@@ -146,9 +151,9 @@ def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     if not g.touching:
         open_ = np.minimum(radial, g.radial_gap + static_growth) < WIDEST * g.free_distance
         return np.where(open_, np.nan, np.stack([np.zeros_like(radial), radial]))
-    cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
+    cosine = np.cos(g.free_angle) + static_growth / g.free_distance
     possible = np.abs(cosine) <= 1.0
-    least = WIDEST if g.contact_angle <= STEEP else WIDEST - 1.0
+    least = WIDEST if g.free_angle <= STEEP else WIDEST - 1.0
     possible &= radial >= least * g.free_distance
     axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))
     return np.stack([axial, radial])

@@ -24,11 +24,10 @@ from bearings.ball.law import STANDARD, Law
 from bearings.ball.race import facing_radius
 from bearings.film import Film, film
 from bearings.geometry import Groove
-from bearings.ring.assembly import full_assembly
+from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.linearised import tangent
 from bearings.ring.problem import Problem, turns
 from bearings.ring.request import sides
-from bearings.ring.tangents import alike
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
@@ -166,7 +165,7 @@ def softened(state: BearingState, films: Film) -> Array:
     )
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
     stiffness[rows] = tangent(part, condensed(balance))
-    return alike(state, stiffness.reshape(state.complete_stiffness.shape))
+    return alike(state.load, state.displacement, stiffness.reshape(state.complete_stiffness.shape))
 
 
 def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:

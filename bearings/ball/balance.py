@@ -21,14 +21,20 @@ from bearings.ball.plane import (
     Block,
     Motion,
     Pair,
+    Polar,
     Triple,
     combined,
     determinant,
+    dot,
+    exchanged,
     inverse,
+    less_by,
+    more_by,
     plus,
+    scaled,
+    times,
     where,
 )
-from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
 from bearings.ball.potential import both_grooves, resting_reaction
 from bearings.ball.race import Contact, Race, against, facing, race
 from bearings.geometry import Geometry
@@ -58,6 +64,14 @@ class Balance(NamedTuple):
     centrifugal_force: Any
     gyroscopic_moment: Any
     inner_share: Any
+
+
+class Moving(NamedTuple):
+    """A value with its derivatives by X and by A."""
+
+    value: Any
+    by_ball: Pair
+    by_centre: Motion
 
 
 class Condensed(NamedTuple):
@@ -117,26 +131,17 @@ def turning_balance(
     fa, fr = _inner_force(loads[0], ti, si, ci)
     ga, gr = _outer_force(loads[1], to, so, co)
     turning = scaled(1.0, c.inner_conformity * c.ball_diameter, ti)
-    level, rise = less_by(fa, ga), more_by(less_by(fr, gr), fc)
-    level_i, rise_i = _by_inner(level, inner), _by_inner(rise, inner)
-    fa_i, fr_i, turning_i = _by_inner(fa, inner), _by_inner(fr, inner), _by_inner(turning, inner)
-    action = (fa.value, fr.value, turning.value)
-    action_by_ball = (
-        _by_ball(fa, fa_i, outer),
-        _by_ball(fr, fr_i, outer),
-        _by_ball(turning, turning_i, outer),
-    )
-    action_by_centre = (fa_i, fr_i, turning_i)
-    action, action_by_ball, action_by_centre = _about_the_middle(
-        inner.middle_by, inner.middle, action, action_by_ball, action_by_centre
-    )
+    axial, radial = _moving(fa, inner, outer), _moving(fr, inner, outer)
+    tilting = _about_the_middle(inner, radial, _moving(turning, inner, outer))
+    level = _moving(less_by(fa, ga), inner, outer)
+    rise = _moving(more_by(less_by(fr, gr), fc), inner, outer)
     return Balance(
         residual=(level.value, rise.value),
-        residual_by_ball=(_by_ball(level, level_i, outer), _by_ball(rise, rise_i, outer)),
-        residual_by_centre=(level_i, rise_i),
-        action=action,
-        action_by_ball=action_by_ball,
-        action_by_centre=action_by_centre,
+        residual_by_ball=(level.by_ball, rise.by_ball),
+        residual_by_centre=(level.by_centre, rise.by_centre),
+        action=(axial.value, radial.value, tilting.value),
+        action_by_ball=(axial.by_ball, radial.by_ball, tilting.by_ball),
+        action_by_centre=(axial.by_centre, radial.by_centre, tilting.by_centre),
         inner_load=inner.load,
         outer_load=outer.load,
         inner_direction=(si, ci),
@@ -147,17 +152,17 @@ def turning_balance(
     )
 
 
-def _about_the_middle(
-    by: Motion, middle: Any, action: Triple, by_ball: Rows, by_centre: Rows
-) -> tuple[Triple, Rows, Rows]:
+def _about_the_middle(inner: Race, radial: Moving, tilting: Moving) -> Moving:
     """The moment of the radial force added, which acts beside the middle of two grooves."""
+    by, middle, force = inner.middle_by, inner.middle, radial.value
     if len(by) == 2:
-        return action, by_ball, by_centre
-    force, ball = action[1], (-by[0], -by[1])
-    return (
-        (action[0], force, action[2] + middle * force),
-        (by_ball[0], by_ball[1], plus(by_ball[2], combined(middle, by_ball[1], force, ball))),
-        (by_centre[0], by_centre[1], plus(by_centre[2], combined(middle, by_centre[1], force, by))),
+        return tilting
+    by_ball = combined(middle, radial.by_ball, -force, (by[0], by[1]))
+    by_centre = combined(middle, radial.by_centre, force, by)
+    return Moving(
+        tilting.value + middle * force,
+        plus(tilting.by_ball, by_ball),
+        plus(tilting.by_centre, by_centre),
     )
 
 
@@ -167,20 +172,20 @@ def condensed(b: Balance) -> Condensed:
     (level, rise), (first, second) = b.residual, b.residual_by_centre
     still = (-p * level - q * rise, -r * level - s * rise)
     follow = (combined(-p, first, -q, second), combined(-r, first, -s, second))
-    (x1, x2), (y1, y2), (z1, z2) = b.action_by_ball
+    x, y, z = b.action_by_ball
     return Condensed(
         fold=determinant(b.residual_by_ball),
         still=still,
         follow=follow,
         action=(
-            b.action[0] + x1 * still[0] + x2 * still[1],
-            b.action[1] + y1 * still[0] + y2 * still[1],
-            b.action[2] + z1 * still[0] + z2 * still[1],
+            b.action[0] + dot(x, still),
+            b.action[1] + dot(y, still),
+            b.action[2] + dot(z, still),
         ),
         tangent=(
-            plus(b.action_by_centre[0], combined(x1, follow[0], x2, follow[1])),
-            plus(b.action_by_centre[1], combined(y1, follow[0], y2, follow[1])),
-            plus(b.action_by_centre[2], combined(z1, follow[0], z2, follow[1])),
+            plus(b.action_by_centre[0], combined(x[0], follow[0], x[1], follow[1])),
+            plus(b.action_by_centre[1], combined(y[0], follow[0], y[1], follow[1])),
+            plus(b.action_by_centre[2], combined(z[0], follow[0], z[1], follow[1])),
         ),
     )
 
@@ -257,15 +262,12 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
     return exchanged(axial), exchanged(radial)
 
 
-def _by_inner(p: Polar, inner: Race) -> Motion:
-    """Derivatives by A."""
-    return combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
-
-
-def _by_ball(p: Polar, inner: Motion, outer: Race) -> Pair:
-    """Derivatives by X through both races."""
+def _moving(p: Polar, inner: Race, outer: Race) -> Moving:
+    """A value by the motions of inner groove and ball, through both races."""
+    by_centre = combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
     a, b = outer.angle_by, outer.approach_by
-    return (
-        p.by[2] * a[0] + p.by[3] * b[0] - inner[0],
-        p.by[2] * a[1] + p.by[3] * b[1] - inner[1],
+    by_ball = (
+        p.by[2] * a[0] + p.by[3] * b[0] - by_centre[0],
+        p.by[2] * a[1] + p.by[3] * b[1] - by_centre[1],
     )
+    return Moving(p.value, by_ball, by_centre)

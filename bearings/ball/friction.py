@@ -9,8 +9,7 @@ stand.
 
 from __future__ import annotations
 
-from bearings.ball.plane import combined, where
-from bearings.ball.polar import Polar, times
+from bearings.ball.plane import Polar, combined, times, where
 from bearings.ball.race import Contact
 
 FAR = 1e300  # N·m: a race without a share of the moment never slips

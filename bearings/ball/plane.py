@@ -1,14 +1,15 @@
-"""Small matrices in a plane, entry by entry: plain expressions of floats or arrays.
+"""Small matrices in a plane, and values with derivatives, entry by entry.
 
-A pair is a plane vector (axial, radial), a block a 2×2 matrix by rows. A motion of a ring at a ball
-is a pair, with the tilt as a third part where the ring has two grooves: one groove does not notice
-the tilt about its own centre. Lengths of tuples are known when a function is compiled.
+Plain expressions of floats or arrays, which compile as they stand. A pair is a plane vector (axial,
+radial), a block a 2×2 matrix by rows. A motion of a ring at a ball is a pair, with the tilt as a
+third part where the ring has two grooves: one groove does not notice the tilt about its own centre.
+Lengths of tuples are known when a function is compiled.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -90,3 +91,36 @@ def inverse(m: Block) -> Block:
     size = determinant(m)
     part = where(size != 0.0, 1.0, 0.0) / where(size != 0.0, size, 1.0)
     return (m[1][1] * part, -m[0][1] * part), (-m[1][0] * part, m[0][0] * part)
+
+
+class Polar(NamedTuple):
+    """A value, and ``by``: its derivatives by αi, δi, αo and δo, of the races' resultants."""
+
+    value: Any
+    by: tuple[Any, Any, Any, Any]
+
+
+def exchanged(p: Polar) -> Polar:
+    """Seen with the races exchanged."""
+    return Polar(p.value, (p.by[2], p.by[3], p.by[0], p.by[1]))
+
+
+def times(p: Polar, q: Polar) -> Polar:
+    """Product of two values."""
+    return Polar(p.value * q.value, combined(p.value, q.by, q.value, p.by))
+
+
+def scaled(vary: float, factor: float, p: Polar) -> Polar:
+    """A value times ``factor``, its derivatives times ``vary`` as well."""
+    f = vary * factor
+    return Polar(factor * p.value, (f * p.by[0], f * p.by[1], f * p.by[2], f * p.by[3]))
+
+
+def more_by(p: Polar, q: Polar) -> Polar:
+    """Sum of two values."""
+    return Polar(p.value + q.value, plus(p.by, q.by))
+
+
+def less_by(p: Polar, q: Polar) -> Polar:
+    """Difference of two values."""
+    return Polar(p.value - q.value, minus(p.by, q.by))

@@ -29,7 +29,6 @@ from bearings.ball.race import (
     against,
     facing,
     facing_radius,
-    is_free,
     spring,
     springs,
     vector_to,
@@ -64,6 +63,12 @@ def stiffness(inner: Springs, outer: Springs) -> Block:
     """Of a ball between its contacts."""
     mixed = inner.slope[1] + outer.slope[1]
     return (inner.slope[0] + outer.slope[0], mixed), (mixed, inner.slope[2] + outer.slope[2])
+
+
+def rounding_force(c: Geometry, largest: Any) -> Any:
+    """What a rounding of the lengths makes of the load of a ball under ``largest`` [N]."""
+    slope = 1.5 * (c.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
+    return EPS * c.free_distance * slope
 
 
 def potential(
@@ -121,22 +126,15 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
 def resting_reaction(c: Geometry, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
     p = spring(both_grooves(c), centre)
-    still = _still(centre, 0.0 * p.energy)
+    still = combined(0.0, centre, 0.0, centre)
     first, second, _ = _rows(centre, p)
     action = (p.force[0], p.force[1], still[0])
     return Reaction(p.energy, action, (first, second, still), (still, still))
 
 
-def _still(centre: Motion, none: Any) -> Motion:
-    if len(centre) == 2:
-        return none, none
-    return none, none, none
-
-
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
-    reach = c.inner_centre_distance + c.outer_centre_distance
-    return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].walls)
+    return Groove(c.series_stiffness, c.free_distance, 0.0, c.inner_grooves[0].walls)
 
 
 def resting_seat(c: Geometry, centre: Pair) -> Pair:
@@ -164,7 +162,7 @@ def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     if len(c.outer_grooves) == 2:
         return x
     riding = riding_radius(c, centrifugal_force)
-    free = is_free(c.inner_grooves, against(centre, (0.0 * riding, riding)))
+    free = springs(c.inner_grooves, against(centre, (0.0 * riding, riding)), 1.0).energy == 0.0
     return where(free, 0.0, x[0]), where(free, riding, x[1])
 
 
@@ -248,11 +246,10 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
         + np.sqrt(dot(outer.force, outer.force))
         + centrifugal_force
     )
-    reach = c.inner_centre_distance + c.outer_centre_distance
     hold = both[0][0] + both[1][1]
-    noise = 4.0 * EPS * reach * hold
+    noise = 4.0 * EPS * c.free_distance * hold
     energy = potential(c, inner, outer, ball, centrifugal_force)
-    slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
+    slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + c.free_distance * size)
     step = dot(back[0], gap), dot(back[1], gap)
     if len(c.outer_grooves[0].walls) > 0:
         step = _rising(c, both, outer, (gap, step), ball[1])

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.ball.plane import Motion, Pair, Triple, direction, dot, some, where
-from bearings.geometry import Groove
+from bearings.geometry import Geometry, Groove
 
 NOWHERE = 1e-300  # m: a distance that is none
 FACED = 0.25  # of its gap to a groove a free ball stands at least below the centre of the groove
@@ -122,25 +122,19 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     return sin, cos, approach, (cos * part, -sin * part)
 
 
+def faced(c: Geometry, centre: Motion, ball: Pair) -> tuple[Pair, Pair]:
+    """Vectors along which a ball faces the middles of outer and inner groove, of any length."""
+    inner = against(centre, ball)
+    if len(c.inner_grooves[0].walls) == 0:
+        return ball, (inner[0], inner[1])
+    return facing(c.outer_grooves[0], ball)[:2], facing(c.inner_grooves[0], inner)[:2]
+
+
 def facing_radius(groove: Groove, radial: Any) -> Any:
     """Radial distance of the centres as the contact knows it: beyond 90° a straight wall has 0."""
     if len(groove.walls) == 0:
         return radial
     return np.maximum(radial, 0.0)
-
-
-def is_free(grooves: tuple[Groove, ...], vector: Motion) -> Any:
-    """Whether a ball touches no groove of the inner ring; ``vector`` as for ``race``."""
-    free = _apart(grooves[0], vector)
-    if len(grooves) == 2:
-        free = free & _apart(grooves[1], vector)
-    return free
-
-
-def _apart(groove: Groove, vector: Motion) -> Any:
-    axial, radial = vector_to(groove, vector, 1.0)
-    radial = facing_radius(groove, radial)
-    return axial * axial + radial * radial <= groove.centre_distance**2
 
 
 def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:

@@ -1,8 +1,16 @@
 """Rings on a rotating shaft: fits, rotation and temperature, as compound thick cylinders.
 
 Bodies are concentric, listed from the axis outward; neighbours share a nominal radius and carry a
-radial interference, which presses (p ≥ 0) or leaves a gap, never pulls. The axial conditions are
-those of ``bearings.fit.cylinder``.
+radial interference, which presses (p ≥ 0) or leaves a gap, never pulls. In every body
+u(r) = A r + B/r + C ω² r³ (Lamé with rotation; Timoshenko & Goodier, *Theory of Elasticity*,
+§§28, 32, 150). A stack of n bodies has n + 1 unit loads: the n − 1 pressures of its fits, ω², and
+the temperatures as given (1); arrays run over them in this order.
+
+The axial condition is one of
+
+- ``"plane_stress"``: thin rings, no axial stress anywhere;
+- ``"free_ends"``: generalised plane strain, no net axial force in any body (fits slip axially);
+- ``"clamped"``: generalised plane strain, one axial strain for all bodies, no net axial force.
 """
 
 from __future__ import annotations
@@ -15,19 +23,46 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from bearings.arguments import check_fields, checked, real_numbers
 from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing, shown
-from bearings.fit.cylinder import (
-    AXIAL_CONDITIONS,
-    Cylinder,
-    displacement_fields,
-    hoop_stress,
-    openings,
-    require_inside,
-)
+from bearings.materials import Material
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+AXIAL_CONDITIONS = ("plane_stress", "free_ends", "clamped")
+
+
+@dataclass(frozen=True, slots=True)
+class Cylinder:
+    """One body of the stack.
+
+    Parameters
+    ----------
+    inner_radius, outer_radius : nominal radii [m]; inner 0 for a solid shaft
+    material : elastic constants and density
+    temperature_rise : uniform, above the state in which interferences are given [K]
+    expansion : thermal expansion coefficient [1/K], needed with a temperature rise
+
+    Raises
+    ------
+    InvalidBearing : radii not in order, a value not finite, temperature without expansion
+    """
+
+    inner_radius: float
+    outer_radius: float
+    material: Material
+    temperature_rise: float = 0.0
+    expansion: float = 0.0
+
+    def __post_init__(self) -> None:
+        radii = (self.inner_radius, self.outer_radius)
+        check_fields(self)
+        if not 0.0 <= radii[0] < radii[1]:
+            raise InvalidBearing(f"cylinder radii must satisfy 0 <= inner < outer, got {radii} m")
+        if self.temperature_rise != 0.0 and self.expansion == 0.0:
+            raise InvalidBearing("a temperature_rise needs the expansion coefficient, got 0")
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,9 +121,9 @@ def compound(
     InvalidBearing : radii that do not meet, wrong number of interferences, non-finite values
     """
     stack, overlap = _checked(bodies, interference, axial)
-    speeds = np.asarray(speed, float)
-    if not np.isfinite(speeds).all():
-        raise InvalidBearing("speed must be finite")
+    speeds = real_numbers(speed)
+    if speeds is None or not np.isfinite(speeds).all():
+        raise InvalidBearing(f"speed must be finite numbers, got {shown(speed)}")
     opening, compliance = openings(stack, axial)
     free = opening[:, -1] - overlap + speeds[..., None] ** 2 * opening[:, -2]
     pressure = _contact_pressure(free, compliance)
@@ -96,41 +131,37 @@ def compound(
     return CompoundState(stack, axial, speeds, pressure, gap)
 
 
-def centrifugal_growth(
-    bodies: Sequence[Cylinder],
-    interference: ArrayLike,
-    radius: float,
-    speed: ArrayLike,
-    *,
-    axial: str = "plane_stress",
-) -> Array:
-    """Growth of the outermost body at ``radius`` that rotation adds to rest [m], (…)."""
-    turning = compound(bodies, interference, speed, axial=axial).radial_growth(radius)
-    return turning - compound(bodies, interference, 0.0, axial=axial).radial_growth(radius)
-
-
+@checked
 def release_speed(
     bodies: Sequence[Cylinder], interference: ArrayLike = (), *, axial: str = "plane_stress"
 ) -> Array:
     """Speed at which each fit first lets go [rad/s], shape (fits,).
 
     0 for a fit that does not press at rest; infinite for one that never lets go. Pressures are
-    piecewise linear in ω²: the pieces are followed from rest.
+    piecewise linear in ω²: between neighbouring zeros of the pressures and gaps of all sets of
+    pressing fits one set presses.
     """
     stack, overlap = _checked(bodies, interference, axial)
     opening, compliance = openings(stack, axial)
     start, slope = opening[:, -1] - overlap, opening[:, -2]
-    active = _contact_pressure(start, compliance) > 0.0
-    release = np.where(active, np.inf, 0.0)
-    squared, joint = 0.0, None
-    for _ in range(4 ** len(overlap)):
-        squared, joint = _next_event(start, slope, compliance, active, squared, joint)
-        if joint is None:
-            break
-        if active[joint] and not math.isfinite(release[joint]):
-            release[joint] = math.sqrt(squared)
-        active[joint] = not active[joint]
-    return release
+    zeros = [0.0, *_zeros(start, slope, compliance)]
+    squared = np.append(np.unique(zeros), 4.0 * max(zeros) + 1.0)
+    middle = 0.5 * (squared[:-1] + squared[1:])
+    free = _contact_pressure(start + middle[:, None] * slope, compliance) <= 0.0
+    return np.where(free.any(axis=0), np.sqrt(squared[np.argmax(free, axis=0)]), np.inf)
+
+
+def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
+    """ω² > 0 at which a pressure or a gap of any set of pressing fits is zero."""
+    zeros = []
+    for choice in itertools.product((False, True), repeat=len(start)):
+        active = np.array(choice, bool)
+        p0, p1 = (_pressing(part, compliance, active) for part in (start, slope))
+        value = np.where(active, p0, start + compliance @ p0)
+        rate = np.where(active, p1, slope + compliance @ p1)
+        zeros.append(-value / np.where(rate == 0.0, np.inf, rate))
+    each = np.concatenate(zeros)
+    return each[each > 0.0]
 
 
 def thermal_growth(
@@ -159,7 +190,8 @@ def thermal_growth(
 def _checked(
     bodies: Sequence[Cylinder], interference: ArrayLike, axial: str
 ) -> tuple[tuple[Cylinder, ...], Array]:
-    stack, overlap = tuple(bodies), np.atleast_1d(np.asarray(interference, float))
+    stack, given = tuple(bodies), real_numbers(interference)
+    overlap = np.full(1, np.nan) if given is None else np.atleast_1d(given)
     if axial not in AXIAL_CONDITIONS:
         raise InvalidBearing(f"axial must be one of {AXIAL_CONDITIONS}, got {shown(axial)}")
     if not stack:
@@ -167,7 +199,7 @@ def _checked(
     if overlap.shape != (len(stack) - 1,) or not np.isfinite(overlap).all():
         raise InvalidBearing(
             f"{len(stack)} cylinders need {len(stack) - 1} finite interferences, "
-            f"got {overlap.tolist()}"
+            f"got {shown(interference)}"
         )
     for inside, outside in itertools.pairwise(stack):
         if not math.isclose(inside.outer_radius, outside.inner_radius, rel_tol=1e-9):
@@ -205,22 +237,112 @@ def _pressing(free: Array, compliance: Array, active: Flags) -> Array:
     return pressure
 
 
-def _next_event(
-    start: Array,
-    slope: Array,
-    compliance: Array,
-    active: Flags,
-    squared: float,
-    last: int | None,
-) -> tuple[float, int | None]:
-    """The next ω² at which a fit lets go or closes, and which one (None when nothing more does)."""
-    p0, p1 = (_pressing(part, compliance, active) for part in (start, slope))
-    value = np.where(active, p0, start + compliance @ p0)
-    rate = np.where(active, p1, slope + compliance @ p1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        when = np.where(rate < 0.0, -value / rate, np.inf)
-    when = np.where(when < squared * (1.0 - 1e-12), np.inf, when)
-    if last is not None:
-        when[last] = np.inf
-    joint = int(np.argmin(when)) if when.size else 0
-    return (float(when[joint]), joint) if when.size and np.isfinite(when[joint]) else (0.0, None)
+def require_inside(cylinder: Cylinder, radius: float) -> None:
+    """Refuse a radius outside the body (InvalidBearing)."""
+    slack = 1e-9 * cylinder.outer_radius
+    if not cylinder.inner_radius - slack <= radius <= cylinder.outer_radius + slack:
+        raise InvalidBearing(
+            f"radius {radius:g} m lies outside the body, which reaches from "
+            f"{cylinder.inner_radius:g} to {cylinder.outer_radius:g} m"
+        )
+
+
+def _plane(material: Material, axial: str) -> tuple[float, float, float]:
+    """E, ν and factor on α that turn plane-stress formulae into those of the axial condition."""
+    young, nu = material.young_modulus, material.poisson_ratio
+    if axial == "plane_stress":
+        return young, nu, 1.0
+    return young / (1.0 - nu**2), nu / (1.0 - nu), 1.0 + nu
+
+
+def _surface_pressures(count: int) -> tuple[Array, Array]:
+    """Pressure inside and outside each body per unit load (fit pressures, ω², 1): (bodies, …)."""
+    unit, none = np.eye(count - 1, count + 1), np.zeros((1, count + 1))
+    return np.vstack([none, unit]), np.vstack([unit, none])
+
+
+def _lame(cylinder: Cylinder, inside: Array, outside: Array) -> tuple[Array, Array]:
+    """Mean in-plane stress, and the factor of 1/r² in σθ, from the two surface pressures."""
+    ri2, ro2 = cylinder.inner_radius**2, cylinder.outer_radius**2
+    return (inside * ri2 - outside * ro2) / (ro2 - ri2), (inside - outside) * ri2 * ro2 / (
+        ro2 - ri2
+    )
+
+
+def _axial_force(cylinder: Cylinder, mean: Array) -> Array:
+    """E α T − ν ⟨σr + σθ⟩ per unit area and load: E εz when no axial force acts."""
+    m = cylinder.material
+    force = -2.0 * m.poisson_ratio * mean
+    ring = cylinder.outer_radius**2 + cylinder.inner_radius**2
+    force[-2] -= m.poisson_ratio * m.density * ring / 2.0
+    force[-1] += m.young_modulus * cylinder.expansion * cylinder.temperature_rise
+    return force
+
+
+def _axial_strains(bodies: tuple[Cylinder, ...], axial: str) -> Array:
+    """εz of each body per unit load, (bodies, loads); unused (zero) in plane stress."""
+    inside, outside = _surface_pressures(len(bodies))
+    if axial == "plane_stress":
+        return np.zeros_like(inside)
+    means = [_lame(b, p, q)[0] for b, p, q in zip(bodies, inside, outside, strict=True)]
+    force = np.array([_axial_force(b, m) for b, m in zip(bodies, means, strict=True)])
+    young = np.array([[b.material.young_modulus] for b in bodies])
+    if axial == "free_ends":
+        return force / young
+    area = np.array([[b.outer_radius**2 - b.inner_radius**2] for b in bodies])
+    return np.broadcast_to((area * force).sum(0) / (area * young).sum(0), inside.shape)
+
+
+def displacement_fields(bodies: tuple[Cylinder, ...], axial: str) -> tuple[Array, Array, Array]:
+    """A, B, C of every body per unit load (fit pressures, ω², 1), each (bodies, loads)."""
+    pressures = zip(*_surface_pressures(len(bodies)), strict=True)
+    strains = _axial_strains(bodies, axial)
+    rows = [_field(b, *p, axial, e) for b, p, e in zip(bodies, pressures, strains, strict=True)]
+    linear, inverse, cubic = (np.array(part) for part in zip(*rows, strict=True))
+    return linear, inverse, cubic
+
+
+def _field(
+    body: Cylinder, inside: Array, outside: Array, axial: str, strain: Array
+) -> tuple[Array, Array, Array]:
+    young, nu, heat = _plane(body.material, axial)
+    ri2, ro2 = body.inner_radius**2, body.outer_radius**2
+    mean, shear = _lame(body, inside, outside)
+    linear = (1.0 - nu) / young * mean - body.material.poisson_ratio * strain
+    inverse = (1.0 + nu) / young * shear
+    cubic = np.zeros_like(linear)
+    spin = body.material.density * (3.0 + nu) / (8.0 * young)
+    linear[-2] += spin * (1.0 - nu) * (ri2 + ro2)
+    inverse[-2] += spin * (1.0 + nu) * ri2 * ro2
+    cubic[-2] = -body.material.density * (1.0 - nu**2) / (8.0 * young)
+    linear[-1] += heat * body.expansion * body.temperature_rise
+    return linear, inverse, cubic
+
+
+def hoop_stress(bodies: tuple[Cylinder, ...], axial: str, body: int, radius: float) -> Array:
+    """σθ of one body at ``radius`` per unit load [Pa].
+
+    A uniform temperature and axial strain add none in the plane.
+    """
+    cylinder = bodies[body]
+    inside, outside = (p[body] for p in _surface_pressures(len(bodies)))
+    _, nu, _ = _plane(cylinder.material, axial)
+    ri2, ro2, r2 = cylinder.inner_radius**2, cylinder.outer_radius**2, radius**2
+    mean, shear = _lame(cylinder, inside, outside)
+    bore = 1.0 / r2 if ri2 else 0.0
+    stress = mean + shear * bore
+    turning = (3.0 + nu) * (ri2 + ro2 + ri2 * ro2 * bore) - (1.0 + 3.0 * nu) * r2
+    stress[-2] += cylinder.material.density / 8.0 * turning
+    return stress
+
+
+def openings(bodies: tuple[Cylinder, ...], axial: str) -> tuple[Array, Array]:
+    """Outer minus inner u at every fit per unit load (fits, loads), and its pressure block."""
+    linear, inverse, cubic = displacement_fields(bodies, axial)
+    radius = np.array([[b.outer_radius] for b in bodies[:-1]]).reshape(-1, 1)
+
+    def at(rows: slice) -> Array:
+        return linear[rows] * radius + inverse[rows] / radius + cubic[rows] * radius**3
+
+    opening = at(slice(1, None)) - at(slice(None, -1))
+    return opening, opening[:, : len(radius)]

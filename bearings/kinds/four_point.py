@@ -94,10 +94,6 @@ class FourPointBallBearing(BallBearing):
         words = [self.drawn(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
         return f" means {', '.join(words)}"
 
-    def _arch(self, shim: float, conformity: float) -> float:
-        """Angle α⁰ at which a ball pressed radially touches both arcs, sin α⁰ = g/(2 ℓ)."""
-        return math.asin(min(shim / ((2.0 * conformity - 1.0) * self.ball_diameter), 1.0))
-
     def _radial_gap(self) -> float:
         """BD cos αf, from whichever of the three data is given (Lacroix 2.41–2.49, corrected)."""
         if self.contact_angle is not None:
@@ -117,11 +113,10 @@ class FourPointBallBearing(BallBearing):
         return 1.0 + 1.0 / math.cos(math.pi / self.balls)
 
     def _radial_reach(self) -> float:
-        """ℓo cos αo⁰ + ℓi cos αi⁰: groove circles apart when a ball just fills both arches."""
-        return sum(
-            (f - 0.5) * self.ball_diameter * math.cos(self._arch(shim, f))
-            for _, shim, f in self._rings()
-        )
+        """ℓo cos αo⁰ + ℓi cos αi⁰, sin α⁰ = g/(2 ℓ): groove circles apart when a ball just fills
+        both arches."""
+        reaches = ((shim, (f - 0.5) * self.ball_diameter) for _, shim, f in self._rings())
+        return sum(math.sqrt(reach**2 - shim**2 / 4.0) for shim, reach in reaches)
 
     @property
     def plays(self) -> tuple[float, float, float]:

@@ -16,6 +16,13 @@ from bearings.arrays import Array
 from bearings.ball.plane import Motion
 from bearings.geometry import Geometry
 
+QUARTER_TURN = np.array(  # of (x, y, z, θy, θz) about x
+    [[1, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, -1, 0, 0, 0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0]]
+)
+COUPLED = np.array(  # x alone, y with θz, z with θy
+    [[1, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 1, 1, 0], [0, 0, 1, 1, 0], [0, 1, 0, 0, 1]]
+)
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Assembly:
@@ -56,9 +63,8 @@ class Assembly:
 
     def stiffness(self, tangent: Array) -> Array:
         """K (states, 5, 5) from ∂action/∂A (states, 3, m, balls), see ``rows``."""
-        states = len(tangent)
-        each = tangent.reshape(states, 1, -1) @ self.pairs  # state by state: too small for threads
-        return each.reshape(states, 5, 5)
+        each = tangent.reshape(len(tangent), 1, len(self.pairs))
+        return (each @ self.pairs).reshape(-1, 5, 5)  # state by state: too small for threads
 
 
 def rows(tangent: tuple[Motion, ...]) -> Array:
@@ -144,3 +150,12 @@ def _pairs(spread: Array, gather: Array) -> Array:
 
 def _without_noise(sums: Array) -> Array:
     return np.where(np.abs(sums) > 1e-9 * np.abs(sums).max(), sums, 0.0)
+
+
+def alike(load: Array, displacement: Array, stiffness: Array) -> Array:
+    """K (…, 5, 5), freed from rounding where load and displacement (…, 5) are axial: both planes
+    answer alike and do not couple."""
+    axial = ((load == 0.0) & (displacement == 0.0))[..., 1:].all(axis=-1)
+    turned = QUARTER_TURN @ stiffness @ QUARTER_TURN.T
+    exact = np.where(COUPLED, 0.5 * (stiffness + turned), 0.0)
+    return np.where(axial[..., None, None], exact, stiffness)

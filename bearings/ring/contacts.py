@@ -47,32 +47,24 @@ def contacts(
     c, (d, x) = problem.geometry, at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
     a, moved = problem.centres(d), problem.assembly.moved(dd)
-    inner = _bearing(c.inner_grooves, against(tuple(a), (x[0], x[1])), 1.0, moved[:2] - dx)
-    outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
-    joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
+    least = 0.0
     if not problem.turning:
-        least = (
-            c.inner.stiffness
-            * (tol.IDLE * EPS * (c.inner_centre_distance + c.outer_centre_distance)) ** 1.5
-        )
-        joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
-    split = len(c.inner_grooves)
-    (qi, si, ci), (qo, so, co) = (
-        _resultant(Contacts(*(part[rows] for part in joined)), way)
-        for rows, way in (
-            (slice(split), balance.inner_direction),
-            (slice(split, None), balance.outer_direction),
-        )
-    )
+        least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
+    place = (x[0], x[1])
+    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, moved[:2] - dx, least)
+    outer = _bearing(c.outer_grooves, place, -1.0, dx, least)
+    qi, si, ci = _resultant(inner, balance.inner_direction)
+    qo, so, co = _resultant(outer, balance.outer_direction)
     after = balance._replace(
         inner_load=qi, outer_load=qo, inner_direction=(si, ci), outer_direction=(so, co)
     )
-    return after, joined
+    return after, Contacts(*map(np.concatenate, zip(inner, outer, strict=True)))
 
 
 def _bearing(
-    grooves: tuple[Groove, ...], vector: Motion, side: float, step: Array
-) -> tuple[Array, Array, Array]:
+    grooves: tuple[Groove, ...], vector: Motion, side: float, step: Array, least: float
+) -> Contacts:
+    """The contacts of a race after a ``step``; no load up to ``least`` is one."""
     each = []
     for groove in grooves:
         along = vector_to(groove, vector, side)
@@ -82,7 +74,7 @@ def _bearing(
         moved = _met(groove, (along[0] + step[0], along[1] + step[1]))
         each.append((load, *direction(moved)[:2]))
     load, sin, cos = (np.stack(part) for part in zip(*each, strict=True))
-    return load, sin, cos
+    return Contacts(np.where(load > least, load, 0.0), sin, cos)
 
 
 def _met(groove: Groove, vector: Pair) -> Pair:

@@ -25,7 +25,7 @@ from bearings.ball.potential import (
     resting_seat,
     seat_step,
 )
-from bearings.geometry import Geometry
+from bearings.geometry import Geometry, frozen_force
 from bearings.ring import tolerances as tol
 from bearings.ring.assembly import rows
 from bearings.ring.linearised import followed_by, reduced
@@ -40,7 +40,7 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
     where the steps do not suffice, the load is let down from there.
     """
     d, x, done = _descended(problem, start)
-    size = np.abs(problem.load / problem.scale).max(axis=-1)
+    size = problem.load_size
     left = np.flatnonzero(~done & (size > 0.0) & (size < tol.LIGHT))
     if not left.size:
         return d, x, done
@@ -78,9 +78,7 @@ def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reac
     c, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
-        centrifugal_force = (c.orbital_factor * c.nominal_orbit_ratio_squared * problem.squared)[
-            :, None
-        ]
+        centrifugal_force = frozen_force(c, problem.squared)[:, None]
         x = seat(c, a, centrifugal_force, near)
         each = reaction(c, centre, (x[0], x[1]), centrifugal_force)
     else:
@@ -108,13 +106,8 @@ def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, Flag
     gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
     k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
-    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = (
-        tol.ROUNDING
-        * EPS
-        * (g.inner_centre_distance + g.outer_centre_distance)
-        * np.abs(k).max(axis=(1, 2))
-    )
+    size = problem.load_size + 1e-3 * carried
+    noise = tol.ROUNDING * EPS * g.free_distance * np.abs(k).max(axis=(1, 2))
     needed = tol.BALANCED if problem.turning else 0.1 * tol.TOLERANCE
     return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
@@ -126,7 +119,7 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     quadratically (Li, Fukushima, Qi & Yamashita, Comput. Optim. Appl. 28 (2004) 131).
     """
     g, missing = problem.geometry, np.abs(gap).max(axis=1)
-    share = missing / (missing + np.abs(problem.load / problem.scale).max(axis=1) + 1e-300)
+    share = missing / (missing + problem.load_size + 1e-300)
     soft = tol.SOFTEST * np.maximum(share, tol.HARDEST) * np.abs(k).max(axis=(1, 2))
     soft += tol.SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
     step = np.linalg.solve(k + soft[:, None, None] * np.eye(k.shape[-1]), gap[..., None])[..., 0]
@@ -144,10 +137,8 @@ def _searched(
         return np.asarray(count * energy.sum(axis=-1) - (problem.load * d).sum(axis=-1))
 
     before = total(balls.energy, d)
-    largest = np.abs(problem.load / problem.scale).max(axis=-1)
-    reach = g.inner_centre_distance + g.outer_centre_distance
-    slack = 64.0 * EPS * (np.abs(before) + largest * reach)
-    slack += 4.0 * EPS * reach * centrifugal_load(g, problem.squared)
+    load = 64.0 * problem.load_size + 4.0 * g.balls * frozen_force(g, problem.squared)
+    slack = EPS * (64.0 * np.abs(before) + g.free_distance * load)
     length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step
@@ -159,21 +150,14 @@ def _searched(
     return trial, seats, moved
 
 
-def centrifugal_load(g: Geometry, squared: Any) -> Any:
-    """Centrifugal forces of all balls, whose work is known to a rounding of the lengths."""
-    return g.balls * g.orbital_factor * g.nominal_orbit_ratio_squared * squared
-
-
 def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | None = None) -> Array:
     """Ball centre X (2, …) of least potential at A (m, …), under a ``centrifugal_force`` ≥ 0 (…).
 
     ``start``: a ball centre for a nearby A. Every ball takes Newton steps of its own length, halved
     where the potential rises.
     """
-    a, fc = (
-        centre.reshape(len(centre), -1),
-        np.broadcast_to(centrifugal_force, centre.shape[1:]).reshape(-1),
-    )
+    a = centre.reshape(len(centre), -1)
+    fc = np.broadcast_to(centrifugal_force, centre.shape[1:]).reshape(-1)
 
     def at(todo: Index | slice, x: Array) -> SeatStep:
         return seat_step(c, tuple(a[:, todo]), (x[0], x[1]), fc[todo])

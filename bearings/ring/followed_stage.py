@@ -19,7 +19,7 @@ from bearings.ball.balance import Balance
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring import tolerances as tol
-from bearings.ring.linearised import Linear, linearise, newton_step, reduced, segments, tangent
+from bearings.ring.linearised import Linear, linearise, newton_step, reduced, tangent
 from bearings.ring.problem import Problem
 
 
@@ -73,7 +73,7 @@ def corrected(
     Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
     converged, no angle turned far, every ball on the outer race, no fold and no jump passed.
     """
-    before = segments(problem, d, x)
+    before = problem.faced(d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
     needed = np.where(blend < problem.full, tol.ON_THE_WAY, tol.TOLERANCE)
@@ -92,7 +92,7 @@ def corrected(
     if not problem.turning:
         return d, x, good, linear, used
     good &= linear.fold > 0.0
-    for then, now in zip(before, segments(problem, d, x), strict=True):
+    for then, now in zip(before, problem.faced(d, x), strict=True):
         good &= ~turned_far(then, now, tol.LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     if not problem.law.one_branch:

@@ -1,7 +1,8 @@
 """Bearings within a larger Newton iteration: balls take one step with every move of their rings.
 
 Whoever moves the rings sees a ring on springs, each ball eliminated as linearised where it stands;
-balls and rings come into balance together, instead of the balls anew for every place of a ring.
+balls and rings come into balance together, instead of the balls anew for every place of a ring
+(``Iterate``); or, compiled, the balls anew for every place (``Settled``).
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ from bearings.arrays import Array, Flags, Index
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring.assembly import Assembly
-from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
+from bearings.ring.equilibrium import one_by_one
+from bearings.ring.linearised import Linear, followed_by, linearise, tangent
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 from bearings.ring.state import BearingState
@@ -68,7 +70,7 @@ class Iterate:
         near = self.sound.reshape(-1).copy()
         for index, problem in self.parts:
             if problem.placed:
-                pair = (segments(problem, *one._states(index)) for one in (before, self))
+                pair = (problem.faced(*one._states(index)) for one in (before, self))
                 for then, now in zip(*pair, strict=True):
                     near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
         return near.reshape(self.shape)
@@ -137,3 +139,55 @@ def _pressure(problem: Problem, linear: Linear) -> Array:
     g, balance = problem.geometry, linear.balance
     inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
     return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Settled:
+    """What ``Iterate`` does step by step, the balls in balance at every place of the rings.
+
+    By the compiled solver: dearer for one bearing by itself, for which that must be loaded, several
+    times cheaper for thousands of iterations. Fields as there; ``error`` 0 where there is a state.
+    """
+
+    parts: Parts
+    shape: tuple[int, ...]
+    ball: Array
+    load: Array
+    stiffness: Array
+    error: Array
+
+    def moved(self, displacement: Array) -> Settled:
+        """Rings at ``displacement`` (…, 5), balls sought from where they are."""
+        return _settled(self.parts, self.shape, displacement, self.ball)
+
+    def follows(self, before: Settled) -> Flags:
+        """Where there is a state: each is found by itself if its neighbour leads astray (…)."""
+        return np.asarray(np.isfinite(self.error))
+
+
+def settled(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Settled:
+    """Bearings at given displacements; ``assembly`` says which of their balls are solved."""
+    parts = parts_of(operation, assembly)
+    return _settled(parts, operation.shape, operation.displacement, None)
+
+
+def _settled(
+    parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array | None
+) -> Settled:
+    count, balls = sum(len(k) for k, _ in parts), parts[0][1].assembly.balls
+    d, x = displacement.reshape(count, 5), np.zeros((2, count, balls))
+    load, stiffness, error = np.empty((count, 5)), np.empty((count, 5, 5)), np.zeros(count)
+    near = None if ball is None else ball.reshape(2, count, balls)
+    for k, problem in parts:
+        (_, x[:, k], load[k], stiffness[k], exists), _ = one_by_one(
+            problem, d[k], None if near is None else near[:, k]
+        )
+        error[k[~exists]] = np.nan
+    return Settled(
+        parts,
+        shape,
+        x.reshape(2, *shape, balls),
+        load.reshape(*shape, 5),
+        stiffness.reshape(*shape, 5, 5),
+        error.reshape(shape),
+    )

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bearings.arrays import Array
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
-from bearings.ball.plane import EPS, Pair
-from bearings.ball.race import facing
+from bearings.ball.potential import rounding_force
 from bearings.ring import tolerances as tol
-from bearings.ring.assembly import rows
-from bearings.ring.problem import Problem
+from bearings.ring.assembly import full_assembly, rows
+from bearings.ring.operation import Operation
+from bearings.ring.problem import Problem, turns
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -74,19 +74,13 @@ def scaled_error(
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
-    reach = g.inner_centre_distance + g.outer_centre_distance
-    slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
-    noise = rounding * EPS * reach * slope
-    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
-        largest + noise / tol.TOLERANCE + 1e-300
-    )
+    noise = rounding * rounding_force(g, largest) / tol.TOLERANCE
+    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (largest + noise + 1e-300)
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
-    count = g.balls
-    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * count * largest
-    ring = miss.max(axis=-1) / (size + count * noise / tol.TOLERANCE + 1e-300)
-    return np.maximum(ball, ring)
+    size = problem.load_size + g.balls * (1e-3 * largest + noise) + 1e-300
+    return np.maximum(ball, miss.max(axis=-1) / size)
 
 
 def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
@@ -124,10 +118,12 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     return step
 
 
-def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
-    """Vectors along which the middles of outer and inner groove face a ball, of any length."""
-    g, inner = problem.geometry, problem.centres(d)[:2] - x
-    if g.touching:
-        return (x[0], x[1]), (inner[0], inner[1])
-    outer = facing(g.outer_grooves[0], (x[0], x[1]))
-    return outer[:2], facing(g.inner_grooves[0], (inner[0], inner[1]))[:2]
+def frozen_tangent(operation: Operation, d: Array, x: Array, good: Flags) -> tuple[Array, Index]:
+    """Tangents (k, 5, 5) with Fc and Mg kept as they are, and the places (k,) of these states.
+
+    Of solved states, d (s, 5) and X (2, s, n): of those that are ``good`` (s,) and turn.
+    """
+    index = np.flatnonzero(good & turns(operation.geometry, operation.speed))
+    part = Problem.of(operation, full_assembly).take(index)
+    linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
+    return tangent(part, linear.balls), index

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bearings.arguments import real_numbers
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
 from bearings.errors import InvalidBearing, shown
@@ -95,30 +96,27 @@ def operation(
     """
     if load is None and displacement is None:
         raise InvalidBearing("give load or displacement, exactly one of each pair")
-    mixed = load is not None and displacement is not None
-    if not mixed:
-        _check_whole("load" if displacement is None else "displacement", load, displacement)
-    force, move = (
-        five_numbers("load", load, mixed),
-        five_numbers("displacement", displacement, mixed),
-    )
+    force = five_numbers("load", load, some=True)
+    move = five_numbers("displacement", displacement, some=True)
+    if load is None or displacement is None:
+        _check_whole(*(("load", force) if displacement is None else ("displacement", move)))
     free = _free(force, move)
-    omega, static = finite("speed", speed), finite("static_growth", static_growth)
-    total = static if growth is None else finite("growth", growth)
-    arrays = (omega, static, total)
+    omega, static = finite_numbers("speed", speed), finite_numbers("static_growth", static_growth)
+    total = static if growth is None else finite_numbers("growth", growth)
+    shapes = (force.shape[:-1], move.shape[:-1], omega.shape, static.shape, total.shape)
     try:
-        shape = np.broadcast_shapes(force.shape[:-1], move.shape[:-1], *(a.shape for a in arrays))
+        shape = np.broadcast_shapes(*shapes)
     except ValueError as error:
-        raise InvalidBearing(f"leading shapes do not fit together: {error}") from error
-    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in arrays)
+        words = ", ".join(f"{name} {each}" for name, each in zip(LARGEST, shapes, strict=True))
+        raise InvalidBearing(f"leading shapes do not fit together: {words}") from error
+    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in (omega, static, total))
     force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
     force, move = (np.where(np.isnan(a), 0.0, a) for a in (force, move))
     return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
 
 
-def _check_whole(name: str, load: ArrayLike | None, displacement: ArrayLike | None) -> None:
+def _check_whole(name: str, values: Array) -> None:
     """Refuse a load alone, or a displacement alone, of which some numbers are not given."""
-    values = five_numbers(name, load if displacement is None else displacement, mixed=True)
     missing = np.flatnonzero(np.isnan(values).reshape(-1, 5).any(axis=0))
     other, place = ("displacement", 1) if name == "load" else ("load", 0)
     if missing.size:
@@ -129,8 +127,8 @@ def _check_whole(name: str, load: ArrayLike | None, displacement: ArrayLike | No
         )
 
 
-def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Array:
-    """Values (…, 5); what is not given is NaN, which single numbers may be where ``mixed``.
+def five_numbers(name: str, value: ArrayLike | None, some: bool = False) -> Array:
+    """Values (…, 5); what is not given is NaN, which single numbers may be where ``some``.
 
     Raises
     ------
@@ -141,12 +139,12 @@ def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Arr
     array = _numbers(name, value)
     if array.ndim < 1 or array.shape[-1] != 5:
         raise InvalidBearing(f"{name} must have shape (…, 5), got {array.shape}")
-    if np.isinf(array).any() or (np.isnan(array).any() and not mixed):
+    if np.isinf(array).any() or (np.isnan(array).any() and not some):
         raise InvalidBearing(f"{name} must be finite, got {shown(value)}")
     return array
 
 
-def finite(name: str, value: ArrayLike, *, single: bool = False) -> Array:
+def finite_numbers(name: str, value: ArrayLike, *, single: bool = False) -> Array:
     """Numbers of any shape; where ``single`` one number, as (1,).
 
     Raises
@@ -178,23 +176,10 @@ def _free(load: Array, displacement: Array) -> Flags:
 
 
 def _numbers(name: str, value: ArrayLike) -> Array:
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {shown(value)}") from error
-    if _truths(value):
+    array = real_numbers(value)
+    if array is None:
         raise InvalidBearing(f"{name} must be numbers, got {shown(value)}")
     size = np.abs(array)
     if ((size > LARGEST[name]) & (size < np.inf)).any():
         raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
     return array
-
-
-def _truths(value: object) -> bool:
-    """Whether True or False stand among numbers, which ``float`` would take for 1 and 0."""
-    if type(value) is float:  # the speed of most calls
-        return False
-    if isinstance(value, np.ndarray) and value.dtype != object:
-        return value.dtype == bool
-    each = np.asarray(value, dtype=object).flat
-    return any(isinstance(number, bool | np.bool_) for number in each)

@@ -9,6 +9,8 @@ import numpy as np
 
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
+from bearings.ball.plane import Pair
+from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin
 from bearings.ring.assembly import Assembly
 from bearings.ring.operation import Operation
@@ -45,6 +47,10 @@ class Problem:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2."""
         return self.assembly.centres(self.origin, displacement)
 
+    def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
+        """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""
+        return faced(self.geometry, tuple(self.centres(displacement)), (ball[0], ball[1]))
+
     @property
     def placed(self) -> bool:
         """Whether ball centres are unknowns: not at rest between one groove a ring."""
@@ -75,6 +81,11 @@ class Problem:
         radius = self.geometry.centre_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
+    @property
+    def load_size(self) -> Array:
+        """Largest part of every load, as a force (s,) [N]."""
+        return np.asarray(np.abs(self.load / self.scale).max(axis=-1))
+
 
 def turns(g: Geometry, speed: Array) -> Flags:
     """False where the centrifugal force does not press a ball measurably into its race."""
@@ -93,7 +104,7 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
         g.pitch_diameter / 2.0
     )
-    share = thrust / (g.balls * max(np.sin(g.contact_angle), 0.2))
+    share = thrust / (g.balls * max(np.sin(g.free_angle), 0.2))
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)

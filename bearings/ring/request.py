@@ -130,7 +130,13 @@ def _blank(g: Geometry, operation: Operation, outcome: Words) -> Arrays:
 
 def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -> None:
     """Write the states that exist; note the outcome of the others."""
-    values = _of_rings(problem, solution) | _of_balls(problem, solution)
+    values = _of_balls(problem, solution) | {
+        "load": np.where(problem.free, problem.load, solution.ring_load),
+        "displacement": solution.displacement,
+        "residual": solution.residual,
+        "complete_stiffness": solution.stiffness,
+        "ball_centre": solution.ball.swapaxes(0, 1),
+    }
     pressure = np.maximum(values["inner_pressure"], values["outer_pressure"])
     pressure = np.where(values["status"] == "open side", 0.0, pressure).max(axis=-1)  # rings apart
     crushed = (solution.outcome == "") & (pressure > CRUSHED)
@@ -140,17 +146,6 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
     good, into = _places(solved), _places(index[solved])
     for name, value in values.items():
         states[name][into] = value[good]
-
-
-def _of_rings(problem: Problem, solution: Solution) -> Arrays:
-    """Fields of the rings, and the places of the balls."""
-    return {
-        "load": np.where(problem.free, problem.load, solution.ring_load),
-        "displacement": solution.displacement,
-        "residual": solution.residual,
-        "complete_stiffness": solution.stiffness,
-        "ball_centre": solution.ball.swapaxes(0, 1),
-    }
 
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:

@@ -13,7 +13,7 @@ from bearings.arrays import Array, Flags, Words
 from bearings.ball.kinematics import Angles, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
-from bearings.ring.assembly import full_assembly
+from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.operation import Operation
 
 RATIO_ROUNDING = 1e-15  # of a ratio
@@ -71,7 +71,8 @@ class BearingState:
         """Tangent K = ∂load/∂displacement, shape (…, 5, 5) [N/m, N/rad, N·m/rad].
 
         ``"complete"`` contains the variation of Fc and Mg; it is not symmetric at speed.
-        ``"frozen"`` keeps Fc and Mg as they are (Cao & Altintas 2004). A third method,
+        ``"frozen"`` keeps Fc and Mg as they are (Cao & Altintas, J. Mech. Des. 126 (2004) 1089); at
+        rest, and with the ``dynamics`` of that name, it is the complete one. A third method,
         ``"difference"``, solves the bearing anew: ``bearings.stiffness``.
 
         Raises
@@ -85,9 +86,16 @@ class BearingState:
             raise InvalidBearing(
                 "differences solve the bearing again: use bearings.stiffness(state, 'difference')"
             )
-        from bearings.ring.tangents import frozen_stiffness  # the balance of balls, rarely needed
+        good = self.outcome.reshape(-1) == ""
+        if not good.any() or self.operation.law.dynamics == "frozen":
+            return self.complete_stiffness
+        from bearings.ring.linearised import frozen_tangent  # the balance of balls, rarely needed
 
-        return frozen_stiffness(self)
+        move, balls = self.displacement.reshape(-1, 5), self.ball_centre.reshape(2, good.size, -1)
+        stiffness = self.complete_stiffness.reshape(-1, 5, 5).copy()
+        tangent, turning = frozen_tangent(self.operation, move, balls, good)
+        stiffness[turning] = tangent
+        return alike(self.load, self.displacement, stiffness.reshape(*self.outcome.shape, 5, 5))
 
     @property
     def contacts(self) -> NDArray[np.int_]:

@@ -24,8 +24,7 @@ from bearings import (
     fits,
     life,
 )
-from bearings.fit.compound import compound
-from bearings.fit.cylinder import Cylinder
+from bearings.fit.compound import Cylinder, compound
 from bearings.geometry import geometry
 from bearings.heat.skf import inlet_shear, rolling_moment, starvation
 from bearings.ring.state import BearingState

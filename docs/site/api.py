@@ -27,7 +27,6 @@ PAGES = {
             "bearings",
             "bearings.ring.state",
             "bearings.fit.compound",
-            "bearings.fit.cylinder",
             "bearings.debongnie",
         ),
     ),

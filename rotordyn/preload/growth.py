@@ -20,8 +20,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Rises, Temperatures
 
 if TYPE_CHECKING:
-    from bearings.fit.compound import CompoundState
-    from bearings.fit.cylinder import Cylinder
+    from bearings.fit.compound import CompoundState, Cylinder
     from bearings.materials import Material
 
     States = list[tuple[NDArray[np.intp], CompoundState]]
@@ -143,14 +142,13 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
 def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
     """Growth of the free outer ring at ``radius`` by the centrifugal force of the balls, as a
     uniform pressure in its bore (speeds,) [m]; where the fits ask for it."""
-    from bearings.geometry import geometry
-    from bearings.ring.convex_stage import centrifugal_load
+    from bearings.geometry import frozen_force, geometry
 
     fits, bearing = seat.fits, seat.bearing
     if fits is None or not fits.under_balls or fits.width is None or not fits.outside_diameter:
         return np.zeros_like(speed)
     race, outside = bearing.outer_raceway_radius, fits.outside_diameter / 2.0
-    load = np.asarray(centrifugal_load(geometry(bearing.grooves), speed**2))
+    load = bearing.balls * frozen_force(geometry(bearing.grooves), speed**2)
     pressure = load / (2.0 * math.pi * race * fits.width)
     material = bearing.ring_material
     nu, shape = material.poisson_ratio, race**2 / (outside**2 - race**2)
@@ -160,7 +158,7 @@ def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
 
 def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:
     """A body ``rise`` [K] warmer than it was assembled."""
-    from bearings.fit.cylinder import Cylinder
+    from bearings.fit.compound import Cylinder
 
     alpha = material.thermal_expansion
     return Cylinder(inner, outer, material, rise if alpha else 0.0, alpha)

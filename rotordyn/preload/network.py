@@ -118,8 +118,8 @@ class Network:
 
         if not all(loaded(geometry(each.model.grooves)) for each in self.arrangement.bearings):
             return self.respond(x)
+        from bearings.ring.iterate import settled
         from bearings.ring.operation import operation
-        from bearings.ring.settled import settled
 
         displacement = self._displacement(x)
         asked = self._asked(range(displacement.shape[1]), displacement=displacement, load=None)

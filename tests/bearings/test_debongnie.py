@@ -79,6 +79,7 @@ def test_a_bearing_is_its_ring() -> None:
         ({"outer_conformity": 0.5}, "above 0.5"),
         ({"pitch_diameter": 5e-3}, "below pitch_diameter"),
         ({"clearance": float("inf")}, "finite length"),
+        ({"ball_mass": 1e60}, "is the unit right"),
     ],
 )
 def test_impossible_rings(change: dict[str, Any], message: str) -> None:

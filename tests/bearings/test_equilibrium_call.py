@@ -61,6 +61,11 @@ def test_impossible_arguments(wrong: dict[str, Any]) -> None:
         VEX70.equilibrium(**wrong)
 
 
+def test_leading_shapes_that_do_not_fit_are_named() -> None:
+    with pytest.raises(InvalidBearing, match=r"load \(3,\), .* growth \(2,\)"):
+        VEX70.equilibrium(load=np.ones((3, 5)), growth=[1e-6, 2e-6])
+
+
 def test_exactly_one_of_load_and_displacement() -> None:
     with pytest.raises(InvalidBearing, match="exactly one"):
         VEX70.equilibrium(load=THRUST, displacement=np.zeros(5))
@@ -207,9 +212,10 @@ def test_impossible_bearings(change: dict[str, float]) -> None:
 
 
 @pytest.mark.parametrize(
-    "load", [[True, 0, 0, 0, 0], np.array([True] * 5), [[1000.0, 0, 0, 0, np.False_]]]
+    "load",
+    [[True, 0, 0, 0, 0], np.array([True] * 5), [[1000.0, 0, 0, 0, np.False_]], ["1", 0, 0, 0, 0]],
 )
-def test_truth_values_are_no_loads(load: Any) -> None:
+def test_truth_values_and_text_are_no_loads(load: Any) -> None:
     with pytest.raises(InvalidBearing, match="load must be numbers"):
         VEX70.equilibrium(load=load)
 

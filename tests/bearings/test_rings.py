@@ -11,12 +11,12 @@ from scipy.integrate import solve_bvp
 
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
 from bearings.fit.compound import (
-    centrifugal_growth,
+    AXIAL_CONDITIONS,
+    Cylinder,
     compound,
     release_speed,
     thermal_growth,
 )
-from bearings.fit.cylinder import AXIAL_CONDITIONS, Cylinder
 
 SHAFT_STEEL = Material("shaft steel", 210e9, 0.3, 7850.0)
 CERAMIC = Material("ceramic", 315e9, 0.26, 3190.0)
@@ -318,7 +318,8 @@ def test_raceway_of_the_flagship_grows_by_about_six_micrometres(axial: str) -> N
     radius = bearing.inner_raceway_radius
     assert radius == pytest.approx(40.68e-3, abs=6e-6)
     stack = (SHAFT, Cylinder(0.035, radius, STEEL))
-    grown = centrifugal_growth(stack, [FIT], radius, [0.0, OMEGA / 2, OMEGA], axial=axial)
+    growth = compound(stack, [FIT], [0.0, OMEGA / 2, OMEGA], axial=axial).radial_growth(radius)
+    grown = growth - growth[0]
     assert grown[2] == pytest.approx(6.0e-6, abs=0.1e-6)
     assert grown[0] == 0.0
     assert grown[1] == pytest.approx(grown[2] / 4, rel=1e-9)
@@ -351,6 +352,8 @@ def test_impossible_questions() -> None:
         compound(STACK, [FIT], axial="plane")
     with pytest.raises(InvalidBearing, match="speed"):
         compound(STACK, [FIT], math.inf)
+    with pytest.raises(InvalidBearing, match="speed must be finite numbers"):
+        compound(STACK, [FIT], "fast")
     with pytest.raises(InvalidBearing, match="outside the body"):
         compound(STACK, [FIT]).radial_growth(0.03)
     with pytest.raises(InvalidBearing, match="outside the body"):
@@ -366,6 +369,8 @@ def test_impossible_questions() -> None:
         dict(inner_radius=0.01, outer_radius=math.inf),
         dict(inner_radius=0.01, outer_radius=0.02, temperature_rise=20.0),
         dict(inner_radius=0.01, outer_radius=0.02, expansion=math.nan),
+        dict(inner_radius="10 mm", outer_radius=0.02),
+        dict(inner_radius=0.01, outer_radius=10**400),
     ],
 )
 def test_impossible_cylinders(wrong: dict[str, float]) -> None:

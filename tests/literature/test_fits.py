@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from bearings import STEEL, InvalidBearing, fits
-from bearings.fit.compound import compound
-from bearings.fit.cylinder import Cylinder
+from bearings.fit.compound import Cylinder, compound
 
 
 @pytest.mark.parametrize(

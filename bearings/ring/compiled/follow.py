@@ -10,7 +10,9 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.plane import EPS, turned_far
-from bearings.ball.race import facing
+from bearings.ball.potential import rounding_force
+from bearings.ball.race import faced
+from bearings.geometry import frozen_force
 from bearings.ring import tolerances as tol
 from bearings.ring.compiled.one_state import (
     Evaluation,
@@ -19,10 +21,9 @@ from bearings.ring.compiled.one_state import (
     centre_of,
     evaluate,
     evaluate_convex,
-    followed,
+    followed_by,
     moved,
 )
-from bearings.ring.convex_stage import centrifugal_load
 
 
 def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
@@ -66,7 +67,7 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
     if good and p.turning:
         good = there.fold > 0.0 and there.pressed and _turned_little(p, d, x, w)
         good = good and not _jumped(p, there.largest, w)
-        good = good and (len(p.free) == 0 or solve(*_reduced(p, w.action, w))[1] > 0.0)
+        good = good and (len(p.free) == 0 or eliminated(*_reduced(p, w.action, w))[1] > 0.0)
     if not good:
         d[:], x[:] = w.d, w.x
     return good, used
@@ -75,7 +76,7 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
 def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """(d, X) of the convex stage, written anew; whether it was reached."""
     there = evaluate_convex(p, d, x, w)
-    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
+    reach = p.geometry.free_distance
     soft = tol.SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
     for _ in range(tol.CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
@@ -87,7 +88,7 @@ def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
         share = missing / (missing + p.load_size + 1e-300)
         for i in range(len(gap)):
             k[i, i] += soft + tol.SOFTEST * max(share, tol.HARDEST) * largest
-        part, step = solve(k, gap)[0], np.zeros(5)
+        part, step = eliminated(k, gap)[0], np.zeros(5)
         shrink = min(1.0, tol.LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
         for i, j in enumerate(p.free):
             step[j] = shrink * part[i] / p.scale[j]
@@ -98,14 +99,7 @@ def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
 def error(p: One, there: Evaluation, w: Workspace) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
-    slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
-    noise = (
-        tol.ROUNDING
-        * EPS
-        * (c.inner_centre_distance + c.outer_centre_distance)
-        * slope
-        / tol.TOLERANCE
-    )
+    noise = tol.ROUNDING * rounding_force(c, there.largest) / tol.TOLERANCE
     worst = there.imbalance / (there.largest + noise + 1e-300)
     size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
@@ -117,12 +111,12 @@ def _newton(p: One, d: Array, x: Array, w: Workspace) -> None:
     """A Newton step of balls and ring together."""
     step = np.zeros(5)
     if len(p.free):
-        part = solve(*_reduced(p, w.condensed, w))[0]
+        part = eliminated(*_reduced(p, w.condensed, w))[0]
         for i, j in enumerate(p.free):
             step[j] = part[i] / p.scale[j]
             d[j] += step[j]
     for ball in range(len(x)):
-        axial, radial = followed(w.follow[ball], moved(p, step, ball))
+        axial, radial = followed_by(w.follow[ball], moved(p, step, ball))
         x[ball, 0] += w.still[ball, 0] + axial
         x[ball, 1] += w.still[ball, 1] + radial
 
@@ -138,7 +132,7 @@ def _reduced(p: One, carried: Array, w: Workspace) -> tuple[Array, Array]:
     return k, gap
 
 
-def solve(matrix: Array, right: Array) -> tuple[Array, float]:
+def eliminated(matrix: Array, right: Array) -> tuple[Array, float]:
     """x of ``matrix`` x = ``right``, and the determinant of the matrix over its largest entry.
 
     x = 0 where that is singular to rounding. Elimination with pivots: a library call would cost
@@ -174,16 +168,15 @@ def _searched(
     p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Workspace
 ) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
-    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
-    before = there.energy - (p.load * d).sum()
-    most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
-    most += 4.0 * EPS * reach * centrifugal_load(p.geometry, p.squared)
+    g, before = p.geometry, there.energy - (p.load * d).sum()
+    load = 64.0 * p.load_size + 4.0 * g.balls * frozen_force(g, p.squared)
+    most = before + EPS * (64.0 * abs(before) + g.free_distance * load)
     follow, length = w.follow.copy(), 1.0
     w.d[:], w.x[:] = d, x
     for _ in range(tol.HALVINGS):
         d[:] = w.d + length * step
         for ball in range(len(x)):
-            axial, radial = followed(follow[ball], moved(p, length * step, ball))
+            axial, radial = followed_by(follow[ball], moved(p, length * step, ball))
             x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial
         there = evaluate_convex(p, d, x, w)
         if there.energy - (p.load * d).sum() <= most:
@@ -195,17 +188,11 @@ def _searched(
 def _turned_little(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """Whether no direction to a groove centre has turned far since the stride began."""
     for ball in range(len(x)):
-        before, now = centre_of(p, w.d, ball), centre_of(p, d, ball)
-        there, here = (w.x[ball, 0], w.x[ball, 1]), (x[ball, 0], x[ball, 1])
-        inner, then = (
-            (before[0] - there[0], before[1] - there[1]),
-            (now[0] - here[0], now[1] - here[1]),
-        )
-        if not p.geometry.touching:
-            groove = p.geometry.inner_grooves[0]
-            inner, then = facing(groove, inner)[:2], facing(groove, then)[:2]
-        turned = turned_far(inner, then, tol.LONGEST_TURN)
-        if turned or turned_far(there, here, tol.LONGEST_TURN):
+        before = faced(p.geometry, centre_of(p, w.d, ball), (w.x[ball, 0], w.x[ball, 1]))
+        now = faced(p.geometry, centre_of(p, d, ball), (x[ball, 0], x[ball, 1]))
+        if turned_far(before[0], now[0], tol.LONGEST_TURN):
+            return False
+        if turned_far(before[1], now[1], tol.LONGEST_TURN):
             return False
     return True
 

@@ -18,7 +18,7 @@ from bearings.ball.potential import (
     resting_seat,
     seat_step,
 )
-from bearings.geometry import Geometry, Groove
+from bearings.geometry import Geometry, Groove, frozen_force
 from bearings.ring.tolerances import SEAT_STEPS
 
 
@@ -114,7 +114,7 @@ def moved(p: One, d: Array, ball: int) -> Motion:
     return without_tilt(p.geometry.inner_grooves, motion)
 
 
-def followed(f: Array, step: Motion) -> Pair:
+def followed_by(f: Array, step: Motion) -> Pair:
     """What a ball does where its groove moves by ``step``."""
     axial, radial = f[0] * step[0] + f[1] * step[1], f[3] * step[0] + f[4] * step[1]
     if len(step) == 2:
@@ -150,7 +150,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluati
 def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
     """The convex stage at d, balls settled from X, which is written anew."""
     largest, energy, c = 0.0, 0.0, p.geometry
-    centrifugal_force = c.orbital_factor * c.nominal_orbit_ratio_squared * p.squared
+    centrifugal_force = frozen_force(c, p.squared)
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)

@@ -142,6 +142,6 @@ def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:
     moved = np.abs(d[k] - d[k - 1]) * p.scale
     for j in p.free:
         moved[j] = 0.0
-    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
+    reach = p.geometry.free_distance
     near = np.abs((load[k] - load[k - 1]) / p.scale).max() <= NEAR * p.load_size
     return near and moved.max() <= 0.01 * NEAR * reach

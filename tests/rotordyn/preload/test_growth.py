@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearings.fit.compound import compound
-from bearings.fit.cylinder import Cylinder
+from bearings.fit.compound import Cylinder, compound
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed, RingGrowth
 from rotordyn.preload.growth import ring_growth
 from tests.oracles.spindles import TOP, mfw2310
