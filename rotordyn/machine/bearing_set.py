@@ -134,7 +134,8 @@ class BearingSet(Description):
             yield (
                 ("set",),
                 f"the bearings do not make a set {self.set}: their thrusts from front to rear are "
-                f"{signs}, and those of {self.set} are {wanted}; turn bearings, or {_instead(signs)}",
+                f"{signs}, and those of {self.set} are {wanted}; turn bearings, or "
+                + _instead(signs),
             )
 
     def sleeve(self, seats: Sequence[BearingSeat]) -> Sleeve | None:
