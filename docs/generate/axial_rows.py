@@ -160,8 +160,8 @@ def _identified() -> list[tuple[str, ...]]:
             "3.9",
             "about 12.0",
             f"{_past():.2f}",
-            f"springs of {_springs():.2f} N/µm in series with bearings; the thesis takes the springs "
-            "alone, the limit of bearings that do not give way",
+            f"springs of {_springs():.2f} N/µm in series with bearings; the thesis takes "
+            "the springs alone, the limit of bearings that do not give way",
         ),
         (
             "stiffness at no load, 4 krpm, force falling, rising [N/µm]",
