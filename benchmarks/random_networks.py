@@ -1,26 +1,30 @@
-"""Random axial networks and paths:  python -m benchmarks.random_networks [--count N] [--first SEED]
+"""Random axial networks and paths:  python -m benchmarks.random_networks [--count N] [--anew]
 
 Shaft, sleeves and housing on bearings of any law, with springs, stops and dry friction, followed
 through random forces and shifts. Counted are networks without an answer; of all others the largest
 unbalanced force, penetration of a stop and friction beyond its limit, summed anew, and the largest
-change of a position when every step is done in three. Kept in ``benchmarks/results.json``.
+change of a position when every step is done in three. Kept in ``benchmarks/results.json`` after
+every block of networks; a further run goes on where the last one ended.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Sequence
 from time import process_time
 from typing import Any
 
 import numpy as np
 
-from benchmarks.kept import keep
+from benchmarks.kept import RESULTS, keep
 from rotordyn.errors import RotordynError
 from rotordyn.state import follow
 from tests.oracles.random_networks import difference, random_network, worst
 
 PARTS = 3
+BLOCK = 50  # networks
+SUMS = ("networks", "unanswered", "steps", "events", "seconds")
 
 
 def survey(seeds: Sequence[int]) -> dict[str, Any]:
@@ -45,13 +49,20 @@ def survey(seeds: Sequence[int]) -> dict[str, Any]:
             found[key] = max(found.get(key, 0.0), value)
     return {
         "networks": len(seeds),
-        "first": seeds[0],
         "unanswered": none,
         "steps": steps,
         "events": events,
         **{key: found[key] for key in ("residual", "penetration", "cone")},
         "change": change,
         "seconds": seconds,
+    }
+
+
+def together(found: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """What two surveys come to."""
+    return {
+        key: value if not found else found[key] + value if key in SUMS else max(found[key], value)
+        for key, value in more.items()
     }
 
 
@@ -63,9 +74,14 @@ def main() -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--count", type=int, default=10_000, help="of networks")
-    parser.add_argument("--first", type=int, default=0, metavar="SEED")
+    parser.add_argument("--anew", action="store_true", help="begin with the first one")
     asked = parser.parse_args()
-    keep(random_networks=survey(range(asked.first, asked.first + asked.count)))
+    kept = json.loads(RESULTS.read_text(encoding="utf-8")).get("random_networks", {})
+    found: dict[str, Any] = {} if asked.anew else kept
+    for first in range(found.get("networks", 0), asked.count, BLOCK):
+        block = survey(range(first, min(first + BLOCK, asked.count)))
+        found = together(found, block)
+        keep(random_networks=found)
 
 
 if __name__ == "__main__":

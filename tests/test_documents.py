@@ -46,6 +46,7 @@ GENERATED = OUTPUTS | {
     "docs/formulations.md": {"formulations"},
     "docs/theory/axial_force.md": {"axial-force", "axial-stiffening"},
     "docs/theory/life.md": {"heat", "published-heat", "checked"},
+    "docs/theory/network.md": {"random-networks"},
     "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/howto/measured_spindle.md": {"coupled", "damping"},

@@ -26,6 +26,7 @@ from docs.generate.known import comparison_table, omitted
 from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
 from docs.generate.places import DOCS, THEORY
+from docs.generate.random_networks import random_networks
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rotor_twins import rotor_twins
 from docs.generate.rows import HEAD, Row
@@ -97,6 +98,12 @@ def write_rotor_twins() -> None:
     rewrite(THEORY / "rotor_from_responses.md", fresh)
 
 
+def write_networks() -> None:
+    """Random networks with friction, as surveyed last."""
+    fresh = {"random-networks": random_networks(measured()["random_networks"])}
+    rewrite(THEORY / "network.md", fresh)
+
+
 def write_debongnie() -> None:
     """Power laws of Debongnie's approximation, and how far it is off."""
     rewrite(THEORY / "debongnie.md", {"power-laws": law_table(), "errors": error_table()})
@@ -132,6 +139,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
     "docs/theory/life.md": write_heat,
+    "docs/theory/network.md": write_networks,
     "docs/theory/rotor_from_responses.md": write_rotor_twins,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,

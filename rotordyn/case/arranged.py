@@ -16,7 +16,10 @@ WORDS = {"+": "+x", "-": "-x"}
 
 def arrange(tree: Node, faults: Faults) -> None:
     """Gives the bearings of a set the thrusts that its name says where they have none, and the
-    preload the force of its class."""
+    preload the force of its class.
+
+    Where the name does not fit its bearings, that is the fault, and not that thrusts are missing.
+    """
     if not isinstance(tree.value, dict) or "arrangement" not in tree.value:
         return
     for key in ("arrangement", "bearings"):  # variants may share what an override wrote
@@ -27,7 +30,7 @@ def arrange(tree: Node, faults: Faults) -> None:
     names = listed.plain() if listed is not None and isinstance(listed.value, list) else []
     seats = {seat.name: seat for seat in _seats(tree)}
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
-    if name is not None and name.value in SETS and len(held) == len(SETS[name.value]):
+    if name is not None:
         _thrusts(name, held)
     if held:
         _class(own, held[0], faults)
@@ -41,12 +44,14 @@ def _seats(tree: Node) -> list[Node]:
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
     given = [seat.child("thrust") for seat in seats]
+    named = patterns(name.value) if name.value in SETS else ()
+    known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
     fitting = [
         signs
-        for signs in patterns(name.value)
+        for signs in known
         if all(g is None or g.value == WORDS[s] for g, s in zip(given, signs, strict=True))
     ]
-    for seat, before, sign in zip(seats, given, (fitting or [""])[0], strict=False):
+    for seat, before, sign in zip(seats, given, (fitting or known)[0], strict=True):
         if before is None:
             seat.value["thrust"] = replace(name, value=WORDS[sign])
 

@@ -152,14 +152,20 @@ class Reading:
         """
         if not isinstance(node.value, dict):
             return self.wrong_shape(kind, node, _mapping(kind))
-        return self.made(kind, self.fields(kind, node, others) | given, node)
+        before = len(self.faults.reported)
+        values = self.fields(kind, node, others) | given
+        return self.made(kind, values, node, whole=len(self.faults.reported) == before)
 
-    def made(self, kind: type, values: Mapping[str, Any], node: Node) -> Any:
-        """A description of these values, held against its own rules."""
+    def made(self, kind: type, values: Mapping[str, Any], node: Node, *, whole: bool = True) -> Any:
+        """A description of these values, held against its own rules.
+
+        ``whole``: none of them is faulty, so that what is missing altogether can be told.
+        """
         with unchecked():
             made: Any = kind(**values)
             for path, sentence in made._faults() if isinstance(made, Description) else ():
-                self.at(node, path, sentence)
+                if path or whole:
+                    self.at(node, path, sentence)
         return made
 
     def fields(

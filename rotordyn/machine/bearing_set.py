@@ -69,7 +69,8 @@ class SetPreload(Description):
             words = ", ".join(given) or "none"
             yield (
                 (),
-                f"a preload is given in one way: given {words}; allowed: one of " + ", ".join(ways),
+                f"a preload is given in one way: given {words}; allowed: one of force, class (its "
+                "class_force), offset, constant_force",
             )
         elif given[0] != "force" and math.isfinite(self.stiffness):
             yield (
@@ -120,20 +121,21 @@ class BearingSet(Description):
         """What contradicts the bearings of the spindle, by path from the set on."""
         held = {seat.name: seat for seat in seats}
         there = [held[name] for name in self.bearings if name in held]
-        if len(there) < len(self.bearings) or [*self._faults()]:
+        known = self.set in SETS and len(self.bearings) == len(SETS[self.set])
+        if not known or len(there) < len(self.bearings) or [*repeated(self.bearings)]:
             return
         if [seat.x for seat in there] != sorted(seat.x for seat in there):
             order = ", ".join(seat.name for seat in sorted(there, key=lambda s: s.x))
             yield ("bearings",), f"from front to rear they are {order}: name them in this order"
             return
         signs = "".join("+" if seat.thrust > 0 else "-" for seat in there)
-        if self.set in SETS and signs not in patterns(self.set):
+        if signs not in patterns(self.set):
             wanted = " or ".join(patterns(self.set))
             yield (
                 ("set",),
                 f"the bearings do not make a set {self.set}: their thrusts from front to rear are "
-                f"{signs}, and those of {self.set} are {wanted}; turn bearings, or name the set "
-                f"{_name_of(signs)}",
+                f"{signs}, and those of {self.set} are {wanted}; turn bearings, or "
+                + _instead(signs),
             )
 
     def sleeve(self, seats: Sequence[BearingSeat]) -> Sleeve | None:
@@ -146,5 +148,6 @@ class BearingSet(Description):
         return Sleeve(self.name, side, self.preload.spring) if side else None
 
 
-def _name_of(signs: str) -> str:
-    return next((name for name in SETS if signs in patterns(name)), "otherwise")
+def _instead(signs: str) -> str:
+    names = [name for name in SETS if signs in patterns(name)]
+    return f"name the set {names[0]}" if names else "give sleeves in the place of a set"

@@ -71,6 +71,12 @@ class Fits(Description):
                     "missing key: how far balls expand the outer ring needs it; the model of this "
                     "bearing gives none",
                 )
+        if self.under_balls and self.shaft and not self.housing:
+            yield (
+                ("housing",),
+                "missing key: how far balls expand the outer ring hangs on its fit in the housing: "
+                "give a class, such as JS5, or leave under_balls out",
+            )
         if not (self.shaft or self.housing):
             yield (), "fits without a class: give shaft (such as k5), housing (such as JS5) or both"
             return

@@ -116,8 +116,8 @@ class BearingSeat(Description):
         if self.growth != RingGrowth():
             yield (
                 ("fits",),
-                f"bearing {self.name} has fits beside a given growth, which contradict one "
-                "another: growth follows from the fits; leave one of both out",
+                "fits beside a given growth, which contradict one another: growth follows from the "
+                "fits; leave one of both out (growth: {static: 0 um} takes away that of a model)",
             )
         races = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
         bore, outside = self.fits.bore_diameter, self.fits.outside_diameter

@@ -112,7 +112,7 @@ class Temperatures(Description):
             return None
         slack = SLACK * self.speeds[-1]
         low, high = self.speeds[0] - slack, self.speeds[-1] + slack
-        return next((speed for speed in speeds if not low <= speed <= high), None)
+        return next((speed for speed in speeds if speed < low or speed > high), None)
 
     def rises(self, name: str, speed: Array) -> Rises:
         """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""

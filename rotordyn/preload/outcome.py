@@ -19,11 +19,12 @@ LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as un
 
 
 def outcomes(
-    spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState
+    spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState, *, warm: bool
 ) -> tuple[str, ...]:
     """One sentence per speed: empty where the state is usable.
 
-    ``rest``: the state under the stated preloads that everything else is measured from.
+    ``rest``: the state under the stated preloads that everything else is measured from; ``warm``:
+    temperatures differ from those of assembly.
     """
     if not rest.converged[0] and np.abs(network.springs.force).max() >= NOTHING:
         sentence = (
@@ -33,7 +34,8 @@ def outcomes(
         )
         return (sentence,) * len(net.converged)
     words = tuple(
-        _outcome(spindle, network, net, row) or _sideways(spindle, network, rest, net, row)
+        _outcome(spindle, network, net, row, warm=warm)
+        or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )
     alone = unopposed(spindle)
@@ -57,7 +59,7 @@ def _sideways(
     )
 
 
-def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) -> str:
+def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load = net.response.load[row]
     names = [
@@ -80,7 +82,9 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     if idle.size:
         return (
             f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
-            "preload of the springs or lower the axial force"
+            "preload"
+            + " or lower the axial force" * bool(network.arrangement.force)
+            + " or lessen the differences of temperature" * warm
         )
     loose = np.flatnonzero((net.response.slope[row] <= 0.0) & network.both_ways)
     if loose.size:

@@ -259,7 +259,8 @@ def settled(state: PreloadState, network: Network, start: Array | None = None) -
     rest, still = state.rest, state.still
     limit = _limits(network.arrangement, rest)
     net = confirmed(network, with_stops(network, rest, limit, start))
-    words = outcomes(state.spindle, network, still, net)
+    warm = state.temperatures is not None
+    words = outcomes(state.spindle, network, still, net, warm=warm)
     return replace(state, network=network, limit=limit, net=net, outcome=words)
 
 

@@ -31,7 +31,8 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
         return ""
     return (
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
-        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
+        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on: lower the "
+        "preload or the loads"
     )
 
 

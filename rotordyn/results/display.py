@@ -53,7 +53,8 @@ def number(value: float, digits: int = 1) -> str:
     """
     if not math.isfinite(value):
         return "none"
-    small = ROUNDING < abs(value) < 10.0 ** (1 - digits)
+    value = value if abs(value) > ROUNDING else 0.0  # of no sign
+    small = 0.0 < abs(value) < 10.0 ** (1 - digits)
     return f"{value:.3g}" if small else f"{value:.{digits}f}"
 
 

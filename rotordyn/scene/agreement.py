@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 
 from bearings.bearing import BallBearing
-from rotordyn.description import Faults
+from rotordyn.description import Faults, Path
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.matrix import acts, entry_name
 from rotordyn.machine.spindle import Spindle
@@ -45,13 +45,18 @@ def setting_faults(setting: Setting) -> Faults:
 
 def _surface_speed(setting: Setting) -> Faults:
     """A speed that no bearing reaches: rpm given where rad/s are meant."""
+    asked: dict[Path, float] = {("speeds", k): speed for k, speed in enumerate(setting.speeds)}
+    for k, step in enumerate(setting.conditions.history):
+        asked[("conditions", "history", k, "speed")] = step.speed or 0.0
+    if not asked:
+        return
+    way, top = max(asked.items(), key=lambda one: one[1])
     for seat in setting.spindle.seats:
         bearing: object = seat.bearing
-        top = max(setting.speeds, default=0.0)
         if isinstance(bearing, BallBearing) and top * bearing.pitch_diameter > FASTEST:
             product = top / RPM * bearing.pitch_diameter / 1e3
             yield (
-                ("speeds", setting.speeds.index(top)),
+                way,
                 f"n·dm of bearing {seat.name} is {product:.3g}·10⁶ "
                 f"mm/min: given {top / RPM:.6g} rpm; allowed: up to "
                 f"{FASTEST / RPM / 1e3:.3g}·10⁶ mm/min (did you mean {top:.6g} rpm = "

@@ -7,9 +7,11 @@ Cᵀ μ on the bodies. A joint that others hold already keeps its force: only th
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg.lapack import dgesv
 
 from rotordyn.state.network import Balance, Load, Network, Step
 
@@ -26,6 +28,7 @@ PLACED = 1e-17  # m: a held joint is where it belongs
 OVERRUN = 1e-12  # m
 HALVINGS = 40
 TINY = 1e-300
+KEPT = 64  # sets of held joints: an event changes them, not what is solved between
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -72,18 +75,28 @@ class Held:
 
 def held(network: Network, state: State, gap: Array) -> Held:
     """The held joints of a state; ``gap`` of the springs [m]."""
+    row, rigid, closed, sticks = _joints(network, state.closed.tobytes(), state.sticks.tobytes())
+    target = np.concatenate([gap[rigid], network.stops.limit[closed], state.anchor[sticks]])
+    return Held(row, target, rigid, closed, sticks)
+
+
+@lru_cache(KEPT)
+def _joints(
+    network: Network, closed: bytes, sticks: bytes
+) -> tuple[Array, list[int], list[int], list[int]]:
+    """Rows of the held joints that are needed; which rigid springs, stops and frictions these are.
+
+    ``closed``, ``sticks``: one byte of each stop and friction.
+    """
     springs, stops, frictions = network.springs, network.stops, network.frictions
-    rigid = np.flatnonzero(springs.rigid)
-    closed = np.flatnonzero(state.closed)
-    sticks = np.flatnonzero(state.sticks & (frictions.limit > 0.0))
-    row = np.concatenate([springs.row[rigid], stops.row[closed], frictions.row[sticks]])
-    target = np.concatenate([gap[rigid], stops.limit[closed], state.anchor[sticks]])
+    held = np.frombuffer(sticks, bool) & (frictions.limit > 0.0)
+    parts = [np.flatnonzero(one) for one in (springs.rigid, np.frombuffer(closed, bool), held)]
+    rows = (springs.row, stops.row, frictions.row)
+    row = np.concatenate([one[part] for one, part in zip(rows, parts, strict=True)])
     needed = independent(row)
-    marks = np.split(needed, [len(rigid), len(rigid) + len(closed)])
-    chosen = [
-        part[mark].tolist() for part, mark in zip((rigid, closed, sticks), marks, strict=True)
-    ]
-    return Held(row[needed], target[needed], *chosen)
+    marks = np.split(needed, np.cumsum([len(part) for part in parts[:2]]))
+    rigid, shut, stuck = (part[one].tolist() for part, one in zip(parts, marks, strict=True))
+    return row[needed], rigid, shut, stuck
 
 
 def independent(row: Array) -> Flags:
@@ -102,13 +115,13 @@ def independent(row: Array) -> Flags:
 def solve(stiffness: Array, force: Array, row: Array, miss: Array) -> tuple[Array, Array]:
     """dx and μ of K dx − Cᵀ μ = force, C dx = miss; bodies that nothing holds get a soft spring."""
     n, m = len(force), len(row)
-    scale = max(float(np.abs(stiffness.diagonal()).max(initial=0.0)), STIFF)
+    scale = max(float(stiffness.diagonal().max(initial=0.0)), STIFF)
     matrix = np.zeros((n + m, n + m))
     matrix[:n, :n] = stiffness
-    matrix[range(n), range(n)] += SOFTEST * scale
+    matrix.ravel()[: n * (n + m + 1) : n + m + 1] += SOFTEST * scale
     matrix[:n, n:] = -scale * row.T
     matrix[n:, :n] = scale * row
-    both = np.linalg.solve(matrix, np.concatenate([force, scale * miss]))
+    both = dgesv(matrix, np.concatenate([force, scale * miss]))[2]
     return both[:n], scale * both[n:]
 
 

@@ -57,11 +57,12 @@ class RestBall:
         """F [N] and its slope [N/m]."""
         bd = self.distance
         radial = bd * math.cos(self.angle) + self.growth
-        axial = math.sqrt(bd * bd - radial * radial) + d
+        free = math.sqrt(bd * bd - radial * radial)
         if d <= 0.0:
             return 0.0, 0.0
+        axial = free + d
         length = math.hypot(radial, axial)
-        pressed = length - bd
+        pressed = d * (free + axial) / (length + bd)  # length - bd loses all digits of a small d
         share, load = axial / length, self.k * pressed**1.5
         steep = 1.5 * self.k * math.sqrt(pressed) * share**2
         return self.balls * load * share, self.balls * (steep + load * (1.0 - share**2) / length)

@@ -7,7 +7,7 @@ other.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,16 +33,31 @@ class Bearings:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """``force`` on the body at rest, towards +x [N]; ``stiffness`` [N/m], infinite where rigid."""
+    """``force`` on the body at rest, towards +x [N]; ``stiffness`` [N/m], infinite where rigid.
+
+    ``rigid``: springs whose gap keeps its size; without those: ``soft`` [N/m], what they ``push``
+    with at rest [N], all together a ``matrix`` (bodies, bodies) [N/m].
+    """
 
     row: Array
     force: Array
     stiffness: Array
+    rigid: Flags = field(init=False)
+    soft: Array = field(init=False)
+    push: Array = field(init=False)
+    matrix: Array = field(init=False)
 
-    @property
-    def rigid(self) -> Flags:
-        """Springs whose gap keeps its size (springs,)."""
-        return np.isinf(self.stiffness)
+    def __post_init__(self) -> None:
+        rigid = np.isinf(self.stiffness)
+        soft = np.where(rigid, 0.0, self.stiffness)
+        made = {
+            "rigid": rigid,
+            "soft": soft,
+            "push": np.where(rigid, 0.0, self.force),
+            "matrix": (self.row.T * soft) @ self.row,
+        }
+        for name, value in made.items():
+            object.__setattr__(self, name, value)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -139,12 +154,10 @@ class Step:
         pairs = [law(d) for law, d in zip(load.laws, deflection.tolist(), strict=True)]
         each, slope = np.array(pairs).reshape(-1, 2).T
         push = bearings.count * bearings.side * each
-        soft = np.where(springs.rigid, 0.0, springs.stiffness)
-        pull = np.where(springs.rigid, 0.0, springs.force - soft * (springs.row @ x - load.gap))
+        pull = springs.push - springs.soft * (springs.row @ x - load.gap)
         return Balance(
             force=load.force + pull @ springs.row - push @ bearings.row,
-            stiffness=(springs.row.T * soft) @ springs.row
-            + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
+            stiffness=springs.matrix + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
             size=SMALL + float(np.abs(load.force).sum() + np.abs(pull).sum() + np.abs(push).sum()),
             deflection=deflection,
             load=each,
@@ -171,7 +184,6 @@ class Step:
             for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
         ]
         push = bearings.count * bearings.side * np.array(blended) + at.slope * (b.shift - a.shift)
-        soft = np.where(springs.rigid, 0.0, springs.stiffness)
         gap = b.gap - a.gap
-        force = b.force - a.force - push @ bearings.row + (soft * gap) @ springs.row
+        force = b.force - a.force - push @ bearings.row + (springs.soft * gap) @ springs.row
         return force, gap

@@ -128,7 +128,7 @@ def load(law: Plain, d: float) -> float:
     radial = law["BD"] * math.cos(math.radians(law["alpha_deg"])) + law["growth"]
     axial = math.sqrt(law["BD"] ** 2 - radial**2) + d
     length = math.hypot(radial, axial)
-    return float(law["z"] * law["kn"] * (length - law["BD"]) ** 1.5 * axial / length)
+    return float(law["z"] * law["kn"] * max(length - law["BD"], 0.0) ** 1.5 * axial / length)
 
 
 def worst(network: Plain, answers: list[Plain]) -> dict[str, float]:

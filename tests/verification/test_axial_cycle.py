@@ -4,7 +4,9 @@ the state without memory, and the energy that friction takes."""
 from __future__ import annotations
 
 import json
+import math
 import re
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -13,7 +15,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings.ball.law import Law
+from bearings.geometry import geometry
+from bearings.materials import Material
 from rotordyn.analyses import AxialCycleSpec
 from rotordyn.analyses.axial_cycle.figures import figures, headline_curves
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
@@ -26,7 +31,7 @@ from rotordyn.preload.history import history
 from rotordyn.preload.state import dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.spec import Setting
-from tests.oracles.spindles import RPM, conditions, mfw2310, scene, with_sleeve
+from tests.oracles.spindles import CASES, RPM, conditions, mfw2310, scene, with_sleeve
 
 LAW = Law("outer", "equal")
 FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
@@ -125,6 +130,57 @@ def test_past_the_unloading_of_the_front_the_slope_is_that_of_both_springs() -> 
         series = (springs * behind / (springs + behind)).sum()
         assert found.stiffness[0, 0, place] == pytest.approx(series, rel=1e-6)
         assert series == pytest.approx(springs.sum(), rel=0.07)
+
+
+def test_stiff_bearings_leave_the_springs_alone() -> None:
+    """Kp1 + Kp2 = 12.0 N/µm past point A is the limit of bearings with a large modulus s E. What is
+    missing is the springs' share of the way of d = (F/k)^(2/3): it falls as s^(-2/3), from
+    Σ Kp²/K / Σ Kp with 1/K = 2/3 F^(-1/3) (Z k)^(-2/3) sin(α)^(-5/3)."""
+    case = rotordyn.load(CASES / "mfw2310_rigid_or_sprung.yaml").variants["sprung"]
+    assert case.spindle is not None
+    force, factors, missing = np.array([-2501.0, -2499.0]), np.array([1.0, 8.0, 64.0]), []
+    for factor in factors:
+        machine = _stiffened(case.spindle, float(factor))
+        moved = [
+            dynamic_preload(machine, np.zeros(1), case.conditions.law, each).net.position[0, 0]
+            for each in force
+        ]
+        missing.append(1.0 - 2.0 / float(moved[1] - moved[0]) / 12.0e6)
+    soft = 0.0
+    for seat, tandem in ((case.spindle.seats[2], 1.0), (case.spindle.seats[3], 2.0)):
+        each = seat.bearing
+        k = each.balls * geometry(each.grooves).series_stiffness
+        held = (
+            1.5 * (1250.0 / tandem) ** (1 / 3) * k ** (2 / 3) * math.sin(each.free_angle) ** (5 / 3)
+        )
+        soft += 1.0 / (tandem * held)
+    limit = 6.0e6**2 * soft / 12.0e6
+    errors = 1.0 - np.array(missing) * factors ** (2.0 / 3.0) / limit
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.05)
+    assert errors[2] < 0.01
+    assert 12.0 * (1.0 - missing[-1]) == pytest.approx(12.0, rel=0.01)
+
+
+def _stiffened(machine: Spindle, factor: float) -> Spindle:
+    """Balls and rings with a modulus larger by ``factor``."""
+
+    def stiff(material: Material) -> Material:
+        return replace(material, young_modulus=factor * material.young_modulus)
+
+    return replace(
+        machine,
+        seats=tuple(
+            replace(
+                seat,
+                bearing=replace(
+                    seat.bearing,
+                    ball_material=stiff(seat.bearing.ball_material),
+                    ring_material=stiff(seat.bearing.ring_material),
+                ),
+            )
+            for seat in machine.seats
+        ),
+    )
 
 
 def test_lines_numbers_and_warnings() -> None:

@@ -366,7 +366,7 @@ def test_preload_over_temperature_difference() -> None:
         ("unknown tolerance class 'q5'", lambda: Fits(shaft="q5", bore_diameter=0.07)),
         ("leaves no housing", lambda: replace(FITS, housing_diameter=0.1)),
         (
-            "has fits beside a given growth",
+            "fits beside a given growth",
             lambda: replace(spindle().seats[0], growth=RingGrowth(static=1e-6)),
         ),
         (

@@ -32,7 +32,7 @@ def spindle(fits: Fits) -> Spindle:
     return Spindle("one", Shaft(0.0, (Section(0.1, BORE, 0.030, STEEL),)), seats=(seat,))
 
 
-@pytest.mark.parametrize("housing", ["", "K6", "G6"])
+@pytest.mark.parametrize("housing", ["F6", "K6", "G6"])
 def test_balls_expand_the_outer_ring(housing: str) -> None:
     """Free, pressed into its housing, and with play: by the equations of two bodies at once, with
     the pressure in the bore."""
@@ -47,8 +47,7 @@ def test_balls_expand_the_outer_ring(housing: str) -> None:
     mass = STEEL.density * math.pi / 6.0 * 9.525e-3**3
     force = 24 * 0.5 * mass * 90e-3 * omega**2 * (0.5 * (1.0 - gamma)) ** 2
     pressure = force / (2.0 * math.pi * race * 0.020)
-    depth = fits.depth("outer") if housing else -1.0
-    grown = [_bored(race, outside, 0.0825, depth, p) for p in (pressure, 0.0)]
+    grown = [_bored(race, outside, 0.0825, fits.depth("outer"), p) for p in (pressure, 0.0)]
     assert without - with_balls == pytest.approx(grown[0] - grown[1], rel=1e-9)
     assert 0.3e-6 < grown[0] - grown[1] < 6e-6
 
@@ -78,6 +77,8 @@ def _bored(race: float, outside: float, around: float, depth: float, pressure: f
     return float(found[:2] @ [race, 1 / race])
 
 
-def test_how_wide_the_ring_is_must_be_known() -> None:
+def test_how_wide_the_ring_is_and_what_holds_it_must_be_known() -> None:
     with pytest.raises(InvalidInput, match="width: missing key: how far balls expand"):
         replace(FITS, under_balls=True)
+    with pytest.raises(InvalidInput, match="housing: missing key: how far balls expand"):
+        replace(FITS, housing="", width=0.020, under_balls=True)

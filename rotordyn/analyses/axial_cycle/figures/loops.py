@@ -79,8 +79,10 @@ def stiffness_figure(result: AxialCycleResult) -> Figure:
 
 
 def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
-    """Cyclic force within which friction holds the sleeves, over its mean: some speeds."""
-    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    """Cyclic force within which friction holds the sleeves, over its mean: some of the speeds at
+    which it does."""
+    known = np.flatnonzero(np.isfinite(result.held_force).any(axis=1))
+    picked = known[np.unique(np.linspace(0, len(known) - 1, speeds).round().astype(int))]
     figure = new_figure(168.0, 90.0)
     axes = add_axes(
         figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"
