@@ -5,6 +5,9 @@ reader agrees on: a complex ``x`` is stored as ``x_re`` and ``x_im``, each namin
 part of. Truth values are bytes 0 and 1, flags in the sense of CF, with the attribute
 ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both. Words are strings; those of
 a dimension stand in a variable of its name, where xarray looks for labels.
+
+xarray reads such a file as well, by its own engine, in tens of times longer: that asks for the
+dimensions of every variable anew.
 """
 
 from __future__ import annotations
@@ -22,14 +25,11 @@ from rotordyn.report.variables import Variable, variables
 if TYPE_CHECKING:
     import xarray as xr
 
-DIMENSION_ALONE = b"This is a netCDF dimension but not a netCDF variable."
-# What HDF5 and NetCDF keep beside the attributes of a variable.
-OF_THE_FILE = {
-    *("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS"),
-    *("_Netcdf4Dimid", "_Netcdf4Coordinates", "_nc3_strict"),
-    *("_FillValue", "flag_values", "flag_meanings"),
+NO_VARIABLE = "This is a netCDF dimension but not a netCDF variable"
+OF_FORMAT = {
+    *("CLASS", "NAME", "REFERENCE_LIST", "DIMENSION_LIST", "_FillValue", "_NCProperties"),
+    *("_Netcdf4Dimid", "_Netcdf4Coordinates"),
 }
-SCALE = b"DIMENSION_SCALE"
 
 
 def write_results(
@@ -86,7 +86,7 @@ class _Groups(Mapping[str, "xr.Dataset"]):
         if _state(self._path) != self._state:
             raise InvalidInput(f"{self._path} has been replaced since it was opened: open it again")
         with h5py.File(self._path, "r") as file:
-            return _dataset(file[name])
+            return _restored(file[name])
 
 
 def _state(path: Path) -> tuple[int, int] | None:
@@ -161,52 +161,58 @@ def _flags() -> dict[str, Any]:
     }
 
 
-def _dataset(group: Any) -> xr.Dataset:
-    """A dataset as it was in memory: complex joined, words as strings, no file encodings.
-
-    Read by h5py itself: xarray's way to a variable takes ten times as long as its numbers.
-    """
+def _restored(group: Any) -> xr.Dataset:
+    """A dataset as it was in memory: complex joined, truth values and words of their own types."""
     import xarray as xr
 
-    found = dict(_stored(group))
-    attached = " ".join(attrs.pop("coordinates", "") for _, _, attrs in found.values()).split()
-    halves = {name: v for name, v in found.items() if "complex_part" in v[2]}
-    arrays = {name: v for name, v in found.items() if name not in halves}
-    for dims, real, attrs in halves.values():
-        if attrs["complex_part"] == "real":
-            whole = attrs["complex_name"]
-            values = np.empty(real.shape, complex)
-            values.real, values.imag = real, found[f"{whole}_im"][1]
-            kept = {k: v for k, v in attrs.items() if not k.startswith("complex_")}
-            arrays[whole] = dims, values, kept
-    coords = {
-        name: arrays.pop(name)
-        for name, (dims, _, _) in found.items()
-        if dims == (name,) or name in attached or name.endswith("speed_rpm")
+    scales = {held.id: name for name, held in group.items() if held.is_scale}
+    stored = {
+        name: _variable(held, scales)
+        for name, held in group.items()
+        if not _text(held.attrs.get("NAME", "")).startswith(NO_VARIABLE)
     }
-    return xr.Dataset(arrays, coords, {"result": group.attrs["result"]})
+    for real in [v for v in stored.values() if v.attrs.get("complex_part") == "real"]:
+        name = real.attrs["complex_name"]
+        both = stored.pop(f"{name}_re"), stored.pop(f"{name}_im")
+        stored[name] = _joined(*both)
+    for variable in stored.values():
+        variable.attrs.pop("coordinates", None)
+    coordinates = {n for n in stored if n.endswith("speed_rpm") or (n,) == stored[n].dims}
+    return xr.Dataset(
+        {name: variable for name, variable in stored.items() if name not in coordinates},
+        {name: stored[name] for name in coordinates},
+        _attributes(group),
+    )
 
 
-def _stored(group: Any) -> Iterator[tuple[str, tuple[tuple[str, ...], Any, dict[str, Any]]]]:
-    """Name, dimensions, values and attributes of every variable of a group."""
-    import h5py
+def _variable(held: Any, scales: Mapping[Any, str]) -> xr.Variable:
+    """A variable with the names of its dimensions, by their scales."""
+    import xarray as xr
 
-    def address(place: Any) -> int:
-        found: int = h5py.h5o.get_info(place).addr
-        return found
+    dims = [scales[dim[0].id] if len(dim) else scales[held.id] for dim in held.dims]
+    attrs = _attributes(held)
+    if held.dtype.kind == "O":
+        values = held.asstr()[...].astype(str)
+    elif attrs.pop("dtype", "") == "bool":
+        values = held[...].astype(bool)
+        del attrs["flag_values"], attrs["flag_meanings"]
+    else:
+        values = held[...]
+    return xr.Variable(dims, values, attrs)
 
-    members = list(group.items())
-    dims = {
-        address(v.id): name for name, v in members if v.attrs.get("CLASS") == b"DIMENSION_SCALE"
-    }
-    for name, v in members:
-        attrs = dict(v.attrs.items())
-        if attrs.get("NAME", b"").startswith(DIMENSION_ALONE):
-            continue
-        lists = attrs.get("DIMENSION_LIST", ())
-        places = tuple(dims[address(h5py.h5r.dereference(ref[0], v.id))] for ref in lists)
-        values = v.asstr()[...].astype(str) if v.dtype.kind == "O" else v[...]
-        if attrs.pop("dtype", None) == "bool":
-            values = values.astype(bool)
-        kept = {k: a for k, a in attrs.items() if k not in OF_THE_FILE}
-        yield name, (places or (name,) * v.ndim, values, kept)
+
+def _attributes(held: Any) -> dict[str, Any]:
+    """Attributes without those of the file format."""
+    return {name: _text(value) for name, value in held.attrs.items() if name not in OF_FORMAT}
+
+
+def _text(value: Any) -> Any:
+    return value.decode() if isinstance(value, bytes) else value
+
+
+def _joined(real: xr.Variable, imaginary: xr.Variable) -> xr.Variable:
+    values = np.empty(real.shape, complex)
+    values.real, values.imag = real.values, imaginary.values
+    joined = real.copy(data=values)
+    joined.attrs = {k: v for k, v in real.attrs.items() if not k.startswith("complex_")}
+    return joined
