@@ -16,7 +16,7 @@ from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.job import deliver, one_variant, restricted, solve, solve_variants
+from rotordyn.job import Delivery, deliver, one_variant, restricted, solve, solve_variants
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
 from rotordyn.report.side_by_side import comparison_summary
@@ -204,12 +204,27 @@ def test_restriction_holds_for_every_variant() -> None:
     assert [list(v.analyses) for v in kept.variants.values()] == [["campbell"]] * 2
 
 
-def test_many_variants_are_laid_over_one_another_only(tmp_path: Path) -> None:
-    whole = compared()
-    one = restricted(whole.variants["rigid"], ("campbell", "frf"))
-    many = {f"v{k}": replace(one, title=f"variant {k}") for k in range(13)}
-    deliver(replace(restricted(whole, ("campbell", "frf")), variants=many), tmp_path / "out")
-    assert {p.stem for p in (tmp_path / "out").glob("*.png")} == {"campbell_overlay", "frf_curves"}
+@pytest.fixture(scope="module")
+def many(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
+    """Fifteen variants, more than are drawn side by side or told on a screen."""
+    whole = restricted(compared(), ("campbell", "frf"))
+    one = whole.variants["rigid"]
+    variants = {f"v{k}": replace(one, title=f"variant {k}") for k in range(15)}
+    return deliver(replace(whole, variants=variants), tmp_path_factory.mktemp("many") / "out")
+
+
+def test_many_variants_are_laid_over_one_another_only(many: Delivery) -> None:
+    assert {p.stem for p in many.folder.glob("*.png")} == {"campbell_overlay", "frf_curves"}
+
+
+def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(many: Delivery) -> None:
+    lines = many.summary.splitlines()
+    assert len(lines) < 60
+    rows = [line.split("  ")[0] for line in lines if line.startswith("variant ")]
+    assert (len(rows), rows[0], rows[-1]) == (8, "variant 0", "variant 14")
+    assert "8 of 15 variants; all are in variants.csv" in lines
+    table = (many.folder / "variants.csv").read_text(encoding="utf-8-sig")
+    assert all(f"variant {k}" in table for k in range(15))
 
 
 def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
@@ -230,17 +245,3 @@ def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
     assert summary.count("none → none") == 4
     assert (tmp_path / "out" / "control.png").exists()
     assert (tmp_path / "out" / "a" / "control_margins.csv").exists()
-
-
-def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(tmp_path: Path) -> None:
-    whole = restricted(compared(), ("campbell",))
-    one = whole.variants["rigid"]
-    many = {f"v{k}": replace(one, title=f"variant {k}") for k in range(30)}
-    delivery = deliver(replace(whole, variants=many), tmp_path / "out", figures=False)
-    lines = delivery.summary.splitlines()
-    assert len(lines) < 60
-    rows = [line.split("  ")[0] for line in lines if line.startswith("variant ")]
-    assert (len(rows), rows[0], rows[-1]) == (8, "variant 0", "variant 29")
-    assert "8 of 30 variants; all are in variants.csv" in lines
-    table = (tmp_path / "out" / "variants.csv").read_text(encoding="utf-8-sig")
-    assert all(f"variant {k}" in table for k in range(30))

@@ -102,9 +102,10 @@ def test_file_holds_what_run_returns(tmp_path: Path) -> None:
     deliver(asked, tmp_path / "out", figures=False)
     written, direct = read_results(tmp_path / "out" / "results.nc"), run(asked)
     assert set(written) == set(direct)
-    for name in direct:
-        for variable in direct[name].data_vars:
-            a, b = written[name][variable].values, direct[name][variable].values
+    for name, computed in direct.items():
+        read = written[name]  # from the file, each time
+        for variable in computed.data_vars:
+            a, b = read[variable].values, computed[variable].values
             if a.dtype.kind in "fc":
                 assert np.array_equal(a, b, equal_nan=True), variable
     with xr.open_dataset(tmp_path / "out" / "results.nc", group="frf", engine="h5netcdf") as opened:

@@ -98,8 +98,18 @@ def test_modes_move_as_computed(opened: Any, flagship: Path) -> None:
     assert said == []
 
 
-def test_titles_are_inert(show: Any, evil_folder: Path) -> None:
-    page, said = show(evil_folder / "report.html")
+@pytest.fixture(scope="module", params=["wide", "narrow", "dark"])
+def looked(request: pytest.FixtureRequest, show: Any, evil_folder: Path) -> Any:
+    """The page of ``evil`` in one look, opened once, and what its console said."""
+    width = 390 if request.param == "narrow" else 1300
+    scheme = "dark" if request.param == "dark" else "light"
+    look = {"viewport": {"width": width, "height": 844}, "color_scheme": scheme}
+    return show(evil_folder / "report.html", **look)
+
+
+@pytest.mark.parametrize("looked", ["wide"], indirect=True, scope="module")
+def test_titles_are_inert(looked: Any, evil_folder: Path) -> None:
+    page, said = looked
     assert said == []
     assert page.title().startswith("<script>")
     assert page.locator("h1").text_content() == rotordyn.open(evil_folder).case.title
@@ -107,15 +117,11 @@ def test_titles_are_inert(show: Any, evil_folder: Path) -> None:
     assert page.evaluate("document.scripts.length") == 4  # library, content, ours, library run
 
 
-@pytest.mark.parametrize("look", ["wide", "narrow", "dark"])
-def test_nothing_runs_over_the_edge(show: Any, evil_folder: Path, look: str) -> None:
-    width = 390 if look == "narrow" else 1300
-    scheme = "dark" if look == "dark" else "light"
-    page, said = show(
-        evil_folder / "report.html", viewport={"width": width, "height": 844}, color_scheme=scheme
-    )
+def test_nothing_runs_over_the_edge(looked: Any, request: pytest.FixtureRequest) -> None:
+    page, said = looked
+    look = request.node.callspec.params["looked"]
     assert said == []
-    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
     names = ("color", "backgroundColor")
     ink, paper = (page.evaluate(f"getComputedStyle(document.body).{name}") for name in names)
     light = [sum(map(int, c.strip("rgb()").split(", ")[:3])) for c in (ink, paper)]
@@ -124,8 +130,9 @@ def test_nothing_runs_over_the_edge(show: Any, evil_folder: Path, look: str) -> 
     assert tick == ink
 
 
-def test_prints_on_white(show: Any, evil_folder: Path, tmp_path: Path) -> None:
-    page, said = show(evil_folder / "report.html", color_scheme="dark")
+@pytest.mark.parametrize("looked", ["dark"], indirect=True, scope="module")
+def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
+    page, said = looked
     page.emulate_media(media="print")
     page.wait_for_timeout(1500)
     paper = page.evaluate("getComputedStyle(document.body).backgroundColor")
