@@ -30,6 +30,14 @@ analyses:
   bearing:
     loads: [500 N]
 """
+MANY = """\
+spindle: lalanne_ferraris
+speeds: {from: 0 rpm, to: 9000 rpm, count: 700}
+analyses:
+  frf:
+    frequencies: {from: 5 Hz, to: 60 Hz, count: 70000}
+    pairs: [{response: disc_1.y, excitation: disc_1.y}]
+"""
 CONTROL = "  control: {max_load: 1 kN}\n"
 FRF = """\
 spindle: lalanne_ferraris
@@ -343,6 +351,18 @@ def test_what_takes_longer_than_allowed_is_refused_before_it_begins(
     assert "allowed: 2 s for the whole run" in said
     assert not target.exists()
     assert main([*argv, "--longest", "-1"]) == 2
+
+
+def test_more_responses_than_allowed_are_refused_before_they_are_solved(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
+    path.write_text(MANY, encoding="utf-8")
+    assert main(["run", str(path), "-o", str(target), "--no-figures", "--quiet"]) == 2
+    said = capsys.readouterr().err
+    assert "700 speeds by 1 pairs by 70000 frequencies take about 34.3 s and 5.9 GB" in said
+    assert "(--yes)" in said
+    assert not target.exists()
 
 
 FINALISER = """

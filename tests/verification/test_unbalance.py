@@ -241,7 +241,8 @@ def test_forces_and_inertia_are_in_balance() -> None:
 
 def test_rigid_supports_carry_what_acts_on_a_slow_rotor() -> None:
     """Against the centrifugal force and its moment; inertia of what bends adds (Ω/ω)² or less."""
-    ends = tuple(LinearSupport(name, x, {}, rigid=("y", "z")) for name, x in zip("ab", (0.0, 1.0)))
+    places = {"left": 0.0, "right": 1.0}
+    ends = tuple(LinearSupport(name, x, {}, rigid=("y", "z")) for name, x in places.items())
     spindle = replace(on_two(block(K, K), block(C, C)), supports=ends)
     speed = np.array([0.1, 0.2])
     result = solved(spindle, speed, Unbalance(0.8, U))

@@ -1,4 +1,4 @@
-"""Deflection of a cantilever under line loads: closed forms of Timoshenko's beam, in both planes."""
+"""Deflection of a cantilever under line loads: closed forms of Timoshenko, in both planes."""
 
 from __future__ import annotations
 
