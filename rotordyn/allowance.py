@@ -21,6 +21,7 @@ MOST_BYTES = 4e9
 GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
 ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
 MATRICES = 6  # stiffness, damping, and what their sums take
+VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one frequency
 REMEDY = "take fewer speeds, lower frequencies or fewer points, or say yes to that (--yes)"
 
 
@@ -73,6 +74,13 @@ def require_matrices(name: str, speeds: int, size: int) -> None:
     """The same of matrices of ``size`` rows at so many speeds."""
     what = f"{name}: matrices of {size} rows at {speeds} speeds"
     _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
+
+
+def require_responses(name: str, speeds: int, pairs: int, frequencies: int) -> None:
+    """The same of responses of so many pairs of points."""
+    count = float(speeds) * pairs * frequencies
+    what = f"{name}: {speeds} speeds by {pairs} pairs by {frequencies} frequencies"
+    _require(what, VALUE * count, VALUE_BYTES * count)
 
 
 def _require(what: str, seconds: float, memory: float) -> None:

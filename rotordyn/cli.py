@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import _thread
 import argparse
 import io
 import os
 import signal
 import sys
 import textwrap
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import partial
@@ -22,6 +24,7 @@ from rotordyn.plain import HANDLER, register
 if TYPE_CHECKING:
     from rotordyn.case.shipped import Shipped
 
+LATER = 0.05  # s after which what swallowed Ctrl-C has ended
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing, material, study, optimum or identification"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
@@ -260,6 +263,26 @@ def _heed_signals() -> None:
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) == signal.SIG_DFL:
             signal.signal(number, _stopped)
+    sys.unraisablehook = _heeded
+
+
+def _heeded(lost: sys.UnraisableHookArgs) -> None:
+    """Stop once more, a little later, where Ctrl-C came within a finaliser, such as those of a
+    compiler, which Python leaves out."""
+    if not issubclass(lost.exc_type, KeyboardInterrupt):
+        sys.__unraisablehook__(lost)
+        return
+    again = threading.Timer(LATER, _stop_main_thread)
+    again.daemon = True
+    again.start()
+
+
+def _stop_main_thread() -> None:
+    """By a signal, which wakes it where it waits; Windows has none for threads."""
+    if sys.platform == "win32":
+        _thread.interrupt_main(signal.SIGTERM)
+    else:
+        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGTERM)
 
 
 def _run(arguments: argparse.Namespace) -> int:

@@ -122,14 +122,30 @@ def answer_bearing(
     progress: Progress,
 ) -> Answers:
     """Answer ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
-    results, seconds = {}, {}
+    from rotordyn.allowance import limited, require_time
+
+    results: dict[str, Result] = {}
+    seconds: dict[str, float] = {}
+    interrupted = ""
     for name, spec in analyses.items():
         progress(name)
+        require_time(name)
         begin = time.perf_counter()
-        results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
+        try:
+            results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
+        except KeyboardInterrupt:
+            if not (results and limited()):
+                raise
+            interrupted = name
+            break
         seconds[name] = time.perf_counter() - begin
-    warnings = tuple(estimates({"": bearing}))
-    return Answers(results, seconds, dict.fromkeys(seconds, ""), warnings=warnings)
+    return Answers(
+        results,
+        seconds,
+        dict.fromkeys(seconds, ""),
+        warnings=tuple(estimates({"": bearing})),
+        interrupted=interrupted,
+    )
 
 
 def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.equation.shaft import WAYS, Shaft
 from rotordyn.equation.term import Part
@@ -23,9 +24,13 @@ def joint_parts(shaft: Shaft) -> Iterator[Part]:
             if math.isinf(stiffness):
                 continue
             for name in directions:
-                rows, one = np.array([[shaft.jump[at, name]]]), np.ones((1, 1, 1))
-                yield Part("stiffness", rows, rows, stiffness * one)
+                rows = np.array([[shaft.jump[at, name]]])
+                yield Part("stiffness", rows, rows, _one(stiffness))
                 if damping:
-                    yield Part("damping", rows, rows, damping * one)
+                    yield Part("damping", rows, rows, _one(damping))
                     if name not in ("x", "thx"):
-                        yield Part("turning", rows, rows, shaft.ratio * damping * one)
+                        yield Part("turning", rows, rows, _one(shaft.ratio * damping))
+
+
+def _one(value: float) -> NDArray[np.float64]:
+    return np.full((1, 1, 1), value)

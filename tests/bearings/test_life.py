@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from bearings import InvalidBearing, life
+from bearings.grooves import Grooves
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
 
@@ -169,3 +171,27 @@ def test_static_rating_is_the_load_that_dents() -> None:
 def test_bad_input_gets_a_sentence(call: object, word: str) -> None:
     with pytest.raises(InvalidBearing, match=word):
         call()  # type: ignore[operator]
+
+
+def test_rating_of_scaled_grooves() -> None:
+    """ISO 281: as D^1.8 of balls up to 25.4 mm, as D^1.4 above, the same there to its digits;
+    ISO 76: as D^2, the pressure being given."""
+
+    def scaled(ball: float) -> Grooves:
+        own = VEX70.grooves
+        size = ball / own.ball_diameter
+        return replace(
+            own,
+            ball_diameter=ball,
+            pitch_diameter=own.pitch_diameter * size,
+            radial_gap=own.radial_gap * size,
+        )
+
+    def power(of: Callable[[Grooves], float], ball: float, larger: float) -> float:
+        return math.log(of(scaled(larger)) / of(scaled(ball))) / math.log(larger / ball)
+
+    assert power(life.dynamic_rating, 5e-3, 25e-3) == pytest.approx(1.8, rel=1e-9)
+    assert power(life.dynamic_rating, 26e-3, 60e-3) == pytest.approx(1.4, rel=1e-9)
+    at = [life.dynamic_rating(scaled(25.4e-3 * (1.0 + e))) for e in (-1e-9, 1e-9)]
+    assert at[1] == pytest.approx(at[0], rel=1e-4)
+    assert power(life.static_rating, 5e-3, 60e-3) == pytest.approx(2.0, rel=1e-9)

@@ -104,9 +104,9 @@ def interrupts(folder: Path, count: int, seed: int = 0) -> Iterator[Stopped]:
 def _started(words: list[str]) -> int:
     process = os.fork()
     if process == 0:
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background
         from rotordyn.cli import main
 
-        signal.signal(signal.SIGINT, signal.default_int_handler)
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - until the process ends
         os._exit(main(words))
     return process

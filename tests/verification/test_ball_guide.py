@@ -97,6 +97,7 @@ def test_linear_range() -> None:
     assert secant == pytest.approx([1.0 - 0.008, 1.0 - 0.04], abs=0.001)
     assert GUIDE.linear_range() == pytest.approx(0.55 * s, rel=0.01)
     assert GUIDE.linear_range(0.04) == pytest.approx(1.0 * s, rel=0.02)
+    assert GUIDE.linear_range(0.9) == 2.0 * s  # as far as it is looked for
 
 
 def test_clearance_is_free_until_it_is_taken_up() -> None:

@@ -239,6 +239,18 @@ def test_forces_and_inertia_are_in_balance() -> None:
     np.testing.assert_allclose(result.force.sum(axis=1), -(acting + inertia), rtol=1e-8)
 
 
+def test_rigid_supports_carry_what_acts_on_a_slow_rotor() -> None:
+    """Against the centrifugal force and its moment; inertia of what bends adds (Ω/ω)² or less."""
+    places = {"left": 0.0, "right": 1.0}
+    ends = tuple(LinearSupport(name, x, {}, rigid=("y", "z")) for name, x in places.items())
+    spindle = replace(on_two(block(K, K), block(C, C)), supports=ends)
+    speed = np.array([0.1, 0.2])
+    result = solved(spindle, speed, Unbalance(0.8, U))
+    acting = U * speed[:, None] ** 2 * np.array([1.0, -1j])
+    shares = np.array([0.2, 0.8])[:, None]
+    np.testing.assert_allclose(result.force, -shares * acting[:, None], rtol=1e-5)
+
+
 def test_eccentric_span_of_a_rigid_rotor() -> None:
     """The same as its mass times the eccentricity at its middle."""
     spindle = on_two(block(K, K), block(C, C))

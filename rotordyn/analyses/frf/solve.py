@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_responses
 from rotordyn.analyses.frf.coupled import with_coupled
 from rotordyn.analyses.frf.measured import measured_fields
 from rotordyn.analyses.frf.orders import BEYOND, line_fields, lines_of
@@ -59,8 +60,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
     Raises
     ------
-    InvalidInput : mobility or inertance in the turning frame; more values than fit; a frequency at
-        which nothing limits the response
+    InvalidInput : mobility or inertance in the turning frame; more values than fit or than are
+        allowed; a frequency at which nothing limits the response
     """
     turning = scene.conditions.formulation == ROTATING
     if turning:
@@ -77,6 +78,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
             f"{len(spec.pairs)} pairs and {len(frequency)} frequencies; allowed: up to "
             f"{MOST_VALUES:.0e}"
         )
+    require_responses("frf", len(scene.usable), len(spec.pairs), len(frequency))
     power = QUANTITIES.index(spec.quantity)
     judged = _asked(scene, spec)
     scene, error = solve_accurately(
