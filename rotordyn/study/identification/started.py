@@ -82,7 +82,8 @@ def _unpacked(packed: bytes) -> tuple[Searches, Known]:
 def run(
     searches: Searches, workers: int, folder: Path | None, progress: Progress
 ) -> tuple[list[Search], bool]:
-    """All searches, and whether they were stopped before the end.
+    """All searches, and whether they were stopped before the end; those kept without a solution are
+    made anew.
 
     Raises
     ------
@@ -91,7 +92,7 @@ def run(
     every = [(m, s) for m in range(len(searches.models)) for s in range(searches.starts)]
     journal = None if folder is None else folder / JOURNAL
     kept = {} if journal is None else _read(journal, _signature(searches))
-    found = {number: kept[number] for number in every if number in kept}
+    found = {number: kept[number] for number in every if number in kept and kept[number].values}
     missing = [number for number in every if number not in found]
     progress(len(found), len(every))
     try:

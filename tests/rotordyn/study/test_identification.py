@@ -376,8 +376,9 @@ HEAD = "speed [rpm],branch,force [N],displacement [um]\n"
         (HEAD + "4000,falling,1\n", "points.csv:2: has 3 cells where the head has 4"),
         (HEAD + "4000,falling,1,x\n", "displacement is no number: given 'x'"),
         (HEAD + "4000,falling,1,2\n4000,falling,1,3\n", "points repeated on the falling branch"),
-        (HEAD + "4000,falling,1,2\n4000,falling,2,3\n", "points out of order on the falling"),
-        (HEAD + "4000,down,1,2\n", "branch 'down'; allowed: falling, rising"),
+        (HEAD + "4000,falling,1,2\n4000,falling,2,3\n", "2 N after 1 N (points.csv:3)"),
+        (HEAD + "4000,down,1,2\n", "branch 'down' (points.csv:2); allowed: falling, rising"),
+        (HEAD + "4000,falling,1,2\n", "points: given 8; the longest branch has 1"),
         (HEAD, "holds no points"),
     ],
 )
