@@ -6,7 +6,6 @@ value that was varied.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -25,6 +24,7 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     GREY,
+    LEAST_POINTS,
     add_axes,
     marked,
     new_figure,
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 MOST_NAMED = 14  # variants in a legend; of more the colour is a value
 COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
 THICK, THIN = 2.4, 1.0  # the first variant, still seen below the last
-LEAST_POINTS = 4  # for a line; fewer are marks
 MAP, DARK = "viridis", "#444444"
 LEFT, RIGHT, BELOW, GAP = 17.0, 6.0, 12.0, 5.0  # [mm]
 STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
@@ -101,7 +100,7 @@ def overlay_figure(
     """
     groups = groups_of([[c for c in curves(v) if c.figure == name] for v in variants])
     looks = _looks(groups, len(variants), scale)
-    strips = len(groups) <= MOST_STRIPS and any(group.changes for group in groups)
+    strips = len(groups) <= MOST_STRIPS
     figure, boxes, columns = _layout(groups, strips=strips, bar=not looks.named)
     several = len({group.first.label for group in groups}) > 1 or groups[0].first.panel != ""
     for place, (group, (above, below)) in enumerate(zip(groups, boxes, strict=True)):
@@ -154,27 +153,34 @@ def _layout(
 ) -> tuple[Figure, list[tuple[Box, Box]], int]:
     """A figure, for each panel its box and that of its differences [mm], and how many columns.
 
-    Logarithmic panels, of resonances, are as wide as the figure.
+    Panels that are logarithmic, of resonances, are as wide as the figure.
     """
     curve, count = groups[0].first, len(groups)
-    columns = 1 if curve.log else 2 if count == 4 else min(count, 3)
-    rows = math.ceil(count / columns)
+    resonances = all(group.first.log for group in groups)
+    columns = 1 if resonances else 2 if count == 4 else min(count, 3)
+    rows = [groups[k : k + columns] for k in range(0, count, columns)]
     right = RIGHT + (BAR if bar else 0.0)
     gap = 17.0 if columns > 1 else 0.0
     wide = (168.0 - LEFT - right - gap * (columns - 1)) / columns
-    tall = 50.0 if curve.log else 84.0 if count == 1 else 62.0 if rows == 1 else 39.0
+    tall = 50.0 if resonances else 84.0 if count == 1 else 62.0 if len(rows) == 1 else 39.0
     top = _room(curve, wide) + 6.0 if curve.places else 8.0
     mixed = len({group.first.along for group in groups}) > 1  # named between rows
     between = (9.0 if curve.title else GAP) + (6.0 if mixed else 0.0)
     between += 1.0 if curve.places else 0.0
-    cell = tall + (STRIP + OVER_STRIP if strips else 0.0)
-    figure = new_figure(168.0, BELOW + rows * cell + (rows - 1) * between + top)
-    boxes = []
-    for place in range(count):
-        row, column = divmod(place, columns)
-        left = LEFT + column * (wide + gap)
-        foot = BELOW + (rows - 1 - row) * (cell + between)
-        boxes.append(((left, foot + cell - tall, wide, tall), (left, foot, wide, STRIP)))
+    under = [
+        STRIP + OVER_STRIP if strips and any(group.changes for group in row) else 0.0
+        for row in rows
+    ]
+    height = sum(under) + len(rows) * tall + (len(rows) - 1) * between
+    figure = new_figure(168.0, BELOW + height + top)
+    boxes, foot = [], BELOW + height
+    for row, room in zip(rows, under, strict=True):
+        foot -= tall + room
+        for column, group in enumerate(row):
+            left, below = LEFT + column * (wide + gap), room if group.changes else 0.0
+            panel = (left, foot + below, wide, tall + room - below)
+            boxes.append((panel, (left, foot, wide, STRIP)))
+        foot -= between
     return figure, boxes, columns
 
 

@@ -27,6 +27,7 @@ CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
 POINTS = ("o", "s", "^", "D", "v", "P", "X")
+LEAST_POINTS = 4  # for a line; fewer are marks
 FONT_SIZE = 8.0
 HEAD_SIDE, HEAD_LINE, HEAD_COLOUR = 4.0, 3.4, "#555555"  # of the title at the top [mm]
 LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
@@ -140,6 +141,22 @@ def mark_lone_points(axes: Axes) -> None:
                 MARKS.get(str(line.get_linestyle()), "D") if plain else line.get_marker()
             )
             line.set(markersize=4.0, markevery=lone, clip_on=False)
+
+
+def mark_few_points(axes: Axes) -> None:
+    """Marks instead of a line through fewer than ``LEAST_POINTS`` points, which would claim what
+    lies between them: filled where the line is solid, open where it is dashed."""
+    for line in axes.get_lines():
+        across = line.get_transform() != axes.transData  # from edge to edge of the axes
+        if across or not 1 < np.size(line.get_xdata()) < LEAST_POINTS:
+            continue
+        dashes = str(line.get_linestyle())
+        if dashes == "None":
+            continue
+        if line.get_marker() in ("None", "", None):
+            line.set_marker(MARKS.get(dashes, "D"))
+        face = line.get_color() if dashes == "-" else "white"
+        line.set(linestyle="", markevery=None, markersize=4.5, markerfacecolor=face, clip_on=False)
 
 
 def marked(place: int) -> dict[str, Any]:

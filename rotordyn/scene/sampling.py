@@ -15,7 +15,7 @@ from rotordyn.scene.scene import Scene
 Array = NDArray[np.float64]
 Arrays = Sequence[NDArray[Any]]
 LEAST = 40  # speeds, evenly from the first to the last
-CLOSEST = 1e-7  # of the highest speed, between the two sides of a jump
+CLOSEST = 1e-7  # of the highest speed, between two samples and the two sides of a jump
 HALVINGS = 30
 
 
@@ -48,7 +48,8 @@ def over_speed(
 
     inside = (centres > low) & (centres < high)
     about = spread_between(centres[inside], widths[inside], low, high, least=LEAST)
-    start = np.unique(np.concatenate([given, about]))
+    beside = np.abs(about[:, None] - given).min(axis=1) > CLOSEST * high  # else the same speed
+    start = np.sort(np.concatenate([given, about[beside]]))
     start, gaps = _jumps(scene, start)
     speed, curves = sampled(start, solve, amplitude)
     for gap in gaps:

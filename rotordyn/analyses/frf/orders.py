@@ -31,11 +31,13 @@ def lines_of(scene: Scene, spec: FrfSpec) -> list[Line]:
     return exciting(scene.spindle.ratios, spec.engine_orders)
 
 
-def line_fields(scene: Scene, spec: FrfSpec, responses: Responses) -> dict[str, Any]:
+def line_fields(
+    scene: Scene, spec: FrfSpec, responses: Responses, at_few: Responses
+) -> dict[str, Any]:
     """The fields of a result about ``spec.engine_orders``.
 
     ``responses`` of a scene at frequencies (usable, n) [Hz] of every speed's own: (usable, pairs,
-    n).
+    n); ``at_few``: the same where a speed has too few of them for modes to be worth their price.
     """
     lines, pairs = lines_of(scene, spec), len(spec.pairs)
     hertz = [line.size * scene.speed / (2.0 * math.pi) for line in lines]
@@ -44,7 +46,7 @@ def line_fields(scene: Scene, spec: FrfSpec, responses: Responses) -> dict[str, 
     curves: list[tuple[Array, Complex]] = []
     if lines:
         value = responses(scene, frequency[scene.usable])
-        curves = [_curve(scene, line, responses, *spin) for line, *spin in _expected(scene, lines)]
+        curves = [_curve(scene, line, at_few, *spin) for line, *spin in _expected(scene, lines)]
     longest = max((len(speed) for speed, _ in curves), default=0)
     highest = [[tops(np.abs(each)) for each in curve.T] for _, curve in curves]
     most = max((len(top) for each in highest for top in each), default=0)

@@ -90,7 +90,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     kind = TurningFrfResult if turning else _KINDS[spec.quantity]
     rest: dict[str, Any] = _on_grid(scene, spec, frequency, power)
     values, peaks = rest.pop("values"), (rest["peak_frequency"], rest["peak_value"])
-    rest |= line_fields(scene, spec, responses)
+    rest |= line_fields(scene, spec, responses, partial(responses, few=True))
     computed = partial(_at_speed, scene, spec.pairs, power)
     laid, noise = with_coupled(spec, scene.spindle)
     rest |= measured_fields(laid, scene.speed, frequency, names, computed, peaks, noise)
@@ -232,12 +232,15 @@ def _responses(
     scene: Scene,
     frequency: Array,
     rows: Rows | None = None,
+    *,
+    few: bool = False,
 ) -> Complex:
     """Of all pairs at frequencies (usable, f) [Hz], or at some ``rows`` of the usable speeds:
-    (usable, pairs, f)."""
+    (usable, pairs, f). ``few`` frequencies need no modes."""
     values = np.zeros((len(frequency), len(pairs), frequency.shape[1]), dtype=complex)
     for k, places in _by_system(scene, pairs).items():
-        motions = scene.system(k) if rows is None else scene.system_at(k, rows)
+        modes = rows is None and not few
+        motions = scene.system(k) if modes else scene.system_at(k, rows, few=few)
         chosen = [pairs[place] for place in places]
         values[:, places] = _of_pairs(scene, motions, chosen, power, frequency)
     return values

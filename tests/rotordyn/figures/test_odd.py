@@ -56,6 +56,14 @@ def test_a_single_speed_is_seen() -> None:
     assert all(handle.get_marker() != "None" for handle in axes.get_legend().get_lines())
 
 
+def test_two_speeds_are_marks_and_four_a_line() -> None:
+    for speeds, line in ((2, "None"), (3, "None"), (4, "-")):
+        sum_of_preloads = preload_figure(samples.preload(speeds), samples.spindle()).axes[1]
+        (curve,) = (c for c in sum_of_preloads.get_lines() if c.get_label() == "computed")
+        assert curve.get_linestyle() == line
+        assert (curve.get_marker() == "None") == (line == "-")
+
+
 def test_a_speed_between_lost_ones_is_seen() -> None:
     result = samples.stiffness(5)
     tangent = result.tangent.copy()
@@ -229,6 +237,24 @@ def test_differences_are_drawn_only_where_variants_differ():
     assert len(overlay_figure("curves", alike, shown, None).axes) == 1
     _, differences = overlay_figure("curves", apart, shown, None).axes
     assert differences.get_lines()[-1].get_ydata() == pytest.approx(x)
+
+
+def test_a_panel_without_differences_is_as_high_as_its_row():
+    """A logarithmic panel has none; it stands beside a linear one, not above it."""
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+    x = np.linspace(0.0, 9000.0, 9)
+
+    def curves(variant):
+        yield Curve("both", "life", "h", x, 1.0 + x * len(variant.title), panel="life", log=True)
+        yield Curve("both", "load", "N", x, x * len(variant.title), panel="load")
+
+    life, load, differences = (
+        axes.get_position() for axes in overlay_figure("both", curves, shown, None).axes
+    )
+    assert life.x1 < load.x0
+    assert life.y0 == pytest.approx(differences.y0)
+    assert life.y1 == pytest.approx(load.y1)
+    assert differences.y1 < load.y0
 
 
 def test_no_line_joins_both_sides_of_a_jump():

@@ -15,6 +15,7 @@ from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    mark_few_points,
     new_figure,
     speed_ticks,
 )
@@ -71,6 +72,7 @@ def stiffness_figure(result: AxialCycleResult) -> Figure:
     speed_ticks(axes, float(rpm[-1]))
     names = [f"force {name}" for name in result.branch]
     draw_columns(axes, rpm, result.no_load_stiffness * STIFFNESS.factor, names)
+    mark_few_points(axes)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes)
     return figure

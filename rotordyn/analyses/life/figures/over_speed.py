@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     GREY,
     add_axes,
     grid_boxes,
+    mark_few_points,
     marked,
     new_figure,
     speed_ticks,
@@ -102,3 +103,4 @@ def _lines(axes: Axes, result: LifeResult, values: Array) -> None:
             "ls": DASHES[place % len(DASHES)],
         }
         axes.plot(rpm, shown[:, column], label=name, **look, **marked(place))
+    mark_few_points(axes)

@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     GREY,
     add_axes,
     grid_boxes,
+    mark_few_points,
     marked,
     new_figure,
     speed_ticks,
@@ -72,6 +73,7 @@ def contacts_figure(result: PreloadResult) -> Figure:
         axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
     for each in axes:
         with_zero(each, 1.05)
+        mark_few_points(each)
     top_legend(figure, *axes)
     return figure
 
@@ -123,4 +125,5 @@ def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
         for each in axes[:3]:
             each.axvline(speed * RPM.factor, **STOP)
     for each in axes:
+        mark_few_points(each)
         legend(each)

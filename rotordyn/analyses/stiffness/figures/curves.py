@@ -16,6 +16,7 @@ from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    mark_few_points,
     new_figure,
     speed_ticks,
 )
@@ -40,6 +41,7 @@ def stiffness_figure(
     names = [name.replace("_", " ") for name in result.variant]
     draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
     colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
+    mark_few_points(axes)
     draw_references(
         axes, references, "radial_stiffness", float(rpm[-1]), subject=True, colours=colours
     )

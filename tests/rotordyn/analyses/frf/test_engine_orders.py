@@ -86,6 +86,17 @@ def test_peaks_are_those_of_many_speeds(count: int) -> None:
     )
 
 
+def test_no_speed_is_sampled_twice() -> None:
+    """Of two samples apart by rounding alone one is higher: a peak that is none."""
+    speeds = np.linspace(0.0, 30000.0, 14) * RPM  # evenly spread samples meet them but for rounding
+    spindle = machine("uneven")
+    own = Scene(spindle, Conditions(accuracy=1e-3), speeds, 1500.0, tuple(spindle.points.values()))
+    found = answer(own, FrfSpec((), ASKED, engine_orders=(1.0, 2.0)))
+    steps = np.diff(found.line_speed, axis=1)
+    assert np.nanmin(steps) > 1e-8 * speeds[-1]
+    assert set(speeds) <= set(found.line_speed[0])
+
+
 def test_a_further_rotor_has_lines_of_its_own() -> None:
     one = Scene(COAXIAL, Conditions(accuracy=1e-3), 0.02 * SPEEDS, 60.0, (0.076,))
     found = answer(one, FrfSpec((), pairs("d1.y/d1.y"), engine_orders=(1.0, 2.0)))
