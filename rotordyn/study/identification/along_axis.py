@@ -97,7 +97,8 @@ class AxialCurve(_Axial):
     towards +x, from where the body stands at rest, all (n,), in the order in which they were
     measured. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of what is
     added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
-    ``lowest``, ``highest`` force of the cycle [N], by default of the points.
+    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``places`` (n,), where
+    known: file and line of each point, which faults name.
     """
 
     speed: Array
@@ -109,13 +110,14 @@ class AxialCurve(_Axial):
     drift: float = 0.0
     lowest: float | None = None
     highest: float | None = None
+    places: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "force", "displacement")
-        for word in sorted(set(self.branch) - {*BRANCHES}):
-            raise InvalidInput(
-                f"measurement {self.name}: branch {shown(word)}; allowed: {', '.join(BRANCHES)}"
-            )
+        for k, word in enumerate(self.branch):
+            if word not in BRANCHES:
+                what = f"branch {shown(word)}{self._place(k)}; allowed: {', '.join(BRANCHES)}"
+                raise InvalidInput(f"measurement {self.name}: {what}")
         sizes = {len(self.speed), len(self.branch), len(self.force), len(self.displacement)}
         if len(sizes) > 1:
             raise InvalidInput(
@@ -134,7 +136,11 @@ class AxialCurve(_Axial):
             raise InvalidInput(
                 f"measurement {self.name}: points {what} on the {branch} branch at "
                 f"{speed / RPM:.0f} rpm: {pair[1]:g} N after {pair[0]:g} N"
+                f"{self._place(int(rows[k + 1]))}"
             )
+
+    def _place(self, k: int) -> str:
+        return f" ({self.places[k]})" if self.places else ""
 
     def _curves(self) -> Iterator[tuple[float, str, NDArray[np.intp]]]:
         for speed in sorted(set(self.speed.tolist())):
@@ -143,7 +149,15 @@ class AxialCurve(_Axial):
                 yield speed, branch, rows
 
     def reduced(self, count: int) -> AxialCurve:
-        """The same by so many points of each branch at each speed, evenly along it."""
+        """The same by so many points of each branch at each speed, evenly along it.
+
+        InvalidInput where no branch has as many.
+        """
+        longest = max((len(rows) for _, _, rows in self._curves()), default=0)
+        if count > longest > 0:
+            raise InvalidInput(
+                f"measurement {self.name}: points: given {count}; the longest branch has {longest}"
+            )
         parts = [
             rows[along_curve(self.force[rows], self.displacement[rows], count)]
             for _, _, rows in self._curves()
@@ -156,6 +170,7 @@ class AxialCurve(_Axial):
             branch=tuple(self.branch[k] for k in rows),
             force=self.force[rows],
             displacement=self.displacement[rows],
+            places=tuple(self.places[k] for k in rows) if self.places else (),
         )
 
     @cached_property

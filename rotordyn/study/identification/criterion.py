@@ -84,7 +84,15 @@ class Criterion:
         size = float(np.mean(means[worst]))
         return f" (most on {worst}: {size:.3g})" if size > mean * 1.25 else ""
 
-    def kept(self, residual: float) -> str:
+    def kept(self, residual: float, sure: Certainty) -> str:
         """That it suffices, in words."""
-        held = "no more than the noise" if self.most is None else f"allowed {self.most:.3g}"
+        if self.most is not None:
+            held = f"allowed {self.most:.3g}"
+        elif sure.degrees < 1:
+            held = "no more points than values: nothing is left to check it by"
+        else:
+            held = (
+                f"{np.sqrt(sure.reduced):.2g} times the stated noise in the root mean square, as "
+                "noise alone may be"
+            )
         return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {held}"

@@ -184,8 +184,8 @@ class Identification:
         if bound:
             what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
             why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
-        head = f"{INSUFFICIENT}: " + "; ".join(why) if why else self.criterion.kept(self.residual)
-        lines.append(head)
+        kept = self.criterion.kept(self.residual, best.sure)
+        lines.append(f"{INSUFFICIENT}: " + "; ".join(why) if why else kept)
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
             names = [name for name, each in best.named if each == word]

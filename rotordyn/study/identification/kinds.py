@@ -22,13 +22,14 @@ COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "
 
 
 def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
-    numbers, words = read_points(beside / given["file"], COLUMNS)
+    numbers, words, places = read_points(beside / given["file"], COLUMNS)
     whole = AxialCurve(
         name=name,
         branch=words["branch"],
         speed=numbers["speed"],
         force=numbers["force"],
         displacement=numbers["displacement"],
+        places=places,
         **{key: given[key] for key in ("deviation", "of", "tare", "drift", "lowest", "highest")},
     )
     return whole if given["points"] is None else whole.reduced(given["points"])

@@ -20,8 +20,8 @@ HEAD = re.compile(r"\s*([\w ]+?)\s*(?:\[([^\]]*)\])?\s*")
 
 def read_points(
     path: Path, columns: Mapping[str, str | None]
-) -> tuple[dict[str, Array], dict[str, tuple[str, ...]]]:
-    """Numbers [SI] and words of a table by the name of the column.
+) -> tuple[dict[str, Array], dict[str, tuple[str, ...]], tuple[str, ...]]:
+    """Numbers [SI] and words of a table by the name of the column, and the place of each row.
 
     ``columns``: by name the kind of quantity, None of words; all of them are needed.
 
@@ -56,7 +56,8 @@ def read_points(
             else:
                 numbers[name].append(_number(path, line, name, row[place]) * scale)
     arrays = {name: np.array(values) for name, values in numbers.items()}
-    return arrays, {name: tuple(values) for name, values in words.items()}
+    places = tuple(f"{path.name}:{line}" for line, _ in rows[1:])
+    return arrays, {name: tuple(values) for name, values in words.items()}, places
 
 
 def _head(

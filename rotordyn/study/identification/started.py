@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import hashlib
-import json
-import os
 import pickle
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.errors import NoSolution
+from rotordyn.study import record
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model
 from rotordyn.study.identification.problem import Problem
@@ -82,7 +80,8 @@ def _unpacked(packed: bytes) -> tuple[Searches, Known]:
 def run(
     searches: Searches, workers: int, folder: Path | None, progress: Progress
 ) -> tuple[list[Search], bool]:
-    """All searches, and whether they were stopped before the end.
+    """All searches, and whether they were stopped before the end; those kept without a solution are
+    made anew.
 
     Raises
     ------
@@ -91,7 +90,7 @@ def run(
     every = [(m, s) for m in range(len(searches.models)) for s in range(searches.starts)]
     journal = None if folder is None else folder / JOURNAL
     kept = {} if journal is None else _read(journal, _signature(searches))
-    found = {number: kept[number] for number in every if number in kept}
+    found = {number: kept[number] for number in every if number in kept and kept[number].values}
     missing = [number for number in every if number not in found]
     progress(len(found), len(every))
     try:
@@ -99,7 +98,8 @@ def run(
             found[each.number] = each
             if not each.ended:
                 return [*found.values()], True
-            _keep(journal, each)
+            if journal is not None:
+                record.add(journal, asdict(each))
             progress(len(found), len(every))
     except KeyboardInterrupt:
         return [*found.values()], True
@@ -110,17 +110,6 @@ def best_of(found: Sequence[Search], model: int) -> Search | None:
     """The best search of a model; None where none has a solution."""
     good = [each for each in found if each.number[0] == model and each.values]
     return min(good, key=lambda each: each.cost, default=None)
-
-
-def _keep(journal: Path | None, found: Search) -> None:
-    if journal is None:
-        return
-    line = {name: getattr(found, name) for name in Search.__dataclass_fields__}
-    try:
-        with journal.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(line) + "\n")
-    except OSError as error:
-        raise InvalidInput(f"{journal}: cannot be written: {error.strerror}") from None
 
 
 def _signature(searches: Searches) -> str:
@@ -138,34 +127,14 @@ def _signature(searches: Searches) -> str:
 
 
 def _read(path: Path, signature: str) -> dict[tuple[int, int], Search]:
-    """Searches kept of this study; a line that was cut short is cut away."""
-    head: dict[str, Any] = {"identification": signature}
+    """Searches kept of this study."""
+    what = "searches"
+    lines = record.begun(path, "identification", signature, what)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            if any(path.parent.iterdir()):
-                raise InvalidInput(
-                    f"{path.parent}: is a folder with other things in it, and no identification: "
-                    "choose another"
-                )
-            path.write_text(json.dumps(head) + "\n", encoding="utf-8")
-        raw = path.read_bytes()
-        whole = raw[: raw.rfind(b"\n") + 1]
-        if len(whole) < len(raw):
-            os.truncate(path, len(whole))
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    try:
-        first, *lines = [json.loads(line) for line in whole.splitlines()]
-        if first != head:
-            raise InvalidInput(
-                f"{path.parent}: holds the searches of another identification: choose another "
-                "folder, or remove that one"
-            )
         found = [
             Search(**line | {"number": tuple(line["number"]), "values": tuple(line["values"])})
             for line in lines
         ]
-    except (ValueError, TypeError, KeyError):
-        raise InvalidInput(f"{path}: is no record of searches: choose another folder") from None
+    except (TypeError, KeyError):
+        raise record.unreadable(path, what) from None
     return {each.number: each for each in found}

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-import json
-import os
 import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from rotordyn.errors import InvalidInput
+from rotordyn.study import record
 from rotordyn.study.optimum.problem import Place, Problem, Trial, solve_trial
 from rotordyn.study.workers import solved_here
 
@@ -67,11 +65,7 @@ class Trials:
     def _keep(self, found: Trial) -> None:
         self._kept[found.number] = found
         if self._path is not None:
-            try:
-                with self._path.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps(asdict(found)) + "\n")
-            except OSError as error:
-                raise InvalidInput(f"{self._path}: cannot be written: {error.strerror}") from None
+            record.add(self._path, asdict(found))
 
 
 def _signature(problem: Problem) -> str:
@@ -80,33 +74,12 @@ def _signature(problem: Problem) -> str:
 
 
 def _read(path: Path, signature: str) -> dict[Place, Trial]:
-    """Trials kept of this problem; a line that was cut short is cut away."""
-    head: dict[str, Any] = {"optimum": signature}
+    """Trials kept of this problem."""
+    lines = record.begun(path, "optimum", signature, "trials")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            if any(path.parent.iterdir()):
-                raise InvalidInput(
-                    f"{path.parent}: is a folder with other things in it, and no optimum: choose "
-                    "another"
-                )
-            path.write_text(json.dumps(head) + "\n", encoding="utf-8")
-        raw = path.read_bytes()
-        whole = raw[: raw.rfind(b"\n") + 1]
-        if len(whole) < len(raw):
-            os.truncate(path, len(whole))
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    try:
-        first, *lines = [json.loads(line) for line in whole.splitlines()]
-        if first != head:
-            raise InvalidInput(
-                f"{path.parent}: holds the trials of another optimum: choose another folder, or "
-                "remove that one"
-            )
         trials = [Trial(**{key: _tuple(value) for key, value in line.items()}) for line in lines]
-    except (ValueError, TypeError):
-        raise InvalidInput(f"{path}: is no record of trials: choose another folder") from None
+    except (TypeError, AttributeError):
+        raise record.unreadable(path, "trials") from None
     return {each.number: each for each in trials}
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -271,6 +272,12 @@ def test_interrupt_keeps_the_best_and_goes_on(
     again = identify(case, SPRINGS, **asked)
     assert again.explained.searches[0].evaluations == counted  # read, not searched
     assert again.explained.fit.values == pytest.approx(whole.explained.fit.values, rel=1e-12)
+    journal = tmp_path / "searches.jsonl"
+    head, *lines = [json.loads(line) for line in journal.read_text().splitlines()]
+    failed = [line | {"values": [], "sentence": "no state"} for line in lines]
+    journal.write_text("".join(json.dumps(line) + "\n" for line in [head, *failed]))
+    anew = identify(case, SPRINGS, **asked)
+    assert anew.explained.fit.values == pytest.approx(whole.explained.fit.values, rel=1e-6)
     with pytest.raises(InvalidInput, match="another identification"):
         identify(case, dict(list(SPRINGS.items())[:2]), **asked)
 
@@ -376,8 +383,9 @@ HEAD = "speed [rpm],branch,force [N],displacement [um]\n"
         (HEAD + "4000,falling,1\n", "points.csv:2: has 3 cells where the head has 4"),
         (HEAD + "4000,falling,1,x\n", "displacement is no number: given 'x'"),
         (HEAD + "4000,falling,1,2\n4000,falling,1,3\n", "points repeated on the falling branch"),
-        (HEAD + "4000,falling,1,2\n4000,falling,2,3\n", "points out of order on the falling"),
-        (HEAD + "4000,down,1,2\n", "branch 'down'; allowed: falling, rising"),
+        (HEAD + "4000,falling,1,2\n4000,falling,2,3\n", "2 N after 1 N (points.csv:3)"),
+        (HEAD + "4000,down,1,2\n", "branch 'down' (points.csv:2); allowed: falling, rising"),
+        (HEAD + "4000,falling,1,2\n", "points: given 8; the longest branch has 1"),
         (HEAD, "holds no points"),
     ],
 )
