@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import re
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -28,6 +30,7 @@ from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Known, Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
+from tests.rotordyn.page.conftest import array, held
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 STUDIES = Path(__file__).parents[3] / "cases" / "identification"
@@ -327,7 +330,27 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     best = rotordyn.load(out / "best.yaml")
     assert best.spindle is not None
     assert best.spindle.sleeves[0].stop_travel == pytest.approx(52.2e-6, abs=1.5e-6)
-    assert main(["identify", str(path), "-o", str(out), "--no-figures", "--quiet"]) == 0
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    assert main(["identify", str(path), "-o", str(out), "--no-figures", "--report"]) == 0
+    page = (out / "report.html").read_text(encoding="utf-8")
+    assert re.findall(r"<h2[^>]*>(.*?)</h2>", page) == [
+        *("Verdict", "Models by evidence", "Correlation", "Measured and computed"),
+        *("The identified machine as a case", "Origin"),
+    ]
+    assert re.search(r'class="verdict plain" role="status">✓ sufficient: differs by', page)
+    assert not re.search(r"""(src|href)=["']?(http|//)""", page.partition("<script")[0])
+    content, numbers = held(page)
+    charts = [*content.values()]
+    assert [chart["traces"][0].get("type") for chart in charts] == ["heatmap", None, None]
+    with (out / "differences.csv").open(newline="", encoding="utf-8-sig") as file:
+        row = next(csv.DictReader(file))  # falling, the highest force
+    drawn = array(charts[1]["traces"][1]["y"], numbers)
+    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["left"]), rel=1e-6)
+    left = array(charts[2]["traces"][1]["y"], numbers)
+    assert left[-1] == pytest.approx(float(row["left"]), rel=1e-6)
+    (out / "models.csv").unlink()
+    assert main(["report", str(out)]) == 2
+    assert "an identification that is not complete" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
