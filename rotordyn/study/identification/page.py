@@ -107,10 +107,11 @@ def _table(path: Path) -> dict[str, Column]:
 
 
 def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
-    yield "Verdict", Text(held.verdict, listed=True)
+    yield "Verdict", Text(held.verdict[1:], listed=True)
     yield "Verdict", _values(held)
     yield "Verdict", Printed("Summary", held.summary)
-    yield "Models by evidence", _models(held)
+    if len(held.tables["models"]["model"].words) > 1:
+        yield "Models by evidence", _models(held)
     if len(held.unknowns) > 1:
         yield "Correlation", _correlation(held)
     for block in curve_blocks(Curves.of(held.tables["differences"])):

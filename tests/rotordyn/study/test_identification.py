@@ -9,6 +9,7 @@ import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.study.identification import search as searching
 from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.certainty import certainty
+from rotordyn.study.identification.criterion import Criterion
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.read import read_identification
@@ -315,6 +317,8 @@ criterion: 1 um
 """
 
 
+SHOWN = SimpleNamespace(unit="µm", factor=1.0, series=("",) * 4, name="curve")
+P18 = "0.00012"  # exp(−9)
 HYPOTHESIS = "hypotheses: {{conditions.kinematics: [{}]}}"
 
 
@@ -334,7 +338,7 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     assert main(["identify", str(path), "-o", str(out), "--no-figures", "--report"]) == 0
     page = (out / "report.html").read_text(encoding="utf-8")
     assert re.findall(r"<h2[^>]*>(.*?)</h2>", page) == [
-        *("Verdict", "Models by evidence", "Correlation", "Measured and computed"),
+        *("Verdict", "Correlation", "Measured and computed"),
         *("The identified machine as a case", "Origin"),
     ]
     assert re.search(r'class="verdict plain" role="status">✓ sufficient: differs by', page)
@@ -351,6 +355,17 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     (out / "models.csv").unlink()
     assert main(["report", str(out)]) == 2
     assert "an identification that is not complete" in capsys.readouterr().err
+
+
+def test_a_verdict_by_chi_squared_says_its_degrees() -> None:
+    """At two of them the probability of as much is exp(−χ²/2)."""
+    sure: Any = SimpleNamespace(reduced=1.5, degrees=2)
+    said = Criterion("µm").kept(0.3, sure)
+    assert said.endswith(f"χ² 3 at 2 degrees of freedom, p {np.exp(-1.5):.2g}")
+    sure = SimpleNamespace(reduced=9.0, degrees=2)
+    one: Any = SimpleNamespace(measurements=(SimpleNamespace(data=SHOWN),))
+    (why,) = Criterion("µm").excess(one, [np.ones(4)], sure)
+    assert why == f"differs by 3 times the stated noise: χ² 18 at 2 degrees of freedom, p {P18}"
 
 
 @pytest.mark.parametrize(

@@ -144,6 +144,7 @@ def test_profiles_are_written_and_drawn(case: Case, tmp_path: Path) -> None:
     assert second.split(",")[place] == ""
     pytest.importorskip("plotly", reason="the extra report is not installed")
     page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "Models by evidence" not in page
     chart = next(c for c in held(page)[0].values() if c["controls"])
     assert [trace["name"] for trace in chart["traces"]] == ["profile", "linear", "95 %"]
     assert chart["traces"][0]["moving"]["y"][0] == pytest.approx(profile.excess, abs=1e-5)

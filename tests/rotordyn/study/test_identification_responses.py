@@ -263,6 +263,7 @@ def test_a_joint_that_the_model_lacks_is_found_out() -> None:
     found = identify(case(spindle()), few, [taps], workers=1)
     assert not found.sufficient
     assert "times the stated noise" in found.verdict[0]
+    assert f"at {found.explained.problem.count - 1} degrees of freedom" in found.verdict[0]
 
 
 def test_a_mode_that_the_machine_lacks_is_named(taps: Responses) -> None:
