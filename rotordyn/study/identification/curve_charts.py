@@ -34,14 +34,28 @@ class Curves(NamedTuple):
     @classmethod
     def of(cls, table: Mapping[str, Column]) -> Curves:
         """Of the columns of ``differences.csv``."""
-        words = [table[head].words for head in ("measurement", "curve", "along", "unit")]
-        values = [table[head].values for head in ("at", "machine", "left", "noise")]
-        return cls(*words, *values)
+        along, unit = table["along"].words, table["unit"].words
+        series = table["measurement"].words, table["curve"].words
+        values = (table[head].values for head in ("at", "machine", "left", "noise"))
+        return cls(*series, along, unit, *values)
 
     def rows(self, chosen: Sequence[int]) -> Curves:
         """The points at some places."""
-        words = ([part[k] for k in chosen] for part in self[:4])
-        return Curves(*words, *(part[list(chosen)] for part in self[4:]))
+        places = list(chosen)
+
+        def words(part: Sequence[str]) -> list[str]:
+            return [part[k] for k in places]
+
+        return Curves(
+            words(self.measurement),
+            words(self.series),
+            words(self.along),
+            words(self.unit),
+            self.at[places],
+            self.machine[places],
+            self.left[places],
+            self.noise[places],
+        )
 
     def split(self, keys: Sequence[str]) -> Iterator[tuple[str, Curves]]:
         """Points by a word of each."""

@@ -89,7 +89,7 @@ def dataset(found: Identification) -> xr.Dataset:
     attributes = about(found.name, found.title, case.digest)
     attributes |= {
         "verdict": "\n".join(found.verdict),
-        "stopped": int(found.stopped),
+        "stopped": "yes" if found.stopped else "",
         "beside": "\n".join(each.name for each in best.beside),
     }
     return xr.Dataset(values, coords, attributes)
