@@ -1,8 +1,8 @@
 """Errors made on purpose in the physics, one at a time:  python -m tests.hostile.source [--count N]
 
-A sign, a factor, an exponent or an order of terms is changed in a copy of the tree, and the tests
-that execute the function are run, the quickest first, until one fails: those of files named after
-the module, of its room, or that name what it defines. A mutant that none kills is printed with its
+A sign, a factor, an exponent or an order of terms is changed, and the tests that execute the
+function are run, the quickest first, until one fails: those of files named after the module, of its
+room, or that name what it defines; then those of any file collected for another mutant. A mutant that none kills is printed with its
 line: it needs a test, or a reason why it changes nothing (``EQUIVALENT``). Tolerances are
 left alone.
 """
@@ -11,18 +11,19 @@ from __future__ import annotations
 
 import argparse
 import ast
-import os
 import random
 import re
-import shutil
+import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple
 
-from tests.hostile.covering import Ran, Tests, function_at
+import pytest
 
-ROOT = Path(__file__).parents[2]
+from tests.hostile.covering import ROOT, USUAL, Ran, Tests, function_at
+
 PHYSICS = (
     "bearings/ball/*.py", "bearings/contact/*.py", "bearings/fit/*.py", "bearings/heat/*.py",
     "bearings/kinds/*.py", "bearings/life/*.py", "bearings/catalogue/printed.py",
@@ -187,63 +188,81 @@ def related(path: str) -> list[str]:
     return of_room + others[: FILES - len(of_room)]
 
 
-def killed(mutant: Mutant, tests: Tests) -> tuple[str, int]:
-    """The first test that fails, empty where none does; how many tests execute the place."""
-    target = tests.tree / mutant.path
-    whole, time = target.read_text(encoding="utf-8"), target.stat().st_mtime
-    function = f"{mutant.path}:{function_at(whole, mutant.line)}"
+def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int]:
+    """The first test that fails, empty where none does; how many tests execute the place.
+
+    Related files are tried first, then those of all ``files`` that reach the place soonest.
+    """
+    function = f"{mutant.path}:{function_at(mutant.text, mutant.line)}"
+    near = related(mutant.path)
     tried = 0
-    for file in related(mutant.path):
-        reaching: list[Ran] = []
-        spent = 0.0
-        for test in tests.reaching(file, function):
-            spent += test.seconds
-            if reaching and spent > SECONDS:
-                break
-            reaching.append(test)
-        if not reaching:
-            continue
+    for reaching in _in_time(tests, near, function):
         tried += len(reaching)
-        target.write_text(mutant.text, encoding="utf-8")
-        try:
-            if by := tests.failing(file, reaching):
-                return by, tried
-        finally:
-            target.write_text(whole, encoding="utf-8")
-            os.utime(target, (time, time))  # what was compiled of it holds again
+        if by := tests.failing(reaching, mutant.path, mutant.text):
+            return by, tried
+    others = _in_time(tests, [file for file in files if file not in near], function)
+    for reaching in sorted(others, key=lambda each: each[0].seconds)[:FILES]:
+        tried += len(reaching)
+        if by := tests.failing(reaching, mutant.path, mutant.text):
+            return by, tried
     return "", tried
 
 
-def main() -> None:
+def _in_time(tests: Tests, files: Sequence[str], function: str) -> Iterator[list[Ran]]:
+    """Of each file the quickest tests that execute the function, as far as time allows."""
+    for file in files:
+        reaching = tests.reaching(file, function)
+        spent = [*accumulate(each.seconds for each in reaching)]
+        chosen = [each for each, till in zip(reaching, spent, strict=True) if till <= SECONDS]
+        if reaching:
+            yield chosen or reaching[:1]
+
+
+class Trial:
+    """Plugin of pytest: instead of the tests, mutants are tried on them."""
+
+    def __init__(self, made: list[Mutant], files: list[str], known: Path, verbose: bool) -> None:
+        self.made, self.files, self.known, self.verbose = made, files, known, verbose
+
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """A line for each that survives."""
+        tests = Tests(session, self.known)
+        tried = dead = same = 0
+        for mutant in self.made:
+            if why := reason(mutant):
+                same += 1
+                print(f"changes nothing, {why}: {mutant.path}:{mutant.line}", flush=True)  # noqa: T201
+                continue
+            by, reached = killed(mutant, tests, self.files)
+            tried, dead = tried + 1, dead + bool(by)
+            if self.verbose or not by:
+                what = f"{mutant.path}:{mutant.line}: {mutant.before} -> {mutant.after}"
+                how = f"killed by {by}" if by else f"SURVIVES {reached} tests"
+                print(f"{how}: {what}", flush=True)  # noqa: T201
+        print(f"{tried} mutants, {dead} killed; {same} that change nothing")  # noqa: T201
+        return True
+
+
+def main() -> int:
     """Try them, a line for each that survives."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", default="", help="a word of the paths of mutants to try")
     parser.add_argument("--verbose", action="store_true")
     parser.add_argument(
         "--folder", help="where what is known of tests is kept for another run of the same tree"
     )
     asked = parser.parse_args()
-    tried = dead = same = 0
+    sys.modules["numba"] = None  # type: ignore[assignment]
+    made = [each for each in mutants(asked.count, asked.seed) if asked.only in each.path]
+    files = sorted({file for each in made for file in related(each.path)})
     with tempfile.TemporaryDirectory() as place:
-        folder = Path(asked.folder or place).resolve()
-        left = shutil.ignore_patterns(".git", ".venv", "__pycache__", "out", ".*cache")
-        shutil.copytree(ROOT, folder / "tree", ignore=left, dirs_exist_ok=True)
-        (folder / "known").mkdir(exist_ok=True)
-        tests = Tests(folder / "tree", folder / "known")
-        for mutant in mutants(asked.count, asked.seed):
-            if why := reason(mutant):
-                same += 1
-                print(f"changes nothing, {why}: {mutant.path}:{mutant.line}", flush=True)  # noqa: T201
-                continue
-            by, reached = killed(mutant, tests)
-            tried, dead = tried + 1, dead + bool(by)
-            if asked.verbose or not by:
-                what = f"{mutant.path}:{mutant.line}: {mutant.before} -> {mutant.after}"
-                how = f"killed by {by}" if by else f"SURVIVES {reached} tests"
-                print(f"{how}: {what}", flush=True)  # noqa: T201
-        print(f"{tried} mutants, {dead} killed; {same} that change nothing")  # noqa: T201
+        known = Path(asked.folder or place).resolve()
+        known.mkdir(exist_ok=True)
+        trial = Trial(made, files, known, asked.verbose)
+        return int(pytest.main([*files, *USUAL], plugins=[trial]))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
