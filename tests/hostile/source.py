@@ -2,9 +2,9 @@
 
 A sign, a factor, an exponent or an order of terms is changed, and the tests that execute the
 function are run, the quickest first, until one fails: those of files named after the module, of its
-room, or that name what it defines; then those of any file collected for another mutant. A mutant that none kills is printed with its
-line: it needs a test, or a reason why it changes nothing (``EQUIVALENT``). Tolerances are
-left alone.
+room, or that name what it defines; then those of any file collected for another mutant. A mutant
+that none kills is printed with its line: it needs a test, or a reason why it changes nothing
+(``EQUIVALENT``). Tolerances are left alone.
 """
 
 from __future__ import annotations
