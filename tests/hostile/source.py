@@ -33,13 +33,24 @@ PHYSICS = (
     "rotordyn/analyses/*/tables.py", "rotordyn/analyses/*/result.py",
 )  # fmt: skip
 SWAPPED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
-FILES, SECONDS = 8, 10.0  # of tests to a mutant; of processor time in each
+FILES = 8  # of tests to a mutant, and as many of others
+QUICK, SECONDS = 1.0, 5.0  # of processor time in each, at first and at last
 TOLERANCE = 1e-5  # below it a number is the size of an error, above it physics
 APART = {"hostile", "docs", "cases", "page", "view", "case", "figures", "study"}
 EQUIVALENT = {  # (path, change, word of its line) of mutants that change no result -> why
     ("bearings/ball_guide.py", "2.0 -> 2.2", "brentq"): "a wider bracket of the same zero",
     ("bearings/ball/potential.py", "-cos -> cos", "pressed"): "where an iteration starts",
     ("bearings/heat/total.py", "0.5 -> 0.55", "part"): "a share of no loss at all",
+    (
+        "rotordyn/equation/seat.py",
+        "signs[:, None] * values * signs -> signs[:, None] * values / signs",
+        "signs",
+    ): "signs are 1 or -1",
+    (
+        "rotordyn/equation/housing.py",
+        "(mass + mass.T) / 2.0 -> (mass + mass.T) * 2.0",
+        "cholesky",
+    ): "four times a matrix is as definite",
 }
 ROOMS = {  # tests of a folder, beside those named like the module
     "bearings/ball": ("tests/verification/test_bearing_", "tests/literature/test_bearing_"),
@@ -191,31 +202,28 @@ def related(path: str) -> list[str]:
 def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int]:
     """The first test that fails, empty where none does; how many tests execute the place.
 
-    Related files are tried first, then those of all ``files`` that reach the place soonest.
+    The quick ones of related files are tried first, then those of other ``files`` that reach the
+    place soonest, then the slow ones of related files.
     """
     function = f"{mutant.path}:{function_at(mutant.text, mutant.line)}"
     near = related(mutant.path)
-    tried = 0
-    for reaching in _in_time(tests, near, function):
-        tried += len(reaching)
-        if by := tests.failing(reaching, mutant.path, mutant.text):
-            return by, tried
-    others = _in_time(tests, [file for file in files if file not in near], function)
-    for reaching in sorted(others, key=lambda each: each[0].seconds)[:FILES]:
-        tried += len(reaching)
-        if by := tests.failing(reaching, mutant.path, mutant.text):
-            return by, tried
-    return "", tried
+    reached = {file: tests.reaching(file, function) for file in dict.fromkeys([*near, *files])}
+    far = [file for file in files if file not in near and reached[file]]
+    far.sort(key=lambda file: reached[file][0].seconds)
+    tried: set[str] = set()
+    for chosen, seconds in (near, QUICK), (far[:FILES], QUICK), (near, SECONDS):
+        ran = [each for file in chosen for each in _in_time(reached[file], seconds)]
+        left = [each for each in ran if each.name not in tried]
+        tried |= {each.name for each in left}
+        if left and (by := tests.failing(left, mutant.path, mutant.text)):
+            return by, len(tried)
+    return "", len(tried)
 
 
-def _in_time(tests: Tests, files: Sequence[str], function: str) -> Iterator[list[Ran]]:
-    """Of each file the quickest tests that execute the function, as far as time allows."""
-    for file in files:
-        reaching = tests.reaching(file, function)
-        spent = [*accumulate(each.seconds for each in reaching)]
-        chosen = [each for each, till in zip(reaching, spent, strict=True) if till <= SECONDS]
-        if reaching:
-            yield chosen or reaching[:1]
+def _in_time(tests: list[Ran], seconds: float) -> list[Ran]:
+    """The quickest, as many as time allows, at least one."""
+    spent = accumulate(each.seconds for each in tests)
+    return [each for each, till in zip(tests, spent, strict=True) if till <= seconds] or tests[:1]
 
 
 class Trial:
