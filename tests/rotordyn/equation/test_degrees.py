@@ -10,6 +10,8 @@ import pytest
 from rotordyn.equation.elements.rod import inner_dofs, shapes
 from rotordyn.equation.fineness import (
     HIGHEST,
+    USUAL,
+    Fineness,
     bending_wave,
     least_degree,
     parts_and_degree,
@@ -105,3 +107,10 @@ def test_waves_are_those_of_the_exact_dispersion() -> None:
 
 def test_resolved_frequency_is_where_the_error_meets_the_tolerance() -> None:
     assert resolved(lambda w: (w / 50.0) ** 4, 1e-4, 1.0) == pytest.approx(5.0, rel=1e-9)
+
+
+def test_cut_offs_follow_the_powers_by_which_their_errors_fall() -> None:
+    """The fourth of that of the modes kept, the second of that of a fictitious mass."""
+    usual, hundredth = (Fineness(200.0, accuracy=each) for each in (USUAL, USUAL / 100.0))
+    assert hundredth.cutoff**4 == pytest.approx(100.0 * usual.cutoff**4)
+    assert hundredth.weightless**2 == pytest.approx(100.0 * usual.weightless**2)
