@@ -37,20 +37,48 @@ FILES = 8  # of tests to a mutant, and as many of others
 QUICK, SECONDS = 1.0, 5.0  # of processor time in each, at first and at last
 TOLERANCE = 1e-5  # below it a number is the size of an error, above it physics
 APART = {"hostile", "docs", "cases", "page", "view", "case", "figures", "study"}
-EQUIVALENT = {  # (path, change, word of its line) of mutants that change no result -> why
-    ("bearings/ball_guide.py", "2.0 -> 2.2", "brentq"): "a wider bracket of the same zero",
-    ("bearings/ball/potential.py", "-cos -> cos", "pressed"): "where an iteration starts",
-    ("bearings/heat/total.py", "0.5 -> 0.55", "part"): "a share of no loss at all",
-    (
-        "rotordyn/equation/seat.py",
-        "signs[:, None] * values * signs -> signs[:, None] * values / signs",
-        "signs",
-    ): "signs are 1 or -1",
-    (
-        "rotordyn/equation/housing.py",
-        "(mass + mass.T) / 2.0 -> (mass + mass.T) * 2.0",
-        "cholesky",
-    ): "four times a matrix is as definite",
+EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change no result
+    "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
+    "bearings/ball/potential.py": [
+        ("-cos -> cos", "pressed", "where an iteration starts"),
+        ("inner + outer -> inner - outer", "beyond", "where an iteration starts"),
+        ("3.0 -> 3.3000000000000003", "part", "where an iteration starts"),
+        ("energy + slack -> energy - slack", "most", "the rounding of an energy"),
+    ],
+    "bearings/heat/total.py": [("0.5 -> 0.55", "part", "a share of no loss at all")],
+    "rotordyn/equation/housing.py": [
+        (
+            "(mass + mass.T) / 2.0 -> (mass + mass.T) * 2.0",
+            "cholesky",
+            "four times a matrix is as definite",
+        )
+    ],
+    "rotordyn/equation/seat.py": [
+        (
+            "signs[:, None] * values * signs -> signs[:, None] * values / signs",
+            "signs",
+            "signs are 1 or -1",
+        )
+    ],
+    "rotordyn/numerics/conservative.py": [
+        ("1j -> 1.1j", "_hermitian", "as Hermitian, whatever the factor")
+    ],
+    "rotordyn/numerics/follow.py": [
+        ("1e+300 -> 1.1000000000000002e+300", "initial", "larger than any gap, both"),
+        ("1.0 -> 1.1", "swapped", "a divisor of places that are not asked for"),
+    ],
+    "rotordyn/preload/history.py": [
+        ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed")
+    ],
+    "rotordyn/preload/on_films.py": [
+        ("axial - films.axial -> axial + films.axial", "change", "more rounds to one fixed point")
+    ],
+    "rotordyn/preload/play.py": [
+        ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has")
+    ],
+    "rotordyn/preload/stops.py": [
+        ("zero - margin -> zero + margin", "guess", "which samples of a bracket are taken next")
+    ],
 }
 ROOMS = {  # tests of a folder, beside those named like the module
     "bearings/ball": ("tests/verification/test_bearing_", "tests/literature/test_bearing_"),
@@ -76,6 +104,11 @@ class Mutant(NamedTuple):
     before: str
     after: str
     text: str
+
+    @property
+    def changed(self) -> str:
+        """The line after the change."""
+        return self.text.splitlines()[self.line - 1]
 
 
 def mutants(count: int, seed: int = 0) -> list[Mutant]:
@@ -160,21 +193,15 @@ def _changed(node: ast.expr) -> str:
 
 def reason(mutant: Mutant) -> str:
     """Why the mutant changes no result, empty where it does."""
-    line = mutant.text.splitlines()[mutant.line - 1]
+    line = mutant.changed
     change = f"{mutant.before} -> {mutant.after}"
-    return next(
-        (
-            why
-            for (path, same, word), why in EQUIVALENT.items()
-            if (path, same) == (mutant.path, change) and word in line
-        ),
-        "",
-    )
+    known = EQUIVALENT.get(mutant.path, [])
+    return next((why for same, word, why in known if same == change and word in line), "")
 
 
-def related(path: str) -> list[str]:
-    """Test files for a module: those named after it, those of its room, then those that name it or
-    what it defines."""
+def related(path: str, line: str = "") -> list[str]:
+    """Test files for a module: those named after it, those of its room, those that name it or what
+    it defines, then the two that most often use the long names of a ``line``."""
     module = path.removesuffix(".py").replace("/", ".")
     tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
     names = [
@@ -185,18 +212,23 @@ def related(path: str) -> list[str]:
     parts = [part for part in module.split(".")[1:] if part not in ("tables", "result")]
     words = re.compile(rf"{re.escape(module)}\b|\b({'|'.join([*names, parts[-1]])})\b")
     room = next((tests for place, tests in ROOMS.items() if path.startswith(place)), ())
-    scored = []
+    long = re.compile(rf"\b({'|'.join(re.findall(r'[a-z_]{10,}', line)) or '-'})\b")
+    scored, using = [], []
     for test in sorted((ROOT / "tests").rglob("test_*.py")):
         name = str(test.relative_to(ROOT))
         if not APART & {*test.relative_to(ROOT).parts}:
             named = 100 * (parts[-1] in test.stem) + 20 * any(part in test.stem for part in parts)
             near = any(name.startswith(place) for place in room)
-            score = named + 3 * len(words.findall(test.read_text(encoding="utf-8")))
+            text = test.read_text(encoding="utf-8")
+            score = named + 3 * len(words.findall(text))
+            if used := len(long.findall(text)):
+                using.append((-used, name))
             if score or near:
                 scored.append((-score, not near, name))
     of_room = [name for _, apart, name in sorted(scored) if not apart][: FILES // 2]
     others = [name for score, _, name in sorted(scored) if score and name not in of_room]
-    return of_room + others[: FILES - len(of_room)]
+    chosen = of_room + others[: FILES - len(of_room)]
+    return chosen + [name for _, name in sorted(using) if name not in chosen][:2]
 
 
 def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int]:
@@ -206,7 +238,7 @@ def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int
     place soonest, then the slow ones of related files.
     """
     function = f"{mutant.path}:{function_at(mutant.text, mutant.line)}"
-    near = related(mutant.path)
+    near = related(mutant.path, mutant.changed)
     reached = {file: tests.reaching(file, function) for file in dict.fromkeys([*near, *files])}
     far = [file for file in files if file not in near and reached[file]]
     far.sort(key=lambda file: reached[file][0].seconds)
@@ -264,7 +296,7 @@ def main() -> int:
     asked = parser.parse_args()
     sys.modules["numba"] = None  # type: ignore[assignment]
     made = [each for each in mutants(asked.count, asked.seed) if asked.only in each.path]
-    files = sorted({file for each in made for file in related(each.path)})
+    files = sorted({file for each in made for file in related(each.path, each.changed)})
     with tempfile.TemporaryDirectory() as place:
         known = Path(asked.folder or place).resolve()
         known.mkdir(exist_ok=True)
