@@ -97,6 +97,17 @@ def test_helical_edges():
     assert max(radius(share) for share in (0.3, 0.7, 0.998)) < 1.0 < radius(1.002)
 
 
+def test_edges_over_many_pitches_cut_evenly() -> None:
+    """Their limit is that of the mean force, from which it departs by the square of pitch over
+    depth."""
+    steep = {"helix": math.radians(89.99), "diameter": 0.016}
+    speed = 1500.0
+    found = limit_depth(MACHINE.receptance, *CUT, speed, **steep)
+    even = limit_depth(MACHINE.receptance, *CUT, speed, "zero-order")
+    assert found.depth == pytest.approx(even.depth, rel=1e-5)
+    assert found.frequency == pytest.approx(even.frequency, rel=1e-5)
+
+
 @pytest.mark.parametrize(("speed", "lag"), [(700.0, 0.0), (1500.0, 0.0), (700.0, 80.0)])
 def test_process_damping(speed, lag):
     """Forces by velocity in the time domain, with straight edges and with a helix."""
