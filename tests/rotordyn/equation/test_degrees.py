@@ -114,3 +114,11 @@ def test_cut_offs_follow_the_powers_by_which_their_errors_fall() -> None:
     usual, hundredth = (Fineness(200.0, accuracy=each) for each in (USUAL, USUAL / 100.0))
     assert hundredth.cutoff**4 == pytest.approx(100.0 * usual.cutoff**4)
     assert hundredth.weightless**2 == pytest.approx(100.0 * usual.weightless**2)
+
+
+def test_a_taper_adds_to_the_phase_of_a_linear_element() -> None:
+    """k h + 4 τ with τ = 4 (√r − 1)/(√r + 1), of the error ½ (1/2)²/3 of its square."""
+    tolerance = (0.5 + 4.0 * 4.0 * 0.1 / 2.1) ** 2 / 24.0
+    for slack, degree in ((1e-9, 1), (-1e-9, 2)):
+        found = least_degree(np.array([0.5]), tolerance * (1.0 + slack), np.array([1.21]))
+        assert (found[0] == 1) == (degree == 1)
