@@ -1,149 +1,182 @@
-"""Tests in a copy of the tree: which of them execute a function, how long they take, which fail.
+"""Tests that execute a function, how long they take, and which of them fails with another source.
 
-Each run is a fork of this process, which has the libraries loaded but nothing of the project.
+All are collected once, in this process; each trial is a fork of it, where the code of a module's
+functions is exchanged in place: nothing is imported or collected anew.
 numba is kept out: what is compiled is the same source, and compiling takes longer than most tests.
 """
 
 from __future__ import annotations
 
 import ast
+import gc
 import json
 import os
+import signal
 import sys
 import time
+from collections import defaultdict
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
-from types import FrameType
+from types import CodeType, FrameType, FunctionType
 from typing import Any, NamedTuple
 
 import pytest
 
 from tests.hostile.judged import judged
 
-OURS = ("rotordyn", "bearings", "tests", "docs")
-LIBRARIES = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg", "scipy.signal",
-             "scipy.integrate", "scipy.interpolate", "scipy.special", "xarray", "yaml", "h5netcdf",
-             "hypothesis", "matplotlib.figure", "mpmath")  # fmt: skip
+ROOT = Path(__file__).parents[2]
 FIRST = 12.0  # s of processor time for a test file without any change
-STARTING = 5.0  # s that any run may take
-USUAL = (
-    "-p",
-    "no:cacheprovider",
-    "-p",
-    "no:xdist",
-    "-W",
-    "ignore::pytest.PytestAssertRewriteWarning",
-)
-LATE = "time: four times what it takes without the change"
+STARTING = 2.0  # s that any test may take
+USUAL = ("-q", "-s", "-p", "no:cacheprovider", "-p", "no:xdist", "--hypothesis-profile", "ci")
 
 
 class Ran(NamedTuple):
-    """A test that passes without any change: seconds, and functions executed as path:line."""
+    """A test that passes without any change: seconds, and functions executed as path:name."""
 
     name: str
     seconds: float
     reached: frozenset[str]
 
 
+class Late(BaseException):
+    """A test takes more than four times what it takes without the change."""
+
+
 class Recorder:
-    """Plugin of pytest: writes a line for each test that passes."""
+    """Plugin of pytest: functions that a test executes, and whether any fails."""
 
-    def __init__(self, tree: Path, record: Path) -> None:
-        self.root, self.record = f"{tree}{os.sep}", record
+    def __init__(self) -> None:
+        self.root = f"{ROOT}{os.sep}"
         self.reached: set[str] = set()
-        self.passed = True
+        self.failed = False
 
-    def _called(self, frame: FrameType, event: str, _: Any) -> None:
+    def called(self, frame: FrameType, event: str, _: Any) -> None:
+        """A tracer of calls."""
         name = frame.f_code.co_filename
         if name.startswith(self.root):
-            self.reached.add(f"{name[len(self.root) :]}:{frame.f_code.co_firstlineno}")
-
-    @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        self.reached, self.passed, begin = set(), True, time.process_time()
-        sys.settrace(self._called)
-        try:
-            return (yield)
-        finally:
-            sys.settrace(None)
-            if self.passed:
-                seconds = round(time.process_time() - begin, 3)
-                line = json.dumps([item.nodeid, seconds, sorted(self.reached)])
-                with self.record.open("a", encoding="utf-8") as file:
-                    file.write(line + "\n")
+            self.reached.add(f"{name[len(self.root) :]}:{frame.f_code.co_qualname}")
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self.passed &= report.passed
-
-
-class Chosen:
-    """Plugin of pytest: some tests, in their order."""
-
-    def __init__(self, names: list[str]) -> None:
-        self.names = names
-
-    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        known = {item.nodeid: item for item in items}
-        items[:] = [known[name] for name in self.names if name in known]
-
-    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        if report.failed:
-            print(report.nodeid, file=sys.stderr)  # noqa: T201
+        self.failed |= report.failed
 
 
 class Tests:
-    """Tests of the copy ``tree``; what is known of them is kept in the folder ``known``."""
+    """Collected tests; what is known of them is kept in the folder ``known``."""
 
-    def __init__(self, tree: Path, known: Path) -> None:
-        self.tree, self.known = tree, known
-        sys.modules["numba"] = None  # type: ignore[assignment]
-        for library in LIBRARIES:
-            import_module(library)
+    def __init__(self, session: pytest.Session, known: Path) -> None:
+        self.known, self.recorder = known, Recorder()
+        session.config.pluginmanager.register(self.recorder)
+        self.items = {item.nodeid: item for item in session.items}
+        self.files = defaultdict(list)
+        for item in session.items:
+            self.files[item.nodeid.partition("::")[0]].append(item)
+        self._read: dict[str, list[Ran]] = {}
 
     def reaching(self, file: str, function: str) -> list[Ran]:
-        """Tests of a file that execute a function (path:line), the quickest first."""
-        ran = [each for each in self._ran(file) if function in each.reached]
+        """Tests of a file that execute a function (path:name), the quickest first."""
+        if file not in self._read:
+            self._read[file] = self._ran(file)
+        ran = [each for each in self._read[file] if function in each.reached]
         return sorted(ran, key=lambda each: each.seconds)
 
-    def failing(self, file: str, tests: list[Ran]) -> str:
-        """The first of some tests of a file that fails, or never ends; empty where all pass."""
-        chosen = Chosen([each.name for each in tests])
-        most = STARTING + sum(each.seconds for each in tests)
-        found = judged(lambda: self._run(file, chosen, "-x"), most)
-        if found.code == -1:
-            return LATE
+    def failing(self, tests: list[Ran], path: str, text: str) -> str:
+        """The first of some tests that fails with another text of a module, or takes too long;
+        empty where all pass."""
+        allowed = FIRST + sum(each.seconds for each in tests)
+        found = judged(lambda: self._try(tests, path, text), allowed)
         lines = found.said.splitlines()
-        return (lines[0] if lines else "a crash") if found.code else ""
+        return (lines[-1] if lines else "a crash") if found.code else ""
+
+    def _try(self, tests: list[Ran], path: str, text: str) -> int:
+        _quiet()
+        _exchange(path, text)
+        signal.signal(signal.SIGVTALRM, _late)
+        items = [self.items[each.name] for each in tests if each.name in self.items]
+        most = {each.name: STARTING + 4.0 * each.seconds for each in tests}
+        for item, after in zip(items, [*items[1:], None], strict=True):
+            signal.setitimer(signal.ITIMER_VIRTUAL, most[item.nodeid])
+            item.ihook.pytest_runtest_protocol(item=item, nextitem=after)
+            if self.recorder.failed:
+                print(item.nodeid, file=sys.stderr)  # noqa: T201
+                return 1
+        return 0
 
     def _ran(self, file: str) -> list[Ran]:
         record = self.known / f"{file.replace('/', '.')}.jsonl"
         if not record.exists():
             record.touch()
-            judged(lambda: self._run(file, Recorder(self.tree, record)), FIRST / 4.0)
+            judged(lambda: self._record(file, record), FIRST / 4.0)
         lines = record.read_text(encoding="utf-8").splitlines()
         read = [json.loads(line) for line in lines]
         return [Ran(name, seconds, frozenset(reached)) for name, seconds, reached in read]
 
-    def _run(self, file: str, plugin: object, *words: str) -> int:
-        """Run a test file with the packages of the copy; meant for a fork."""
-        for name in [name for name in sys.modules if name.split(".")[0] in OURS]:
-            del sys.modules[name]
-        here = Path(__file__).parents[2]
-        sys.path[:] = [p for p in sys.path if Path(p or ".").resolve() != here]
-        sys.path.insert(0, str(self.tree))
-        os.chdir(self.tree)
-        usual = ["-q", *USUAL, "--hypothesis-profile", "ci"]
-        place = ["--rootdir", str(self.tree), "-c", str(self.tree / "pyproject.toml")]
-        return int(pytest.main([file, *words, *usual, *place], plugins=[plugin]))
+    def _record(self, file: str, record: Path) -> int:
+        _quiet()
+        items = self.files[file]
+        for item, after in zip(items, [*items[1:], None], strict=True):
+            self.recorder.reached, self.recorder.failed = set(), False
+            begin = time.process_time()
+            sys.settrace(self.recorder.called)
+            try:
+                item.ihook.pytest_runtest_protocol(item=item, nextitem=after)
+            finally:
+                sys.settrace(None)
+            seconds = round(time.process_time() - begin, 3)
+            if not self.recorder.failed:
+                line = json.dumps([item.nodeid, seconds, sorted(self.recorder.reached)])
+                with record.open("a", encoding="utf-8") as out:
+                    out.write(line + "\n")
+        return 0
 
 
-def function_at(text: str, line: int) -> int:
-    """First line of the innermost function around a line, its decorators included."""
+def _quiet() -> None:
+    """What pytest prints of a test in a fork is seen by nobody."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+
+
+def _late(*_: Any) -> None:
+    raise Late
+
+
+def _exchange(path: str, text: str) -> None:
+    """Give the functions of a module the code of another text of it, line by line the same."""
+    import_module(path.removesuffix(".py").replace("/", "."))
+    place = str(ROOT / path)
+    codes = {
+        (code.co_qualname, code.co_firstlineno): code
+        for code in _codes(compile(text, place, "exec", dont_inherit=True))
+        if not code.co_name.startswith("<")
+    }
+    for each in gc.get_objects():
+        if type(each) is FunctionType and each.__code__.co_filename == place:
+            old = each.__code__
+            each.__code__ = codes.get((old.co_qualname, old.co_firstlineno), old)
+
+
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    yield code
+    for inner in code.co_consts:
+        if isinstance(inner, CodeType):
+            yield from _codes(inner)
+
+
+def function_at(text: str, line: int) -> str:
+    """Name of the innermost function around a line, as Python qualifies it."""
     around = [
-        node
-        for node in ast.walk(ast.parse(text))
-        if isinstance(node, ast.FunctionDef) and node.lineno <= line <= (node.end_lineno or 0)
+        (node.lineno, name)
+        for node, name in _functions(ast.parse(text), "")
+        if node.lineno <= line <= (node.end_lineno or 0)
     ]
-    inner = max(around, key=lambda node: node.lineno)
-    return min([inner.lineno, *(each.lineno for each in inner.decorator_list)])
+    return max(around)[1]
+
+
+def _functions(tree: ast.AST, within: str) -> Iterator[tuple[ast.FunctionDef, str]]:
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.FunctionDef):
+            yield node, within + node.name
+            yield from _functions(node, f"{within}{node.name}.<locals>.")
+        elif isinstance(node, ast.ClassDef):
+            yield from _functions(node, f"{within}{node.name}.")
+        else:
+            yield from _functions(node, within)

@@ -1,28 +1,29 @@
 """Errors made on purpose in the physics, one at a time:  python -m tests.hostile.source [--count N]
 
-A sign, a factor, an exponent or an order of terms is changed in a copy of the tree, and the tests
-that execute the function are run, the quickest first, until one fails: those of files named after
-the module, of its room, or that name what it defines. A mutant that none kills is printed with its
-line: it needs a test, or a reason why it changes nothing (``EQUIVALENT``). Tolerances are
-left alone.
+A sign, a factor, an exponent or an order of terms is changed, and the tests that execute the
+function are run, the quickest first, until one fails: those of files named after the module, of its
+room, or that name what it defines; then those of any file collected for another mutant. A mutant
+that none kills is printed with its line: it needs a test, or a reason why it changes nothing
+(``EQUIVALENT``). Tolerances are left alone.
 """
 
 from __future__ import annotations
 
 import argparse
 import ast
-import os
 import random
 import re
-import shutil
+import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple
 
-from tests.hostile.covering import Ran, Tests, function_at
+import pytest
 
-ROOT = Path(__file__).parents[2]
+from tests.hostile.covering import ROOT, USUAL, Ran, Tests, function_at
+
 PHYSICS = (
     "bearings/ball/*.py", "bearings/contact/*.py", "bearings/fit/*.py", "bearings/heat/*.py",
     "bearings/kinds/*.py", "bearings/life/*.py", "bearings/catalogue/printed.py",
@@ -32,13 +33,52 @@ PHYSICS = (
     "rotordyn/analyses/*/tables.py", "rotordyn/analyses/*/result.py",
 )  # fmt: skip
 SWAPPED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
-FILES, SECONDS = 8, 10.0  # of tests to a mutant; of processor time in each
+FILES = 8  # of tests to a mutant, and as many of others
+QUICK, SECONDS = 1.0, 5.0  # of processor time in each, at first and at last
 TOLERANCE = 1e-5  # below it a number is the size of an error, above it physics
 APART = {"hostile", "docs", "cases", "page", "view", "case", "figures", "study"}
-EQUIVALENT = {  # (path, change, word of its line) of mutants that change no result -> why
-    ("bearings/ball_guide.py", "2.0 -> 2.2", "brentq"): "a wider bracket of the same zero",
-    ("bearings/ball/potential.py", "-cos -> cos", "pressed"): "where an iteration starts",
-    ("bearings/heat/total.py", "0.5 -> 0.55", "part"): "a share of no loss at all",
+EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change no result
+    "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
+    "bearings/ball/potential.py": [
+        ("-cos -> cos", "pressed", "where an iteration starts"),
+        ("inner + outer -> inner - outer", "beyond", "where an iteration starts"),
+        ("3.0 -> 3.3000000000000003", "part", "where an iteration starts"),
+        ("energy + slack -> energy - slack", "most", "the rounding of an energy"),
+    ],
+    "bearings/heat/total.py": [("0.5 -> 0.55", "part", "a share of no loss at all")],
+    "rotordyn/equation/housing.py": [
+        (
+            "(mass + mass.T) / 2.0 -> (mass + mass.T) * 2.0",
+            "cholesky",
+            "four times a matrix is as definite",
+        )
+    ],
+    "rotordyn/equation/seat.py": [
+        (
+            "signs[:, None] * values * signs -> signs[:, None] * values / signs",
+            "signs",
+            "signs are 1 or -1",
+        )
+    ],
+    "rotordyn/numerics/conservative.py": [
+        ("1j -> 1.1j", "_hermitian", "as Hermitian, whatever the factor")
+    ],
+    "rotordyn/numerics/follow.py": [
+        ("1e+300 -> 1.1000000000000002e+300", "initial", "larger than any gap, both"),
+        ("1.0 -> 1.1", "swapped", "a divisor of places that are not asked for"),
+    ],
+    "rotordyn/preload/history.py": [
+        ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed")
+    ],
+    "rotordyn/preload/on_films.py": [
+        ("axial - films.axial -> axial + films.axial", "change", "more rounds to one fixed point")
+    ],
+    "rotordyn/preload/play.py": [
+        ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has")
+    ],
+    "rotordyn/preload/stops.py": [
+        ("zero - margin -> zero + margin", "guess", "which samples of a bracket are taken next")
+    ],
 }
 ROOMS = {  # tests of a folder, beside those named like the module
     "bearings/ball": ("tests/verification/test_bearing_", "tests/literature/test_bearing_"),
@@ -64,6 +104,11 @@ class Mutant(NamedTuple):
     before: str
     after: str
     text: str
+
+    @property
+    def changed(self) -> str:
+        """The line after the change."""
+        return self.text.splitlines()[self.line - 1]
 
 
 def mutants(count: int, seed: int = 0) -> list[Mutant]:
@@ -148,21 +193,15 @@ def _changed(node: ast.expr) -> str:
 
 def reason(mutant: Mutant) -> str:
     """Why the mutant changes no result, empty where it does."""
-    line = mutant.text.splitlines()[mutant.line - 1]
+    line = mutant.changed
     change = f"{mutant.before} -> {mutant.after}"
-    return next(
-        (
-            why
-            for (path, same, word), why in EQUIVALENT.items()
-            if (path, same) == (mutant.path, change) and word in line
-        ),
-        "",
-    )
+    known = EQUIVALENT.get(mutant.path, [])
+    return next((why for same, word, why in known if same == change and word in line), "")
 
 
-def related(path: str) -> list[str]:
-    """Test files for a module: those named after it, those of its room, then those that name it or
-    what it defines."""
+def related(path: str, line: str = "") -> list[str]:
+    """Test files for a module: those named after it, those of its room, those that name it or what
+    it defines, then the two that most often use the long names of a ``line``."""
     module = path.removesuffix(".py").replace("/", ".")
     tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
     names = [
@@ -173,77 +212,97 @@ def related(path: str) -> list[str]:
     parts = [part for part in module.split(".")[1:] if part not in ("tables", "result")]
     words = re.compile(rf"{re.escape(module)}\b|\b({'|'.join([*names, parts[-1]])})\b")
     room = next((tests for place, tests in ROOMS.items() if path.startswith(place)), ())
-    scored = []
+    long = re.compile(rf"\b({'|'.join(re.findall(r'[a-z_]{10,}', line)) or '-'})\b")
+    scored, using = [], []
     for test in sorted((ROOT / "tests").rglob("test_*.py")):
         name = str(test.relative_to(ROOT))
         if not APART & {*test.relative_to(ROOT).parts}:
             named = 100 * (parts[-1] in test.stem) + 20 * any(part in test.stem for part in parts)
             near = any(name.startswith(place) for place in room)
-            score = named + 3 * len(words.findall(test.read_text(encoding="utf-8")))
+            text = test.read_text(encoding="utf-8")
+            score = named + 3 * len(words.findall(text))
+            if used := len(long.findall(text)):
+                using.append((-used, name))
             if score or near:
                 scored.append((-score, not near, name))
     of_room = [name for _, apart, name in sorted(scored) if not apart][: FILES // 2]
     others = [name for score, _, name in sorted(scored) if score and name not in of_room]
-    return of_room + others[: FILES - len(of_room)]
+    chosen = of_room + others[: FILES - len(of_room)]
+    return chosen + [name for _, name in sorted(using) if name not in chosen][:2]
 
 
-def killed(mutant: Mutant, tests: Tests) -> tuple[str, int]:
-    """The first test that fails, empty where none does; how many tests execute the place."""
-    target = tests.tree / mutant.path
-    whole, time = target.read_text(encoding="utf-8"), target.stat().st_mtime
-    function = f"{mutant.path}:{function_at(whole, mutant.line)}"
-    tried = 0
-    for file in related(mutant.path):
-        reaching: list[Ran] = []
-        spent = 0.0
-        for test in tests.reaching(file, function):
-            spent += test.seconds
-            if reaching and spent > SECONDS:
-                break
-            reaching.append(test)
-        if not reaching:
-            continue
-        tried += len(reaching)
-        target.write_text(mutant.text, encoding="utf-8")
-        try:
-            if by := tests.failing(file, reaching):
-                return by, tried
-        finally:
-            target.write_text(whole, encoding="utf-8")
-            os.utime(target, (time, time))  # what was compiled of it holds again
-    return "", tried
+def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int]:
+    """The first test that fails, empty where none does; how many tests execute the place.
+
+    The quick ones of related files are tried first, then those of other ``files`` that reach the
+    place soonest, then the slow ones of related files.
+    """
+    function = f"{mutant.path}:{function_at(mutant.text, mutant.line)}"
+    near = related(mutant.path, mutant.changed)
+    reached = {file: tests.reaching(file, function) for file in dict.fromkeys([*near, *files])}
+    far = [file for file in files if file not in near and reached[file]]
+    far.sort(key=lambda file: reached[file][0].seconds)
+    tried: set[str] = set()
+    for chosen, seconds in (near, QUICK), (far[:FILES], QUICK), (near, SECONDS):
+        ran = [each for file in chosen for each in _in_time(reached[file], seconds)]
+        left = [each for each in ran if each.name not in tried]
+        tried |= {each.name for each in left}
+        if left and (by := tests.failing(left, mutant.path, mutant.text)):
+            return by, len(tried)
+    return "", len(tried)
 
 
-def main() -> None:
+def _in_time(tests: list[Ran], seconds: float) -> list[Ran]:
+    """The quickest, as many as time allows, at least one."""
+    spent = accumulate(each.seconds for each in tests)
+    return [each for each, till in zip(tests, spent, strict=True) if till <= seconds] or tests[:1]
+
+
+class Trial:
+    """Plugin of pytest: instead of the tests, mutants are tried on them."""
+
+    def __init__(self, made: list[Mutant], files: list[str], known: Path, verbose: bool) -> None:
+        self.made, self.files, self.known, self.verbose = made, files, known, verbose
+
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """A line for each that survives."""
+        tests = Tests(session, self.known)
+        tried = dead = same = 0
+        for mutant in self.made:
+            if why := reason(mutant):
+                same += 1
+                print(f"changes nothing, {why}: {mutant.path}:{mutant.line}", flush=True)  # noqa: T201
+                continue
+            by, reached = killed(mutant, tests, self.files)
+            tried, dead = tried + 1, dead + bool(by)
+            if self.verbose or not by:
+                what = f"{mutant.path}:{mutant.line}: {mutant.before} -> {mutant.after}"
+                how = f"killed by {by}" if by else f"SURVIVES {reached} tests"
+                print(f"{how}: {what}", flush=True)  # noqa: T201
+        print(f"{tried} mutants, {dead} killed; {same} that change nothing")  # noqa: T201
+        return True
+
+
+def main() -> int:
     """Try them, a line for each that survives."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", default="", help="a word of the paths of mutants to try")
     parser.add_argument("--verbose", action="store_true")
     parser.add_argument(
         "--folder", help="where what is known of tests is kept for another run of the same tree"
     )
     asked = parser.parse_args()
-    tried = dead = same = 0
+    sys.modules["numba"] = None  # type: ignore[assignment]
+    made = [each for each in mutants(asked.count, asked.seed) if asked.only in each.path]
+    files = sorted({file for each in made for file in related(each.path, each.changed)})
     with tempfile.TemporaryDirectory() as place:
-        folder = Path(asked.folder or place).resolve()
-        left = shutil.ignore_patterns(".git", ".venv", "__pycache__", "out", ".*cache")
-        shutil.copytree(ROOT, folder / "tree", ignore=left, dirs_exist_ok=True)
-        (folder / "known").mkdir(exist_ok=True)
-        tests = Tests(folder / "tree", folder / "known")
-        for mutant in mutants(asked.count, asked.seed):
-            if why := reason(mutant):
-                same += 1
-                print(f"changes nothing, {why}: {mutant.path}:{mutant.line}", flush=True)  # noqa: T201
-                continue
-            by, reached = killed(mutant, tests)
-            tried, dead = tried + 1, dead + bool(by)
-            if asked.verbose or not by:
-                what = f"{mutant.path}:{mutant.line}: {mutant.before} -> {mutant.after}"
-                how = f"killed by {by}" if by else f"SURVIVES {reached} tests"
-                print(f"{how}: {what}", flush=True)  # noqa: T201
-        print(f"{tried} mutants, {dead} killed; {same} that change nothing")  # noqa: T201
+        known = Path(asked.folder or place).resolve()
+        known.mkdir(exist_ok=True)
+        trial = Trial(made, files, known, asked.verbose)
+        return int(pytest.main([*files, *USUAL], plugins=[trial]))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

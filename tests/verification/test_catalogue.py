@@ -193,7 +193,7 @@ CONTRADICTIONS = [
     (dict(ball_diameter=0.03), "ball_diameter 30 mm does not fit a section of 20 mm"),
     (dict(pitch_diameter=0.12), "pitch_diameter 120 mm must lie between bore and outside_diameter"),
     (dict(contact_angle=25.0), "contact_angle must lie"),
-    (dict(contact_angle=0.0), "at least 5°"),
+    (dict(contact_angle=math.radians(4.9)), "at least 5°, got 4.9"),
     (dict(preloads=[190.0, -5.0, 3.0]), "positive numbers"),
 ]
 
@@ -212,6 +212,10 @@ def test_rating_of_a_pair_given_for_one_is_doubted(given: dict[str, Any]) -> Non
     of_pair = estimate(**{**values, "dynamic_rating": 2**0.7 * 22_700 * 0.98})
     assert "a pair has 1.62 times as much; give that of one bearing" in of_pair.doubt
     assert estimate(**RINGS, contact_angle=0.4, dynamic_rating=40e3).doubt == ""
+
+
+def test_a_contact_angle_just_above_the_least() -> None:
+    assert estimate(**RINGS, contact_angle=math.radians(5.1), dynamic_rating=40e3).doubt == ""
 
 
 def test_rings_alone_give_a_wide_estimate() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from bearings import DeepGrooveBallBearing
+from bearings import DeepGrooveBallBearing, InvalidBearing
 from tests.oracles.four_point import Drawing, GrooveOracle
 from tests.oracles.groove_balance import balanced
 from tests.oracles.known_bearings import HYPOTHESES, RPM, SHARINGS
@@ -155,3 +155,11 @@ def test_the_clearance_of_these_tests() -> None:
     assert 2.0 * STEEL.free_distance * (1.0 - math.cos(STEEL.contact_angle)) == pytest.approx(
         CLEARANCE, rel=1e-9
     )
+
+
+def test_the_largest_clearance_makes_45_degrees() -> None:
+    most = 2.0 * STEEL.free_distance * (1.0 - math.cos(math.pi / 4.0))
+    widest = DeepGrooveBallBearing(**common(STEEL), radial_clearance=most * (1.0 - 1e-9))
+    assert widest.free_angle == pytest.approx(math.pi / 4.0, abs=1e-8)
+    with pytest.raises(InvalidBearing, match="makes a contact angle above 45°"):
+        DeepGrooveBallBearing(**common(STEEL), radial_clearance=most * (1.0 + 1e-9))

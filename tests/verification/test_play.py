@@ -7,6 +7,7 @@ import pytest
 
 import rotordyn
 from rotordyn.errors import NoSolution
+from rotordyn.preload import play
 from rotordyn.preload.history import history
 from rotordyn.preload.play import axial
 from rotordyn.scene.scene import Scene
@@ -55,3 +56,15 @@ def test_nothing_holds_the_shaft() -> None:
     found = axial(case.spindle, case.conditions.law, np.zeros(1))
     with pytest.raises(NoSolution, match="no axial equilibrium under -100000 N"):
         found.under(0, [-1e5])
+
+
+def test_the_search_meets_a_root_just_behind_a_kink() -> None:
+    """1 kN/m up to 1 µm, a million times as stiff beyond."""
+    soft, stiff, kink = 1e3, 1e9, 1e-6
+
+    def missing(u: np.ndarray) -> np.ndarray:
+        return soft * np.minimum(u, kink) + stiff * np.maximum(u - kink, 0.0) - 7.0
+
+    low, high = np.array([-1e-5]), np.array([6e-5])
+    found = play._root(missing, (low, missing(low)), (high, missing(high)))
+    assert found == pytest.approx([kink + (7.0 - soft * kink) / stiff], abs=1e-14)

@@ -10,6 +10,8 @@ import pytest
 from rotordyn.equation.elements.rod import inner_dofs, shapes
 from rotordyn.equation.fineness import (
     HIGHEST,
+    USUAL,
+    Fineness,
     bending_wave,
     least_degree,
     parts_and_degree,
@@ -70,6 +72,15 @@ def test_least_degree_is_the_least() -> None:
     assert least_degree(np.array([100.0]), 1e-8)[0] == 0
 
 
+def test_a_degree_serves_up_to_the_phase_of_its_bound() -> None:
+    """Where ½ (n!/(2n)!)² (k h)^(2n)/(2n + 1) is the tolerance, the next degree takes over."""
+    n, tolerance = np.arange(1, HIGHEST + 1), 1e-4
+    growth = np.array([math.factorial(2 * k) / math.factorial(k) for k in n])
+    last = (growth * np.sqrt(2.0 * tolerance * (2 * n + 1))) ** (1.0 / n)
+    assert least_degree(last * (1.0 - 1e-9), tolerance).tolist() == n.tolist()
+    assert least_degree(last * (1.0 + 1e-9), tolerance).tolist() == [*n[1:], 0]
+
+
 def test_long_waves_are_cut_into_parts() -> None:
     parts, degree = parts_and_degree(np.array([0.01, 3.0, 300.0]), 1e-6)
     assert list(parts[:2]) == [1, 1]
@@ -96,3 +107,18 @@ def test_waves_are_those_of_the_exact_dispersion() -> None:
 
 def test_resolved_frequency_is_where_the_error_meets_the_tolerance() -> None:
     assert resolved(lambda w: (w / 50.0) ** 4, 1e-4, 1.0) == pytest.approx(5.0, rel=1e-9)
+
+
+def test_cut_offs_follow_the_powers_by_which_their_errors_fall() -> None:
+    """The fourth of that of the modes kept, the second of that of a fictitious mass."""
+    usual, hundredth = (Fineness(200.0, accuracy=each) for each in (USUAL, USUAL / 100.0))
+    assert hundredth.cutoff**4 == pytest.approx(100.0 * usual.cutoff**4)
+    assert hundredth.weightless**2 == pytest.approx(100.0 * usual.weightless**2)
+
+
+def test_a_taper_adds_to_the_phase_of_a_linear_element() -> None:
+    """k h + 4 τ with τ = 4 (√r − 1)/(√r + 1), of the error ½ (1/2)²/3 of its square."""
+    tolerance = (0.5 + 4.0 * 4.0 * 0.1 / 2.1) ** 2 / 24.0
+    for slack, degree in ((1e-9, 1), (-1e-9, 2)):
+        found = least_degree(np.array([0.5]), tolerance * (1.0 + slack), np.array([1.21]))
+        assert (found[0] == 1) == (degree == 1)

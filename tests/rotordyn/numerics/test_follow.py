@@ -8,7 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotordyn.numerics import follow as module
-from rotordyn.numerics.follow import LEAST_MAC, follow, mac
+from rotordyn.numerics.follow import LEAST_MAC, doubts, follow, mac
 
 
 def unit(size: int, *columns: int) -> np.ndarray:
@@ -112,3 +112,15 @@ def test_a_basis_of_repeated_values_is_any_basis() -> None:
     path = follow([at_rest, turning], [np.array([5.0, 5.0]), np.array([4.9, 5.1])])
     assert path.shape == (2, 2)
     assert sorted(path[1]) == [0, 1]
+
+
+@pytest.mark.parametrize(
+    ("ends", "meet"), [([4.0, 1.0], 4.0), ([1.1, 1.05], 6.5), ([301.0, 1.0], 3.5)]
+)
+def test_the_step_asked_for_is_where_two_straight_lines_meet(
+    ends: list[float], meet: float
+) -> None:
+    """From 1 and 2 at 3 to the ``ends`` at 7; never nearer to a step than 0.5."""
+    order = np.argsort(ends)
+    vectors, values = [unit(2, 0, 1), unit(2, *order)], [np.array([1.0, 2.0]), np.sort(ends)]
+    assert doubts(np.array([3.0, 7.0]), vectors, values, 1e3, 0.5) == pytest.approx([meet])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.numerics.pole_count import Counted, counted
+from rotordyn.numerics.pole_count import Counted, _one_more, counted
 from rotordyn.numerics.pole_refinement import refined
 
 HERTZ = np.array([180.0, 300.0, 304.0, 520.0])
@@ -90,3 +90,14 @@ def squares(columns: np.ndarray, samples: np.ndarray, deviation: np.ndarray) -> 
         rest = both - rows @ np.linalg.lstsq(rows, both, rcond=None)[0]
         total += float(rest @ rest)
     return total
+
+
+def test_a_peak_of_two_is_split_about_its_pole() -> None:
+    """One pole for the pair 4 Hz apart: two in its place, one below and one above."""
+    samples, deviation = measured(0)
+    few = refined(OMEGA, samples, POLE[[0, 1, 3]], 1.0 / deviation)
+    found = _one_more(OMEGA, few, 1.0 / deviation)
+    (left,) = few.fit.pole[~np.isin(few.fit.pole, found)]
+    below, above = np.sort_complex(found[~np.isin(found, few.fit.pole)] / 1j)[::-1] * 1j
+    assert (below + above) / 2.0 == pytest.approx(left)
+    assert abs(below.imag - above.imag) > abs(left.real)

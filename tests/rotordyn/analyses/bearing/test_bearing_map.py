@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import bearings
-from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult
+from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult, motion
 from rotordyn.analyses.bearing.solve import answer, tangent_error
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.known import matches
@@ -30,10 +30,13 @@ SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
 def test_each_entry_is_the_bearing_alone() -> None:
     found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1220.0), 2e-6))
     assert (found.outcome == "").all()
+    *words, moved = motion(found)
+    assert words == ["axial deflection", "µm"]
     for row, speed in enumerate(SPEED):
         for column, load in enumerate((250.0, 1220.0)):
             alone = VEX70.equilibrium(load=[load, 0, 0, 0, 0], speed=speed, static_growth=2e-6)
             assert found.deflection[row, column] == pytest.approx(alone.displacement[0], rel=1e-9)
+            assert moved[row, column] * 1e-6 == pytest.approx(alone.displacement[0], rel=1e-9)
             assert found.inner_load[row, column] == pytest.approx(alone.inner_load[0], rel=1e-9)
             assert found.stiffness[row, column, 0] == pytest.approx(
                 alone.stiffness("complete"), rel=1e-7, abs=1e-3
@@ -124,7 +127,9 @@ def test_radial_loads_over_a_fixed_thrust() -> None:
     assert found.contact == ("ir", "il", "or", "ol")
     assert found.ball == pytest.approx(np.arange(20) * math.pi / 10.0)
     assert found.deflection[0, 1] * 1e6 == pytest.approx(228.0, abs=0.8)
-    assert found.radial_deflection[0, 1] * 1e6 == pytest.approx(136.0, abs=0.8)
+    *words, moved = motion(found)
+    assert words == ["radial deflection", "µm"]
+    assert moved[0, 1] == pytest.approx(136.0, abs=0.8)
     angles = np.degrees(found.contact_angle[0, 1, [0, 10], 0])
     assert angles == pytest.approx([22.4, 57.7], abs=0.06)
     assert found.contacts[0].tolist() == [[2] * 20, [3] * 3 + [2] * 15 + [3] * 2]
@@ -154,6 +159,9 @@ def test_a_moment_and_its_reverse_are_mirror_images() -> None:
     spec = BearingMapSpec(moments=(-500.0, 500.0), axial_load=20e3)
     found = answer(four_point(R24_14), Conditions(), np.array([3000.0]) * RPM, spec)
     assert found.tilt[0, 0] == pytest.approx(-found.tilt[0, 1], rel=1e-6)
+    *words, moved = motion(found)
+    assert words == ["tilt", "mrad"]
+    assert moved * 1e-3 == pytest.approx(found.tilt)
     turned = np.roll(found.contact_load[0, 0], 10, axis=0)
     assert found.contact_load[0, 1] == pytest.approx(turned, rel=1e-5, abs=0.05)
 
