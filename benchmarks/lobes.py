@@ -49,7 +49,7 @@ def tools() -> None:
     for count in (1, TOOLS):
         chosen = {f"tool_{k}": every[k] for k in range(count)}
         start = time.perf_counter()
-        with patch.object(statics, "dynamic_preload", wraps=statics.dynamic_preload) as solved:
+        with patch.object(statics, "operating_state", wraps=statics.operating_state) as solved:
             rotordyn.run(replace(case, variants=chosen))
         seconds = time.perf_counter() - start
         sys.stdout.write(

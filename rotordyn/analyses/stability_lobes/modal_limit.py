@@ -71,7 +71,8 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     fine = _maps(tip, top, process, SPARE)
     step = SHARE * process.cut.pitch / process.lag if process.lag > 0.0 else math.inf
     flip = fine(0.0).doubling() if process.lag == 0.0 else math.inf
-    deepest = DEEPEST * CERTAIN / _gain(_damped(tip), process)
+    damped = _damped(tip)
+    deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))
     if process.lag == 0.0:
         deepest *= process.cut.interruption
     high = min(deepest, (1.0 - JUST_BELOW) * flip)
@@ -86,8 +87,10 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
 
 
 def _damped(tip: ModalTip) -> ModalTip:
-    """The tip with a damping ratio of ``LEAST_DAMPED`` of modes that have less."""
+    """The tip with a damping ratio of ``LEAST_DAMPED`` of modes that have less; itself if none."""
     decay = np.minimum(tip.pole.real, -LEAST_DAMPED * np.abs(tip.pole))
+    if (decay == tip.pole.real).all():
+        return tip
     return replace(tip, pole=decay + 1j * tip.pole.imag)
 
 
