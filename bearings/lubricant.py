@@ -13,6 +13,7 @@ from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
 
 KELVIN = 273.15
+THICKEST = 0.1  # m²/s at 40 °C; the thickest gear oils have 0.0032
 _SHIFT = 0.7  # mm²/s, of ASTM D341
 
 
@@ -49,6 +50,11 @@ class Lubricant:
                 f"lubricant: viscosity_100 {self.viscosity_100 * 1e6:g} mm²/s must be below "
                 f"viscosity_40, {self.viscosity_40 * 1e6:g} mm²/s: are the two swapped?"
             )
+        if self.viscosity_40 > THICKEST:
+            raise InvalidBearing(
+                f"lubricant: viscosity_40 must be up to {THICKEST:g} m²/s, got "
+                f"{self.viscosity_40:g} m²/s: is the unit right?"
+            )
         if self.viscosity_100 <= 0.5e-6:
             raise InvalidBearing(
                 f"lubricant: viscosity_100 must be above 0.5 mm²/s, got "
@@ -60,6 +66,8 @@ class Lubricant:
         """ν [m²/s] at a temperature [°C] after ASTM D341: log log(ν + 0.7) linear in log T."""
         slope, level = self._line()
         kelvin = np.asarray(celsius, float) + KELVIN
+        if not (kelvin > 0.0).all():
+            raise InvalidBearing(f"lubricant: no temperature is {shown(celsius)} °C")
         return np.asarray(1e-6 * (10.0**10.0 ** (level - slope * np.log10(kelvin)) - _SHIFT))
 
     @checked

@@ -141,12 +141,15 @@ def _parser() -> argparse.ArgumentParser:
     found.add_argument("-o", "--output", metavar="DIR", help="its folder (out/<file name>)")
     found.add_argument("--workers", type=int, metavar="N", help="processes (one a processor)")
     found.add_argument("--no-figures", action="store_true", help="write numbers alone")
+    found.add_argument(
+        "--report", action="store_true", help="also write report.html, a page to hand on"
+    )
     found.add_argument("--quiet", action="store_true", help="print nothing but errors")
     found.set_defaults(command=_identify)
-    report = commands.add_parser(
-        "report", help="write the results of a run or a study as one HTML page"
+    report = commands.add_parser("report", help="write a results folder as one HTML page")
+    report.add_argument(
+        "folder", metavar="DIR", help="results folder of run, sweep, optimise or identify"
     )
-    report.add_argument("folder", metavar="DIR", help="results folder of run or sweep")
     report.add_argument("-o", "--output", metavar="FILE", help="the page (DIR/report.html)")
     report.set_defaults(command=_report)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
@@ -398,9 +401,13 @@ def _optimise(arguments: argparse.Namespace) -> int:
 
 
 def _identify(arguments: argparse.Namespace) -> int:
+    from rotordyn.job.pages import REPORT
+    from rotordyn.page.html import library
     from rotordyn.study.identification.deliver import deliver
     from rotordyn.study.identification.read import read_identification
 
+    if arguments.report:
+        library()
     _heed_signals()
     held = read_identification(arguments.study)
     name = held.case.name
@@ -419,6 +426,8 @@ def _identify(arguments: argparse.Namespace) -> int:
             f"interrupted; searches that ended are kept: the same command goes on in {folder}"
         )
         return 130
+    if arguments.report:
+        rotordyn.write_report(folder, folder / REPORT)
     if not arguments.quiet:
         _say(text)
         _say(f"results in {folder}")

@@ -15,6 +15,7 @@ from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
 
+THICKEST, LARGEST = 0.1, 5.0  # oil [m²/s], outside diameter [m]
 FASTEST = 0.8e6  # n·dm [rpm·mm]
 REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oil-air": 6e-8}
 # geometry constants of rolling (R) and sliding (S) and of starvation (KZ), bearings 72 B and 73 B
@@ -94,8 +95,10 @@ def skf_moment(
 
     Raises
     ------
-    InvalidBearing : n·dm above 0.8 million, an unknown supply
+    InvalidBearing : n·dm above 0.8 million, an unknown supply, sizes, viscosity or friction that
+        no bearing has, a speed that is no finite number
     """
+    _refuse(speed, viscosity, bore, outside, ehl_friction)
     n, pitch = _rpm(speed), 0.5 * (bore + outside) * 1e3
     fastest = float(np.max(n)) * pitch
     if fastest > FASTEST:
@@ -116,6 +119,27 @@ def skf_moment(
     rolling = inlet * starved * rolling_moment(grr, viscosity, speed)
     turning = np.where(n > 0.0, 1.0, 0.0)
     return SkfMoment(turning * rolling, turning * 1e-3 * gsl * friction, inlet, starved)
+
+
+def _refuse(
+    speed: ArrayLike, viscosity: ArrayLike, bore: float, outside: float, friction: float
+) -> None:
+    """Refuse what no bearing and no oil has."""
+    if not np.isfinite(np.asarray(speed, float)).all():
+        raise InvalidBearing(f"speed must be finite, got {shown(speed)}")
+    nu = np.asarray(viscosity, float)
+    if not ((nu >= 0.0) & (nu < THICKEST)).all():
+        raise InvalidBearing(
+            f"viscosity must be from 0 to below {THICKEST:g} m²/s, got {shown(viscosity)}: is the "
+            "unit right?"
+        )
+    if not 0.0 < bore < outside < LARGEST:
+        raise InvalidBearing(
+            f"bore and outside: allowed 0 < bore < outside < {LARGEST:g} m, got {bore:g} and "
+            f"{outside:g} m"
+        )
+    if not 0.0 <= friction <= 1.0:
+        raise InvalidBearing(f"ehl_friction must be from 0 to 1, got {friction:g}")
 
 
 def _rpm(speed: ArrayLike) -> Array:

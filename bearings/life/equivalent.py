@@ -95,6 +95,9 @@ def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float)
 
 @checked
 def basic_life(rating: ArrayLike, load: ArrayLike) -> Array:
-    """L10 = (C/P)³ million revolutions, in revolutions."""
+    """L10 = (C/P)³ million revolutions, in revolutions; InvalidBearing for a negative one."""
+    for name, value in (("rating", rating), ("load", load)):
+        if (np.asarray(value, float) < 0.0).any():
+            raise InvalidBearing(f"{name} must not be negative, got {shown(value)}")
     with np.errstate(divide="ignore"):
         return np.asarray(1e6 * (np.asarray(rating, float) / np.asarray(load, float)) ** 3)

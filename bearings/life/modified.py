@@ -118,12 +118,14 @@ def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
 
     Raises
     ------
-    InvalidBearing : a share below 0, or none above
+    InvalidBearing : a share below 0, or none above; a life below 0
     """
     lives = np.moveaxis(np.asarray(life, float), axis, -1)
     q = np.asarray(share, float)
     if (q < 0.0).any() or not q.sum() > 0.0:
         raise InvalidBearing(f"shares of a load spectrum must not be negative, got {shown(share)}")
+    if (lives < 0.0).any():
+        raise InvalidBearing(f"lives must not be negative, got {shown(life)}")
     with np.errstate(divide="ignore"):
         return np.asarray(q.sum() / (q / lives).sum(axis=-1))
 

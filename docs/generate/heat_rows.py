@@ -59,7 +59,12 @@ def published_heat_table() -> str:
     off = f"{100 * (rolling / known - 1):+.1f} %".replace("-", "−")
     rows.append(("their product [N mm]", number(known), number(rolling), off))
     rows.append(
-        ("M with its sliding part [N mm]", number(PUBLISHED_MOMENT), "not of this model", "")
+        (
+            "M with its sliding part [N mm]",
+            number(PUBLISHED_MOMENT),
+            "its sliding part has a roller bearing's factors",
+            "",
+        )
     )
     return table(PUBLISHED_HEAD, rows)
 

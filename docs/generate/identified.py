@@ -101,11 +101,21 @@ def draw_identified() -> None:
 def twins_table(found: dict[str, Any]) -> str:
     """What random twins showed, as measured last."""
     names = ("P1", "P2", "Kp1", "Kp2", "stop", "friction", "Δu0", "Δu24", "fo")
+    half = 100.0 * found["stiffness half interval"]
+    mean, error = (100.0 * found[f"stiffness {word}"] for word in ("mean", "error of the mean"))
     covered = ", ".join(f"{n} {k}" for n, k in zip(names, found["covered"], strict=True))
     rows = [
         ("values within their 95 % interval", covered),
-        ("radial stiffness at 24 000 rpm within 2 %", str(found["stiffness within 2 %"])),
+        (
+            f"radial stiffness at 24 000 rpm within its 95 % interval (median ± {half:.1f} %)",
+            str(found["stiffness covered"]),
+        ),
+        ("that within 2 %", str(found["stiffness within 2 %"])),
         ("largest difference of that", f"{100.0 * found['stiffness off']:.1f} %"),
+        (
+            "mean difference, and its standard error",
+            f"{mean:.2f} ± {error:.2f} %".replace("-", "−"),
+        ),
         ("true hypothesis survives", str(found["true survives"])),
         ("a false one (kinematics or sharing) survives too", str(found["false survives"])),
         (

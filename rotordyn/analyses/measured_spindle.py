@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.analyses.measured_response import MeasuredResponse
+from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, as_quantity
+from rotordyn.analyses.passivity import APART, EXCESS, apart, excess, fault_at_driving_point
 from rotordyn.description import Description, Faults
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import PointMass
@@ -67,7 +68,11 @@ class MeasuredSpindle(Description):
         yield from crossed
         if crossed or any(len(one.frequency) < 2 for one in self.responses):
             return
-        yield from self._samples()
+        unlike = [*self._samples()]
+        yield from unlike
+        if not unlike:
+            for way in self.planes:
+                yield from self._passive(way)
         if self.blank is not None:
             yield from self._blank(self.blank)
 
@@ -97,6 +102,39 @@ class MeasuredSpindle(Description):
                 ("modes",),
                 f"too many for {len(first)} frequencies: given {{given}}; allowed: up to {most}",
             )
+
+    def _passive(self, way: str) -> Faults:
+        """Responses of a plane that no passive structure has, or that are not reciprocal."""
+        index = {id(one): k for k, one in enumerate(self.responses)}
+        named = self.of_plane(way)
+        values = {ends: _turned(one) for ends, one in named.items()}
+        active = False
+        for ends, one in named.items():
+            fault = fault_at_driving_point(values[ends]) if len(set(ends)) == 1 else None
+            if fault:
+                active = True
+                yield ("responses", index[id(one)]), f"{one.pair} is no driving point: {fault}"
+        if active:
+            return
+        for one in self.responses:
+            other = named.get(self._ends(one), one)
+            share = apart(_turned(other), _turned(one)) if one is not other else 0.0
+            if one.response.direction == way and share > APART:
+                yield (
+                    ("responses", index[id(one)]),
+                    f"{one.pair} and {other.pair} differ by {share**0.5:.0%}, which at rest are "
+                    "one by reciprocity: look whether a file is that of another point, or give one",
+                )
+        across = [ends for ends in named if ends[0] != ends[1]]
+        ports = [(name, name) for name in across[0]] if len(across) == 1 else []
+        if ports and all(port in named for port in ports):
+            share = excess(values[ports[0]], values[across[0]], values[ports[1]])
+            if share > EXCESS:
+                yield (
+                    ("responses", index[id(named[across[0]])]),
+                    f"together with the responses at {' and '.join(across[0])} it is that of no "
+                    f"passive structure: files of points or directions look exchanged in {way}",
+                )
 
     def _blank(self, blank: Tool) -> Faults:
         yield from uncoupled(("blank",), blank.masses, blank.joints)
@@ -139,6 +177,11 @@ class MeasuredSpindle(Description):
     def stations(self, spindle: Spindle) -> dict[str, float]:
         """Where the named points are [m]."""
         return dict(spindle.points if self.blank is None else self.blank.points)
+
+
+def _turned(one: MeasuredResponse) -> list[complex]:
+    """Its mobility, with the phase of the receptance."""
+    return [complex(value) for value in -1j * as_quantity(one, QUANTITIES[1])]
 
 
 def uncoupled(

@@ -1,4 +1,4 @@
-"""The folder of a run, a study or an optimum as one HTML page."""
+"""The folder of a run, a study, an optimum or an identification as one HTML page."""
 
 from __future__ import annotations
 
@@ -43,7 +43,9 @@ class Held(NamedTuple):
 
 @typed(InvalidInput)
 def write_report(folder: str | Path, path: str | Path) -> Path:
-    """Write the results in ``folder``, of a run, a study or an optimum, as one HTML page.
+    """Write the results in ``folder`` as one HTML page.
+
+    They are those of a run, a study, an optimum or an identification.
 
     Returns ``path``. The page opens without network. Takes the package plotly (extra ``report``).
 
@@ -51,9 +53,13 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
     ------
     InvalidInput : no results folder, half of one, one of another version; no file can be written
     """
+    from rotordyn.study.identification.page import FILES, identification_page
+
     folder, path = Path(folder), Path(path)
     if os.path.exists(folder / TRIALS):
         write(path, optimum_page(folder))
+    elif any(os.path.exists(folder / name) for name in FILES):
+        write(path, identification_page(folder))
     elif any(os.path.exists(folder / name) for name in (STUDY, POINTS)):
         write(path, _page(_read(folder)))
     else:

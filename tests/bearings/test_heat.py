@@ -253,6 +253,11 @@ def test_even_warmth_keeps_the_angle() -> None:
     assert heat.thermal_growth(VEX70, warm) < -3e-6
 
 
+def skf(**changed: float) -> heat.SkfMoment:
+    given = {"radial": 0.0, "axial": 300.0, "speed": 300.0, "viscosity": 2e-5, "bore": 0.07}
+    return heat.skf_moment(**{**given, "outside": 0.11, **changed})  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize(
     ("call", "word"),
     [
@@ -260,6 +265,12 @@ def test_even_warmth_keeps_the_angle() -> None:
         (lambda s: heat.losses(s, OIL, 40.0, model="skf"), "unknown model"),
         (lambda s: heat.losses(s, OIL, 40.0, oil_factor=0.0), "oil_factor"),
         (lambda s: starvation(1.0, 1e-6, 0.07, 0.11, "drops"), "unknown supply"),
+        (lambda s: skf(viscosity=20.0), "is the unit right"),
+        (lambda s: skf(bore=0.12), "bore and outside"),
+        (lambda s: skf(speed=float("nan")), "speed must be finite"),
+        (lambda s: skf(ehl_friction=-1.0), "ehl_friction"),
+        (lambda s: Lubricant(32.0, 5.4), "is the unit right"),
+        (lambda s: OIL.kinematic(-300.0), "no temperature"),
         (
             lambda s: heat.balanced(
                 lambda _: (0, 0, 0), heat.Conductances(0.0, 0.0), heat.Surroundings(20, 20, 20)

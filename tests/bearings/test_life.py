@@ -166,6 +166,8 @@ def test_static_rating_is_the_load_that_dents() -> None:
         (lambda: life.dynamic_load(1.0, 1.0, 0.3), "no factors X and Y"),
         (lambda: life.equivalent_static(1.0, 1.0, 1.3), "no factor Y0"),
         (lambda: life.pair_rating(1.0, 0), "rows"),
+        (lambda: life.basic_life(-1.0, 1.0), "rating must not be negative"),
+        (lambda: life.mean_life([1.0, 1.0], [-1.0, 2.0]), "lives must not be negative"),
     ],
 )
 def test_bad_input_gets_a_sentence(call: object, word: str) -> None:

@@ -110,3 +110,24 @@ def test_shaping(rpm, modes, limit):
 
     found = turning_limit(receptance, 1e9, rpm * RPM)
     assert found.depth * 1e3 == pytest.approx(limit, rel=5e-6)  # six digits are given
+
+
+@pytest.mark.parametrize(
+    ("ratio", "rpm", "limit", "mean"),
+    [(1e-3, 9000, 2.7503, 2.00169), (1e-4, 9000, 2.7235, 1.99072), (1e-4, 25000, 3.7763, 5.61686)],
+)
+def test_hardly_damped_modes_limit_beside_their_peaks(ratio, rpm, limit, mean):
+    """A slot far from the resonance, beside collocation; zero order tends to its closed form
+    without damping, −1/(2 H Φ) where the tooth period holds (2k + 1)/2 waves."""
+    machine = Machine(((922.0, ratio, STIFF, X),))
+    oracle = Milling(machine, *B, *SLOT, rpm * RPM)
+    known, how = oracle.limit(0.97e-3 * limit, 1.03e-3 * limit, 5)
+    found = limit_depth(machine.receptance, *B, *SLOT, rpm * RPM)
+    assert found.depth == pytest.approx(known, rel=1e-4)
+    assert found.kind == how
+    quick = limit_depth(machine.receptance, *B, *SLOT, rpm * RPM, "zero-order")
+    omega = (2.0 * np.arange(20) + 1.0) * rpm * RPM
+    stiffness = STIFF * ((omega / (2.0 * math.pi * 922.0)) ** 2 - 1.0)
+    free = (stiffness[stiffness > 0.0] / (2.0 * 1e8)).min()
+    assert quick.depth == pytest.approx(free, rel=10.0 * ratio)
+    assert quick.depth * 1e3 == pytest.approx(mean, rel=SIX_DIGITS)

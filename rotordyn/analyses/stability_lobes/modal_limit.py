@@ -20,6 +20,7 @@ from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE
 Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
 DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit
+LEAST_DAMPED = 0.01  # least damping ratio for that: beside their peaks, modes limit without it
 JUST_BELOW = 1e-7  # of the depth of period doubling
 SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix
 COARSE, COARSE_SPARE = 0.7, 5  # of the highest frequency, and polynomials: the map for trials
@@ -70,7 +71,9 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     fine = _maps(tip, top, process, SPARE)
     step = SHARE * process.cut.pitch / process.lag if process.lag > 0.0 else math.inf
     flip = fine(0.0).doubling() if process.lag == 0.0 else math.inf
-    deepest = DEEPEST * low * (1.0 if process.lag > 0.0 else process.cut.interruption)
+    deepest = DEEPEST * CERTAIN / _gain(_damped(tip), process)
+    if process.lag == 0.0:
+        deepest *= process.cut.interruption
     high = min(deepest, (1.0 - JUST_BELOW) * flip)
     depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), flip)
     if depth > deepest:
@@ -80,6 +83,12 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     angle = abs(float(np.angle(value)))
     kind = FLIP if value.imag == 0.0 and value.real < 0.0 else HOPF
     return Limit(depth, final.spans.chatter(tip.receptance, angle, force), kind)
+
+
+def _damped(tip: ModalTip) -> ModalTip:
+    """The tip with a damping ratio of ``LEAST_DAMPED`` of modes that have less."""
+    decay = np.minimum(tip.pole.real, -LEAST_DAMPED * np.abs(tip.pole))
+    return replace(tip, pole=decay + 1j * tip.pole.imag)
 
 
 def _maps(tip: ModalTip, top: float, process: Process, spare: int) -> Callable[[float], Floquet]:

@@ -17,6 +17,7 @@ from rotordyn.units import parse_unit
 
 Array = NDArray[np.float64]
 UNLIKELY = 1e-3  # probability of residuals as large, by noise alone
+LEAST = 1e-12  # probability that is printed
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,17 +60,15 @@ class Criterion:
 
     def excess(self, problem: Problem, left: Sequence[Array], sure: Certainty) -> list[str]:
         """Why the model does not suffice, empty where it does."""
-        from scipy.stats import chi2
-
         mean = self.residual(problem, left)
         if self.most is not None:
             if mean <= self.most:
                 return []
             words = f"differs by {mean:.3g} {self.unit} in the mean, allowed {self.most:.3g}"
             return [words + self._worst(problem, left, mean)]
-        if sure.degrees < 1 or chi2.sf(sure.reduced * sure.degrees, sure.degrees) > UNLIKELY:
+        if sure.degrees < 1 or _by_noise(sure) > UNLIKELY:
             return []
-        words = f"differs by {np.sqrt(sure.reduced):.2g} times the stated noise"
+        words = f"differs by {np.sqrt(sure.reduced):.2g} times the stated noise: {_test(sure)}"
         return [words + self._worst(problem, left, mean)]
 
     def _worst(self, problem: Problem, left: Sequence[Array], mean: float) -> str:
@@ -93,6 +92,21 @@ class Criterion:
         else:
             held = (
                 f"{np.sqrt(sure.reduced):.2g} times the stated noise in the root mean square, as "
-                "noise alone may be"
+                f"noise alone may be: {_test(sure)}"
             )
         return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {held}"
+
+
+def _by_noise(sure: Certainty) -> float:
+    """Probability of residuals as large, by noise alone."""
+    from scipy.stats import chi2
+
+    return float(chi2.sf(sure.reduced * sure.degrees, sure.degrees))
+
+
+def _test(sure: Certainty) -> str:
+    """χ², degrees of freedom and the probability of as much."""
+    chance, freedom = _by_noise(sure), "degree" if sure.degrees == 1 else "degrees"
+    share = f"p {chance:.2g}" if chance > LEAST else f"p below {LEAST:g}"
+    squares = sure.reduced * sure.degrees
+    return f"χ² {squares:.4g} at {sure.degrees} {freedom} of freedom, {share}"

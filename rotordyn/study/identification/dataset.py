@@ -87,4 +87,9 @@ def dataset(found: Identification) -> xr.Dataset:
         values |= _profiles(found)
     case = problem.case
     attributes = about(found.name, found.title, case.digest)
-    return xr.Dataset(values, coords, {**attributes, "verdict": "\n".join(found.verdict)})
+    attributes |= {
+        "verdict": "\n".join(found.verdict),
+        "stopped": "yes" if found.stopped else "",
+        "beside": "\n".join(each.name for each in best.beside),
+    }
+    return xr.Dataset(values, coords, attributes)

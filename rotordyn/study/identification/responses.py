@@ -34,6 +34,7 @@ from rotordyn.study.identification.trial import Trial, require_all_speeds
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+PARTS = ("real", "imaginary")  # of a response, in this order
 BLURS = (0.3, 0.05)  # b above, in turn: as wide as the distance of modes, then of their pairs
 POINTS = 40  # frequencies of blurred responses
 STEP = 1e-4  # of an unknown's scale, of differences: a sharp peak moves by its width soon
@@ -362,7 +363,7 @@ def _unit(responses: tuple[MeasuredResponse, ...]) -> tuple[str, float]:
 
 def _series(one: MeasuredResponse) -> list[str]:
     at = f"{one.pair}, {_rpm(one.speed)}"
-    return [f"{at}, {part}" for part in ("real", "imaginary") for _ in one.frequency]
+    return [f"{at}, {part}" for part in PARTS for _ in one.frequency]
 
 
 def _rpm(speed: float) -> str:

@@ -99,7 +99,7 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         sure.words,
         strict=True,
     ):
-        digits = _digits(unknown, ends)
+        digits = decimals(*map(unknown.shown, ends))
         shown = number(unknown.shown(value), digits)
         between = (
             f"{number(unknown.shown(ends[0]), digits)} to {number(unknown.shown(ends[1]), digits)}"
@@ -109,9 +109,9 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         yield unknown.heading, shown, between, *profile, word
 
 
-def _digits(unknown: Sought, ends: Sequence[float]) -> int:
-    """Decimals with which the half-width has two digits."""
-    half = abs(unknown.shown(ends[1]) - unknown.shown(ends[0])) / 2.0
+def decimals(low: float, high: float) -> int:
+    """With which half of an interval has two digits."""
+    half = abs(high - low) / 2.0
     return int(np.clip(1 - np.floor(np.log10(half)), 0, 6)) if 0.0 < half < np.inf else 3
 
 
@@ -231,14 +231,15 @@ def _points(best: Explained) -> list[Column]:
         data = each.data
         explained = data.observed - left
         for k in range(len(left)):
-            values = (data.observed[k], predicted[k], explained[k], left[k])
+            values = (data.observed[k], predicted[k], explained[k], left[k], data.deviation[k])
             rows.append(
                 (
-                    *(data.name, data.series[k], f"{data.at[k]:.9g}", data.unit),
+                    *(data.name, data.series[k], data.along, f"{data.at[k]:.9g}", data.unit),
                     *(f"{value * data.factor:.9g}" for value in values),
                 )
             )
     heads = (
-        "measurement", "curve", "at", "unit", "measured", "machine", "with tare and drift", "left",
+        "measurement", "curve", "along", "at", "unit",
+        "measured", "machine", "with tare and drift", "left", "noise",
     )  # fmt: skip
     return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]

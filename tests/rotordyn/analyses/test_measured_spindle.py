@@ -245,6 +245,45 @@ def test_a_band_that_ends_within_a_peak_is_refused(tested):
         rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
 
 
+def turned(folder, name, order=range(6), of=lambda value: value):
+    """The noisy table with its responses in another order and with other values."""
+    head, *rows = (folder / "noisy.csv").read_text(encoding="utf-8").splitlines()
+    table = np.array([[float(each) for each in row.split(",")] for row in rows])
+    values = of(table[:, 1::2] + 1j * table[:, 2::2])[:, list(order)]
+    table[:, 1::2], table[:, 2::2] = values.real, values.imag
+    lines = [", ".join(f"{each:.9g}" for each in row) for row in table]
+    (folder / name).write_text("\n".join([head, *lines]) + "\n", encoding="utf-8")
+    return measured(name)
+
+
+@pytest.mark.parametrize(
+    ("order", "of", "sentence"),
+    [
+        (range(6), np.conj, r"tip\.y / tip\.y is no driving point: .* sign convention e\^\{−iωt\}"),
+        (range(6), lambda h: h.imag + 1j * h.real, "real and imaginary columns look exchanged"),
+        (range(6), lambda h: 1j * h, "phase of a mobility"),
+        ((3, 1, 2, 0, 4, 5), np.asarray, "files of points or directions look exchanged in y"),
+        ((1, 0, 2, 3, 4, 5), np.asarray, "files of points or directions look exchanged in y"),
+    ],
+)
+def test_what_was_exchanged_in_a_measurement_is_named(tested, order, of, sentence):
+    given = turned(tested, "turned.csv", order, of)
+    with pytest.raises(RotordynError, match=sentence):
+        case(tested, frf(given))
+
+
+def test_responses_that_are_not_reciprocal_are_refused(tested):
+    """The file of z as the response in y with both points exchanged; its own file is taken."""
+    back = "{response: inner.y, excitation: tip.y, file: tap.uff, record: "
+    for record, refused in ((5, True), (2, False)):
+        given = measured().replace("responses: [", f"responses: [{back}{record}}}, ")
+        if refused:
+            with pytest.raises(RotordynError, match=r"differ by .* one by reciprocity"):
+                case(tested, frf(given))
+        else:
+            case(tested, frf(given))
+
+
 def test_a_blank_as_stiff_as_the_spindle_is_refused(tested):
     """Of the length of the spindle: its responses hardly change by what holds it."""
     long = BLANK.replace("40 mm", "300 mm").replace("-65 mm", "-325 mm").replace("-35", "-295")

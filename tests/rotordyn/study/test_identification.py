@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import re
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -20,6 +23,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.study.identification import search as searching
 from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.certainty import certainty
+from rotordyn.study.identification.criterion import Criterion
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.read import read_identification
@@ -28,6 +32,7 @@ from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Known, Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
+from tests.rotordyn.page.conftest import array, held
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 STUDIES = Path(__file__).parents[3] / "cases" / "identification"
@@ -312,6 +317,8 @@ criterion: 1 um
 """
 
 
+SHOWN = SimpleNamespace(unit="µm", factor=1.0, series=("",) * 4, name="curve")
+P18 = "0.00012"  # exp(−9)
 HYPOTHESIS = "hypotheses: {{conditions.kinematics: [{}]}}"
 
 
@@ -327,7 +334,38 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     best = rotordyn.load(out / "best.yaml")
     assert best.spindle is not None
     assert best.spindle.sleeves[0].stop_travel == pytest.approx(52.2e-6, abs=1.5e-6)
-    assert main(["identify", str(path), "-o", str(out), "--no-figures", "--quiet"]) == 0
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    assert main(["identify", str(path), "-o", str(out), "--no-figures", "--report"]) == 0
+    page = (out / "report.html").read_text(encoding="utf-8")
+    assert re.findall(r"<h2[^>]*>(.*?)</h2>", page) == [
+        *("Verdict", "Correlation", "Measured and computed"),
+        *("The identified machine as a case", "Origin"),
+    ]
+    assert re.search(r'class="verdict plain" role="status">✓ sufficient: differs by', page)
+    assert not re.search(r"""(src|href)=["']?(http|//)""", page.partition("<script")[0])
+    content, numbers = held(page)
+    charts = [*content.values()]
+    assert [chart["traces"][0].get("type") for chart in charts] == ["heatmap", None, None]
+    with (out / "differences.csv").open(newline="", encoding="utf-8-sig") as file:
+        row = next(csv.DictReader(file))  # falling, the highest force
+    drawn = array(charts[1]["traces"][1]["y"], numbers)
+    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["left"]), rel=1e-6)
+    left = array(charts[2]["traces"][1]["y"], numbers)
+    assert left[-1] == pytest.approx(float(row["left"]), rel=1e-6)
+    (out / "models.csv").unlink()
+    assert main(["report", str(out)]) == 2
+    assert "an identification that is not complete" in capsys.readouterr().err
+
+
+def test_a_verdict_by_chi_squared_says_its_degrees() -> None:
+    """At two of them the probability of as much is exp(−χ²/2)."""
+    sure: Any = SimpleNamespace(reduced=1.5, degrees=2)
+    said = Criterion("µm").kept(0.3, sure)
+    assert said.endswith(f"χ² 3 at 2 degrees of freedom, p {np.exp(-1.5):.2g}")
+    sure = SimpleNamespace(reduced=9.0, degrees=2)
+    one: Any = SimpleNamespace(measurements=(SimpleNamespace(data=SHOWN),))
+    (why,) = Criterion("µm").excess(one, [np.ones(4)], sure)
+    assert why == f"differs by 3 times the stated noise: χ² 18 at 2 degrees of freedom, p {P18}"
 
 
 @pytest.mark.parametrize(

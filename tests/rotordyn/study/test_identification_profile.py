@@ -22,6 +22,7 @@ from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.optimum.criterion import Criterion
+from tests.rotordyn.page.conftest import held
 
 FRONT, REAR = "spindle.sleeves.front.", "spindle.sleeves.rear."
 P1, P2 = FRONT + "spring.preload", REAR + "spring.preload"
@@ -141,6 +142,12 @@ def test_profiles_are_written_and_drawn(case: Case, tmp_path: Path) -> None:
     place = head.split(",").index("upper end by profile")
     assert float(first.split(",")[place]) == pytest.approx(profile.interval[1], rel=1e-6)
     assert second.split(",")[place] == ""
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "Models by evidence" not in page
+    chart = next(c for c in held(page)[0].values() if c["controls"])
+    assert [trace["name"] for trace in chart["traces"]] == ["profile", "linear", "95 %"]
+    assert chart["traces"][0]["moving"]["y"][0] == pytest.approx(profile.excess, abs=1e-5)
 
 
 def test_profiles_that_cannot_be(case: Case) -> None:

@@ -30,6 +30,7 @@ from rotordyn.study.identification.search import search
 from rotordyn.study.identification.solve import identify
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import Unknown, sought
+from tests.rotordyn.page.conftest import array, held
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
@@ -60,15 +61,17 @@ def case(of: Spindle) -> rotordyn.Case:
     return rotordyn.Case("twin", "twin", speeds, {"campbell": CampbellSpec(1900.0)}, spindle=of)
 
 
-def blank(point: str, speed: float) -> MeasuredResponse:
+def blank(point: str, speed: float, way: str = "y") -> MeasuredResponse:
     nothing = (1.0,) * len(FREQUENCY)
-    ports = Port(point, "y"), Port("tip", "y")
+    ports = Port(point, way), Port("tip", way)
     return MeasuredResponse("r", *ports, tuple(FREQUENCY.tolist()), nothing, nothing, speed)
 
 
-def measured(of: Spindle, seed: int = 1, noise: float = 0.02) -> Responses:
+def measured(of: Spindle, seed: int = 1, noise: float = 0.02, ways: str = "y") -> Responses:
     rng = np.random.default_rng(seed)
-    asked = tuple(blank(point, speed) for speed in SPEEDS for point in of.points)
+    asked = tuple(
+        blank(point, speed, way) for speed in SPEEDS for point in of.points for way in ways
+    )
     whole = Responses(name="taps", responses=asked, noise=0.02)
     found = whole.computed(Trial(case(of)), dict.fromkeys(SPEEDS, 2.0 * np.pi * FREQUENCY))
 
@@ -109,7 +112,7 @@ def taps() -> Responses:
     return measured(spindle())
 
 
-def test_sections_and_dampings_from_20_percent_off(taps: Responses) -> None:
+def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Path) -> None:
     """Frequencies of a speed that was not measured within 0.5 %; every true value in its interval
     of four deviations; χ² as the noise stated."""
     found = identify(case(spindle()), unknowns(0.2), [taps], workers=1)
@@ -127,6 +130,45 @@ def test_sections_and_dampings_from_20_percent_off(taps: Responses) -> None:
     assert all(float(row[-1]) > 0.98 for row in beside.rows)
     assert {"taps_responses", "correlation"} <= set(found.figures)
     assert "machine [Hz]" in found.summary
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    found.save(tmp_path, draw=False)
+    page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert ">taps modes</" in page
+    content, numbers = held(page)
+    chart = next(c for c in content.values() if len(c["traces"]) == 4 and c["controls"])
+    assert chart["controls"][0]["options"][1] == "tail.y / tip.y, 0 rpm"
+    x, y = (array(chart["traces"][0]["moving"][key], numbers) for key in "xy")
+    size = np.hypot(taps.responses[1].real, taps.responses[1].imaginary)
+    np.testing.assert_allclose(x[1], FREQUENCY, rtol=1e-6)
+    np.testing.assert_allclose(y[1], size * 1e6, rtol=1e-5)
+
+
+def test_stiffness_of_a_joint_is_found() -> None:
+    """Tilt as of half a diameter of shaft, beside a diameter, from twice and 10 % off."""
+    true = 2.1e11 * np.pi / 64.0 * 0.05**4 / 0.025
+    jointed = replace(spindle(), joints=(Joint("joint", 0.24, tilt=true),))
+    asked = {path: each for path, each in unknowns(0.1).items() if ".s2." in path}
+    asked["spindle.joints.joint.tilt"] = Unknown(0.2 * true, 5.0 * true, start=2.0 * true)
+    found = identify(case(jointed), asked, [measured(jointed, 5)], workers=1)
+    best = found.explained.sure
+    assert found.sufficient
+    assert (np.abs(best.values - [OUTER[2], true]) < 4.0 * best.deviation).all()
+    assert best.deviation[1] < 0.05 * true
+
+
+def test_both_stiffnesses_of_an_anisotropic_support_are_found() -> None:
+    """80 and 50 N/µm from 65 both, taps in both directions."""
+    front, rear = spindle().supports
+    pair = {("y", "y"): 8e7, ("z", "z"): 5e7}
+    unlike = replace(spindle(), supports=(replace(front, stiffness=pair), rear))
+    path = "spindle.supports.front.stiffness."
+    asked = {path + way: Unknown(2e7, 2e8, start=6.5e7) for way in ("yy", "zz")}
+    taps = measured(unlike, 6, ways="yz")
+    found = identify(case(unlike), asked, [taps], workers=1)
+    best = found.explained.sure
+    assert found.sufficient
+    assert (np.abs(best.values - [*pair.values()]) < 4.0 * best.deviation).all()
+    assert (best.deviation < 0.02 * best.values).all()
 
 
 def modes(of: Spindle, rng: np.random.Generator) -> Modes:
@@ -221,6 +263,7 @@ def test_a_joint_that_the_model_lacks_is_found_out() -> None:
     found = identify(case(spindle()), few, [taps], workers=1)
     assert not found.sufficient
     assert "times the stated noise" in found.verdict[0]
+    assert f"at {found.explained.problem.count - 1} degrees of freedom" in found.verdict[0]
 
 
 def test_a_mode_that_the_machine_lacks_is_named(taps: Responses) -> None:

@@ -1,0 +1,160 @@
+"""Charts of what was measured beside the identified machine, and of what is left of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rotordyn.page.blocks import Block, Chart, Control, Table
+from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, mark
+from rotordyn.results.kinds import Array
+from rotordyn.study.columns import Column
+from rotordyn.study.identification.responses import PARTS
+
+FEW = 4  # points of a measurement from which it is a curve
+WITHIN = 2.0  # deviations of the noise, shaded
+GREY = "rgba(138, 138, 138, 0.3)"
+
+
+class Curves(NamedTuple):
+    """Points of all measurements: to which measurement and curve they belong, abscissa and unit;
+    ``machine``, what is ``left`` and the ``noise`` (points,) in that unit."""
+
+    measurement: Sequence[str]
+    series: Sequence[str]
+    along: Sequence[str]
+    unit: Sequence[str]
+    at: Array
+    machine: Array
+    left: Array
+    noise: Array
+
+    @classmethod
+    def of(cls, table: Mapping[str, Column]) -> Curves:
+        """Of the columns of ``differences.csv``."""
+        along, unit = table["along"].words, table["unit"].words
+        series = table["measurement"].words, table["curve"].words
+        values = (table[head].values for head in ("at", "machine", "left", "noise"))
+        return cls(*series, along, unit, *values)
+
+    def rows(self, chosen: Sequence[int]) -> Curves:
+        """The points at some places."""
+        places = list(chosen)
+
+        def words(part: Sequence[str]) -> list[str]:
+            return [part[k] for k in places]
+
+        return Curves(
+            words(self.measurement),
+            words(self.series),
+            words(self.along),
+            words(self.unit),
+            self.at[places],
+            self.machine[places],
+            self.left[places],
+            self.noise[places],
+        )
+
+    def split(self, keys: Sequence[str]) -> Iterator[tuple[str, Curves]]:
+        """Points by a word of each."""
+        for key in dict.fromkeys(keys):
+            yield key, self.rows([k for k, word in enumerate(keys) if word == key])
+
+
+def curve_blocks(every: Curves) -> Iterator[Block]:
+    """Two charts of every measured curve, one of frequency responses; single points as a table."""
+    single: list[list[str]] = []
+    for name, points in every.split(every.measurement):
+        if points.series[0].endswith(f", {PARTS[0]}"):
+            yield _responses(name, points)
+        elif len(points.at) >= FEW:
+            yield _measured(name, points)
+            yield _left(name, points)
+        else:
+            single += _single(name, points)
+    if single:
+        head = ["", "unit", "measured", "computed", "difference", "noise", "difference / noise"]
+        yield Table("Single values", head, single)
+
+
+def _measured(name: str, points: Curves) -> Chart:
+    """Points with tare and drift taken off, lines the machine."""
+    traces: list[dict[str, Any]] = []
+    for place, (word, curve) in enumerate(points.split(points.series)):
+        order = np.argsort(curve.at)
+        x, model, left = (part[order] for part in (curve.at, curve.machine, curve.left))
+        marker = {"color": colour(place), "symbol": f"{mark(place)}-open", "size": 6}
+        traces += [
+            {"x": x, "y": model, "mode": "lines", "line": line(place), "name": word or "computed"},
+            {"x": x, "y": model + left, "mode": "markers", "marker": marker, "name": "measured"},
+        ]
+        traces[-1]["showlegend"] = not place
+    note = "Marks: measured, tare and drift taken off; lines: the identified machine."
+    return Chart(f"{name}: measured and computed", traces, _axes(points), note=note)
+
+
+def _left(name: str, points: Curves) -> Chart:
+    """What the machine does not explain, in a band of the noise."""
+    ends = np.array([points.at.min(), points.at.max()])
+    half = WITHIN * float(points.noise.mean())
+    traces: list[dict[str, Any]] = [
+        {
+            "x": np.concatenate([ends, ends[::-1]]),
+            "y": np.array([-half, -half, half, half]),
+            "mode": "lines",
+            "line": {"width": 0, "color": FAINT},
+            "fill": "toself",
+            "fillcolor": GREY,
+            "hoverinfo": "skip",
+            "name": f"± {WITHIN:g} deviations of the noise",
+        }
+    ]
+    for place, (word, curve) in enumerate(points.split(points.series)):
+        order = np.argsort(curve.at)
+        looks = {"line": line(place, width=0.8), "marker": {"symbol": mark(place), "size": 5}}
+        x, y = curve.at[order], curve.left[order]
+        traces.append({"x": x, "y": y, "mode": "lines+markers", "name": word or name, **looks})
+    return Chart(f"{name}: what is left", traces, _axes(points))
+
+
+def _axes(points: Curves) -> dict[str, Any]:
+    ordinate = {"text": f"[{points.unit[0]}]"} if points.unit[0] else {"text": ""}
+    return {"xaxis": axis(points.along[0]), "yaxis": {"title": ordinate}}
+
+
+def _responses(name: str, points: Curves) -> Chart:
+    """Amplitude over frequency of a response that is chosen, and of what is left."""
+    pairs = [word.rpartition(", ")[0] for word in points.series]
+    drawn = list(points.split(pairs))
+    longest = max(len(curve.at) // 2 for _, curve in drawn)
+    values = np.full((5, len(drawn), longest), np.nan)  # abscissa, then what is drawn
+    for k, (_, curve) in enumerate(drawn):
+        count = len(curve.at) // 2
+        values[0, k, :count] = curve.at[:count]
+        shown = (curve.machine + curve.left, curve.machine, curve.left, curve.noise)
+        for place, part in enumerate(shown):
+            values[1 + place, k, :count] = np.hypot(part[:count], part[count:])
+    looks: tuple[dict[str, Any], ...] = (
+        {"name": "measured", "mode": "markers", "marker": {"color": FAINT, "size": 4}},
+        {"name": "computed", "mode": "lines", "line": line(0)},
+        {"name": "difference", "mode": "lines", "line": line(1, width=0.9)},
+        {"name": "noise", "mode": "lines", "line": {"color": COLOURS[1], "dash": "dash"}},
+    )
+    traces = [
+        {**look, "moving": {"x": values[0], "y": values[1 + place]}}
+        for place, look in enumerate(looks)
+    ]
+    layout = {"xaxis": axis(points.along[0]), "yaxis": logarithmic("amplitude", points.unit[0])}
+    controls = [Control("response", [pair for pair, _ in drawn])]
+    return Chart(f"{name}: measured and computed", traces, layout, controls, wide=True)
+
+
+def _single(name: str, points: Curves) -> Iterator[list[str]]:
+    for k in range(len(points.at)):
+        which = points.series[k] or (f"{points.at[k]:g}" if len(points.at) > 1 else "")
+        left, noise, machine = points.left[k], points.noise[k], points.machine[k]
+        numbers = (machine + left, machine, left, noise, left / noise)
+        words = [f"{value:.4g}".replace("-", "−") for value in numbers]
+        yield [f"{name} {which}".strip(), points.unit[k] or "–", *words]
