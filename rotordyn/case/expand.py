@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -14,7 +13,7 @@ from rotordyn.case.document import read_bytes, read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, ModelFiles, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import UnknownModel, find
-from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
 from rotordyn.case.reading import Reading, exact
 from rotordyn.case.reduced import NoModel, ReducedModel
@@ -100,13 +99,13 @@ def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | No
         return None
     whole = _override(root, override, reader)
     _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
-    for holder in _matching(root, ("bearings", "*")):
+    for holder in matching(root, ("bearings", "*")):
         if id(holder) not in whole:
             _bearing_of_seat(root, holder, reader)
         _fill(holder, _MATERIALS_OF_SEAT, "materials", reader)  # named by an override of its model
-    for holder in _matching(root, ("supports", "*")):
+    for holder in matching(root, ("supports", "*")):
         _table_of_support(holder, reader)
-    for holder in _matching(root, ("housings", "*")):
+    for holder in matching(root, ("housings", "*")):
         _model_of_housing(holder, reader)
     return root
 
@@ -162,7 +161,7 @@ def _open(root: Node, steps: list[str], reader: Reader, whole: set[int]) -> None
     ``whole``: seats (by id) whose models are filled in.
     """
     if len(steps) > 3 and steps[0] == "bearings" and steps[2] == "model":
-        for seat in _matching(root, ("bearings", "*")):
+        for seat in matching(root, ("bearings", "*")):
             if steps[1] in ("*", seat.name) and id(seat) not in whole:
                 _bearing_of_seat(root, seat, reader)
                 whole.add(id(seat))
@@ -172,7 +171,7 @@ def _open(root: Node, steps: list[str], reader: Reader, whole: set[int]) -> None
             fits = len(way) == place and all(
                 a in ("*", b) for a, b in zip(way, steps, strict=False)
             )
-            for holder in _matching(root, tuple(way)) if fits else ():
+            for holder in matching(root, tuple(way)) if fits else ():
                 if steps[place - 1] in ("*", holder.name, way[-1]):
                     _fill(holder, (("material",),), "materials", reader)
 
@@ -190,11 +189,11 @@ def asked(root: Node, reader: Reader) -> None:
     reported, by any, so that its absence is not reported as well."""
     _fill(root, _WORKPIECES, "workpieces", reader)
     for place in _MEASURED_SPINDLES:
-        for holder in _matching(root, place):
+        for holder in matching(root, place):
             if (blank := holder.child("blank")) is not None:
                 _set(holder, "blank", tool(blank, reader))
     for *way, key in _WORKPIECES:
-        for holder in _matching(root, tuple(way)):
+        for holder in matching(root, tuple(way)):
             given = holder.child(key)
             if given is not None and given.value is UNKNOWN:
                 any_pair = {
@@ -303,7 +302,7 @@ def _raw(reference: Node, reader: Reader) -> bytes | None:
 
 def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Reader) -> None:
     for *way, key in places:
-        for holder in _matching(root, tuple(way)):
+        for holder in matching(root, tuple(way)):
             reference = holder.child(key)
             if reference is not None and reference.value is not UNKNOWN:
                 _set(holder, key, reader.model(kind, reference))
@@ -312,14 +311,3 @@ def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Re
 def _set(holder: Node, key: str, model: Node | None) -> None:
     reference = holder.value[key]
     holder.value[key] = model or replace(reference, value=UNKNOWN)
-
-
-def _matching(root: Node, way: tuple[str, ...]) -> Iterator[Node]:
-    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
-    if not way:
-        if isinstance(root.value, dict):
-            yield root
-        return
-    for key, child in root.items():
-        if way[0] == key or (way[0] == "*" and isinstance(key, int)):
-            yield from _matching(child, way[1:])

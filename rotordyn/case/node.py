@@ -101,3 +101,14 @@ def set_paths(node: Node, path: str = "") -> None:
 
 def _label(child: Node, key: Key) -> Key:
     return child.name or key if isinstance(key, int) else key
+
+
+def matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
+    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
+    if not way:
+        if isinstance(node.value, dict):
+            yield node
+        return
+    for key, child in node.items():
+        if way[0] == key or (way[0] == "*" and isinstance(key, int)):
+            yield from matching(child, way[1:])

@@ -17,7 +17,7 @@ from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
-from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
@@ -302,7 +302,7 @@ def spread(kind: type, node: Node) -> None:
             source = replace(node, value=UNKNOWN)
         if source is None:
             continue
-        for holder in _matching(node, common.fills[:-1]):
+        for holder in matching(node, common.fills[:-1]):
             if common.fills[-1] not in holder.value:
                 holder.value[common.fills[-1]] = source.copy()
 
@@ -319,17 +319,6 @@ def _is_common(kind: type, field: Field) -> bool:
     """A key whose value is read where the items are that it serves."""
     keys = [common.keys for common in COMMON.get(kind, ())]
     return not field.name and any(field.keys[: len(way)] == way for way in keys)
-
-
-def _matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
-    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
-    if not way:
-        if isinstance(node.value, dict):
-            yield node
-        return
-    for key, child in node.items():
-        if way[0] == key or (way[0] == "*" and isinstance(key, int)):
-            yield from _matching(child, way[1:])
 
 
 def _mapping(kind: type) -> str:

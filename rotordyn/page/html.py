@@ -7,10 +7,12 @@ from dataclasses import dataclass
 from html import escape
 from importlib.resources import files
 from itertools import count
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from rotordyn.errors import InvalidInput
 from rotordyn.markup import preformatted
 from rotordyn.page.blocks import (
     Block,
@@ -102,6 +104,21 @@ def html(page: Page) -> str:
         content=packed(held),
         script=_own("page.js"),
     )
+
+
+def write(path: Path, page: Page) -> None:
+    """Write a page to a file.
+
+    Raises
+    ------
+    ModuleNotFoundError : plotly is not installed
+    InvalidInput : the file cannot be written
+    """
+    text = html(page)
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
 
 
 def library() -> bytes:

@@ -11,7 +11,6 @@ INK, FAINT = "@ink", "@faint"
 COLOURS = ("#0082CC", "#D55E00", "#009E73", "#B0689F", "#C98A00", "#4FA8DC", "#8A8A8A")
 DASHES = ("solid", "dash", "dot", "dashdot", "longdash", "longdashdot")
 MARKS = ("circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "x")
-MARKED_EVERY = 8  # marks of a line, about
 FEW_POINTS = 4  # for a line; fewer are marks
 MANY = 14  # variants that have a name each in a legend
 

@@ -52,6 +52,18 @@ class Spec(Description):
         return ()
 
 
+def held_twice(setting: Setting) -> Faults:
+    """A fault where rigid supports hold a rigid rotor more often than they can."""
+    from rotordyn.equation.holding import holds_twice
+
+    if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
+        yield (
+            (),
+            "the reactions of a rigid rotor on these rigid supports are not determined: take "
+            "rotor: flexible, or give a support a stiffness",
+        )
+
+
 def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = False) -> Faults:
     """A fault where a point is not known or a station [m] not on the shaft.
 

@@ -126,6 +126,12 @@ class Statics(Staged):
         words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
         return tuple(words[row] for row in self.bearing_row)
 
+    def solved_only(self, values: Array) -> Array:
+        """``values`` (bearing speeds, …) at every speed of the case, NaN without a solution."""
+        taken = values[self.bearing_row].astype(float)
+        taken[np.array(self.outcome, dtype=str) != ""] = np.nan
+        return taken
+
     def require_solution(self) -> None:
         """Go on only where some speed has a solution.
 

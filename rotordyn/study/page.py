@@ -11,7 +11,7 @@ from typing import NamedTuple
 from bearings.arguments import typed
 from rotordyn.errors import InvalidInput
 from rotordyn.page.blocks import Block, Printed, Table, Text, sections
-from rotordyn.page.html import Page, html
+from rotordyn.page.html import Page, write
 from rotordyn.study.columns import (
     Column,
     across,
@@ -57,19 +57,15 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
 
     folder, path = Path(folder), Path(path)
     if os.path.exists(folder / TRIALS):
-        text = html(optimum_page(folder))
+        write(path, optimum_page(folder))
     elif any(os.path.exists(folder / name) for name in FILES):
-        text = html(identification_page(folder))
+        write(path, identification_page(folder))
     elif any(os.path.exists(folder / name) for name in (STUDY, POINTS)):
-        text = html(_page(_read(folder)))
+        write(path, _page(_read(folder)))
     else:
         from rotordyn.job import open as opened
 
         return opened(folder).report(path)
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
     return path
 
 

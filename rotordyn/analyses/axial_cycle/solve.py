@@ -46,7 +46,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
         for k, states in enumerate(branches):
             position[row, k] = [state.x for state in states]
             load[row, k] = [_seat_load(scene, state) for state in states]
-            friction[row, k], stop[row, k] = _sleeves(scene, path, states)
+            friction[row, k], stop[row, k] = _sleeves(path, states)
             stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
         held[row] = [
             path.held(row, state, value, reach)
@@ -91,7 +91,7 @@ def _seat_load(scene: Scene, state: State) -> Array:
     return load
 
 
-def _sleeves(scene: Scene, path: History, states: list[State]) -> tuple[Array, Array]:
+def _sleeves(path: History, states: list[State]) -> tuple[Array, Array]:
     """Friction and stop forces on every sleeve (states, sleeves)."""
     network = path.network
     friction = np.array([state.friction @ network.frictions.row for state in states])

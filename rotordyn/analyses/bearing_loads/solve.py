@@ -19,13 +19,7 @@ OF_BALLS = ("inner_load", "outer_load", "inner_angle", "outer_angle")
 def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
     """Loads on the inner rings, in the directions of the spindle, and those of the balls."""
     seats, states = scene.spindle.seats, scene.preload.seat_states()
-    rows, good = scene.bearing_row, np.array([word == "" for word in scene.outcome])
-    most = max(seat.bearing.balls for seat in seats)
-
-    def shown(values: Array) -> Array:
-        whole = values[rows].astype(float)
-        whole[~good] = np.nan
-        return whole
+    shown, most = scene.solved_only, max(seat.bearing.balls for seat in seats)
 
     load, moved = np.zeros((2, len(scene.preload.speed), len(seats), 5))
     azimuth = np.full((len(seats), most), np.nan)

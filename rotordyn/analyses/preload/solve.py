@@ -24,14 +24,8 @@ Array = NDArray[np.float64]
 
 def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
     """The preload table: one row per speed and bearing, of the ball that is loaded most."""
-    state, rows = scene.preload, scene.bearing_row
+    state, rows, shown = scene.preload, scene.bearing_row, scene.solved_only
     good = np.array([word == "" for word in scene.outcome])
-
-    def shown(values: Array) -> Array:
-        """``values`` at every speed of the case, NaN at those without a solution."""
-        taken = values[rows].astype(float)
-        taken[~good] = np.nan
-        return taken
 
     seats = state.seat_states()
     heaviest = [_heaviest(s, column) for s, column in seats]

@@ -9,7 +9,7 @@ from rotordyn.description import Faults, repeated
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import Choice
 from rotordyn.scene.loads import LineLoad, PointLoad, TwistLimit, Unbalance
-from rotordyn.scene.spec import Setting, Spec, placed, spanned
+from rotordyn.scene.spec import Setting, Spec, held_twice, placed, spanned
 
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 
@@ -77,14 +77,9 @@ class SectionForcesSpec(Spec):
     def last_faults_on(self, setting: Setting) -> Faults:
         """The shaft is no free body under its loads, and held no more often than it can."""
         from rotordyn.analyses.section_forces.static_loads import require_held
-        from rotordyn.equation.holding import holds_twice
 
-        if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
-            yield (
-                (),
-                "the reactions of a rigid rotor on these rigid supports are not determined: take "
-                "rotor: flexible, or give a support a stiffness",
-            )
+        if faults := [*held_twice(setting)]:
+            yield from faults
             return
         try:
             require_held(setting.spindle, self, setting.conditions)

@@ -9,7 +9,7 @@ from rotordyn.description import Description, Faults, repeated
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Angle, Choice, Eccentricity, Items, Name, Station
-from rotordyn.scene.spec import Setting, Spec
+from rotordyn.scene.spec import Setting, Spec, held_twice
 
 GRAVITY = ("-y", "+y", "-z", "+z", "none")
 
@@ -70,17 +70,12 @@ class StaticSagSpec(Spec):
     def last_faults_on(self, setting: Setting) -> Faults:
         """The shaft is no free body under its weight, and held no more often than it can."""
         from rotordyn.analyses.static_sag.weight import weight
-        from rotordyn.equation.holding import holds_twice
         from rotordyn.equation.mesh import station_mesh
         from rotordyn.scene.at_rest import on_nodes, require_balance
 
         spindle = setting.spindle
-        if setting.conditions.rotor == "rigid" and holds_twice(spindle):
-            yield (
-                (),
-                "the reactions of a rigid rotor on these rigid supports are not determined: take "
-                "rotor: flexible, or give a support a stiffness",
-            )
+        if faults := [*held_twice(setting)]:
+            yield from faults
             return
         mesh = station_mesh(spindle)
         try:

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import rotordyn
-from rotordyn.errors import InvalidInput
 from rotordyn.job.pages.asked import analysis_blocks, numbers_table
 from rotordyn.job.pages.inputs import input_blocks
 from rotordyn.job.pages.intervals import interval_blocks
@@ -15,7 +14,7 @@ from rotordyn.job.pages.origin import known_table, origin_blocks
 from rotordyn.job.pages.variants import variant_blocks
 from rotordyn.job.results import Origin, Part, Results
 from rotordyn.page.blocks import BEARINGS, Block, Printed, Table, Text, sections
-from rotordyn.page.html import Page, html
+from rotordyn.page.html import Page, write
 
 
 def write_page(path: Path, results: Results) -> None:
@@ -26,11 +25,7 @@ def write_page(path: Path, results: Results) -> None:
     ModuleNotFoundError : plotly is not installed
     InvalidInput : the file cannot be written; the case of an opened folder cannot be read
     """
-    text = html(page_of(results))
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
+    write(path, page_of(results))
 
 
 def page_of(results: Results) -> Page:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,16 +11,13 @@ from rotordyn.analyses.life.result import LifeResult
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import merged
 from rotordyn.figures.legends import top_legend
+from rotordyn.figures.over_speed import four_over_speed
 from rotordyn.figures.style import (
     CYCLE,
     DASHES,
     GREY,
-    add_axes,
-    grid_boxes,
     mark_few_points,
     marked,
-    new_figure,
-    speed_ticks,
     with_zero,
 )
 from rotordyn.results.display import GIGAPASCAL, RPM
@@ -37,7 +33,7 @@ HOUR = 3600.0
 def life_figure(result: LifeResult) -> Figure:
     """Reference life, static safety, peak pressure, ball orders of the defects."""
     names = ("life L10r [h]", "static safety S0 [-]", "peak pressure [GPa]", "cage over speed [-]")
-    figure, axes = _panels(names, result)
+    figure, axes = four_over_speed(names, result.speed)
     _lines(axes[0], result, result.life / HOUR)
     if np.isfinite(result.target):
         axes[0].axhline(result.target / HOUR, color=GREY, lw=0.9, ls="--", label="target")
@@ -54,7 +50,7 @@ def life_figure(result: LifeResult) -> Figure:
 def heat_figure(result: LifeResult) -> Figure:
     """Heat of contacts and oil, film, viscosity ratio and modified life."""
     names = ("heat [W]", "of it in contacts [W]", "film h_min [nm]", "modified life [h]")
-    figure, axes = _panels(names, result)
+    figure, axes = four_over_speed(names, result.speed)
     _lines(axes[0], result, result.heat)
     _lines(axes[1], result, result.inner_heat + result.outer_heat)
     _lines(axes[2], result, result.film * 1e9)
@@ -70,7 +66,7 @@ def temperature_figure(result: LifeResult) -> Figure:
     """Temperatures of balls and rings, and the life that goes with them."""
     parts = ("balls", "inner ring", "outer ring")
     names = [f"temperature, {part} [°C]" for part in parts]
-    figure, axes = _panels([*names, "life L10r [h]"], result)
+    figure, axes = four_over_speed([*names, "life L10r [h]"], result.speed)
     for place, name in enumerate(("ball", "inner", "outer")):
         _lines(axes[place], result, getattr(result, f"{name}_temperature"))
         with_zero(axes[place], 1.05)
@@ -78,19 +74,6 @@ def temperature_figure(result: LifeResult) -> Figure:
     log_axis(axes[3])
     top_legend(figure, *axes)
     return figure
-
-
-def _panels(names: Sequence[str], result: LifeResult) -> tuple[Figure, list[Axes]]:
-    """Four panels over one speed axis."""
-    figure = new_figure(168.0, 118.0)
-    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
-    panels = []
-    for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
-        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
-        speed_ticks(axes, float(result.speed[-1] * RPM.factor))
-        axes.tick_params(labelbottom=place > 1)
-        panels.append(axes)
-    return figure, panels
 
 
 def _lines(axes: Axes, result: LifeResult, values: Array) -> None:

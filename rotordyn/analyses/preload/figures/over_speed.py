@@ -11,17 +11,14 @@ from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.figures.curves import draw_columns, draw_references, merged
 from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.over_speed import four_over_speed
 from rotordyn.figures.style import (
     BLUE,
     CYCLE,
     DASHES,
     GREY,
-    add_axes,
-    grid_boxes,
     mark_few_points,
     marked,
-    new_figure,
-    speed_ticks,
     with_zero,
 )
 from rotordyn.machine.limits import WARNING_PRESSURE
@@ -34,16 +31,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 STOP: Any = {"color": GREY, "lw": 0.9, "ls": ":", "label": "a stop closes"}
-_MARGINS = (15.0, 6.0, 12.0, 8.0)
 
 
 def preload_figure(
     result: PreloadResult, spindle: Spindle, references: Sequence[Reference] = ()
 ) -> Figure:
     """Load per bearing, sum of preloads, axial shifts, forces of springs and stops."""
-    figure, axes = _panels(
+    figure, axes = four_over_speed(
         ("axial load [N]", "sum of preloads [N]", "axial shift [µm]", "spring and stop force [N]"),
-        result,
+        result.speed,
     )
     rpm = result.speed * RPM.factor
     draw_columns(axes[0], rpm, result.axial_load, result.bearing)
@@ -60,9 +56,9 @@ def preload_figure(
 
 def contacts_figure(result: PreloadResult) -> Figure:
     """Contact angles, peak pressures, ball loads and required friction per bearing."""
-    figure, axes = _panels(
+    figure, axes = four_over_speed(
         ("contact angle [deg]", "peak pressure [GPa]", "ball load [N]", "required friction μ [-]"),
-        result,
+        result.speed,
     )
     degree, giga = DEGREE.factor, GIGAPASCAL.factor
     _inner_outer(axes[0], result, result.inner_angle * degree, result.outer_angle * degree)
@@ -76,19 +72,6 @@ def contacts_figure(result: PreloadResult) -> Figure:
         mark_few_points(each)
     top_legend(figure, *axes)
     return figure
-
-
-def _panels(names: Sequence[str], result: PreloadResult) -> tuple[Figure, list[Axes]]:
-    """Four panels over one speed axis."""
-    figure = new_figure(168.0, 118.0)
-    boxes = grid_boxes(figure, 2, 2, margins=_MARGINS, gaps=(18.0, 5.0))
-    panels = []
-    for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
-        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
-        speed_ticks(axes, float(result.speed[-1] * RPM.factor))
-        axes.tick_params(labelbottom=place > 1)
-        panels.append(axes)
-    return figure, panels
 
 
 def _forces(axes: Axes, result: PreloadResult) -> None:

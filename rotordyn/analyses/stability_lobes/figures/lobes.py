@@ -69,7 +69,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     upper.tick_params(labelbottom=False)
     if lines:
         _pockets(upper, result, top)
-    _removal(upper, result, float(rpm[-1]), top)
+    _removal(upper, result, float(rpm[-1]))
     _passing(upper, spec)
     lower.plot(rpm, result.chatter, ".", ms=2.5, color=BLUE, label="chatter")
     lower.plot(rpm, result.mode_frequency, "_", ms=2.5, color=GREY, label="nearest mode")
@@ -145,7 +145,7 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
     other.tick_params(labelsize=FONT_SIZE)
 
 
-def _removal(axes: Axes, result: StabilityLobesResult, last: float, top: float) -> None:
+def _removal(axes: Axes, result: StabilityLobesResult, last: float) -> None:
     """A second axis: removal rate of a depth at the highest speed."""
     known = np.isfinite(result.removal) & (result.depth > 0.0) & np.isfinite(result.depth)
     if not known.any():

@@ -1,0 +1,29 @@
+"""Four panels over one speed axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.figures.style import add_axes, grid_boxes, new_figure, speed_ticks
+from rotordyn.results.display import RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+def four_over_speed(names: Sequence[str], speed: NDArray[np.float64]) -> tuple[Figure, list[Axes]]:
+    """The figure and its panels, of quantities so named, over ``speed`` [rad/s]."""
+    figure = new_figure(168.0, 118.0)
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
+    panels = []
+    for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
+        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
+        speed_ticks(axes, float(speed[-1] * RPM.factor))
+        axes.tick_params(labelbottom=place > 1)
+        panels.append(axes)
+    return figure, panels
