@@ -30,6 +30,7 @@ STILL = 1e-11  # m
 AFTER = 1e-10  # of what a condition is measured by: violated
 SNAPPED = 1e-9  # m
 PARTS = 4000  # of a step
+TOUCHED = 1e-9  # of what a condition is measured by, 1e-12 m: a bearing is about to load or unload
 WITHIN = 0.5 ** np.arange(1.0, 31.0)  # of a bracket: where a condition at its limit is looked for
 SNAP = Condition("snap", -1)
 
@@ -146,7 +147,7 @@ def _ended(
         dips = _dips(start[0], begins, *values)
         there = [(share, hold(step, start[1], share)) for share in dips]
         values += [(s, measures(step, one, step.load(s), of)) for s, one in there if one]
-    share, ended = samples[-1][0], None
+    share, ended, last = samples[-1][0], None, values[-1][1]
     for _ in of:
         brackets = [one for k in range(len(of)) if (one := _bracket(k, start[0], begins, values))]
         if not brackets:
@@ -159,7 +160,16 @@ def _ended(
         values[-1][1][k] = 0.0
     if ended is None:
         return Part(share, samples[-1][1], None)
+    if ended.kind == "halt":
+        ended = _loading(of, values[-1][1], last) or ended
     return _continuous(step, start, Part(share, start[1], ended))
+
+
+def _loading(of: list[Condition], here: Array, later: Array) -> Condition | None:
+    """The bearing that loads or unloads where sliding seems to halt: its slope jumps there, and
+    only the one beyond tells whether sliding halts."""
+    near = (np.abs(here) <= TOUCHED) & (later < here)
+    return next((of[k] for k in np.flatnonzero(near) if of[k].kind in ("load", "unload")), None)
 
 
 def _bracket(
