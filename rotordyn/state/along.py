@@ -30,6 +30,7 @@ STILL = 1e-11  # m
 AFTER = 1e-10  # of what a condition is measured by: violated
 SNAPPED = 1e-9  # m
 PARTS = 4000  # of a step
+AT_ONCE = 100  # parts without length in a row: contacts change back and forth without end
 TOUCHED = 1e-9  # of what a condition is measured by, 1e-12 m: a bearing is about to load or unload
 WITHIN = 0.5 ** np.arange(1.0, 31.0)  # of a bracket: where a condition at its limit is looked for
 SNAP = Condition("snap", -1)
@@ -60,9 +61,9 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
 
     Raises
     ------
-    NoEquilibrium : nothing balances a body
+    NoEquilibrium : nothing balances a body, or contacts change without end
     """
-    share, length, before = 0.0, 1.0, state
+    share, length, before, at_once = 0.0, 1.0, state, 0
     state = turned(step, state)
     met = events(before, state, share, None)
     for _ in range(PARTS):
@@ -70,6 +71,9 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
             return state, met
         part = _part(step, state, share, min(share + length, 1.0), careful=not step.single)
         length = max(2.0 * (part.share - share), SHORTEST)
+        at_once = 0 if part.share > share else at_once + 1
+        if at_once > AT_ONCE:
+            break
         share, before, state = part.share, part.state, part.state
         if part.ended is SNAP:
             share, state = min(share + SHORTEST, 1.0), _snapped(step, state, share)
@@ -80,7 +84,7 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
             state = turned(step, after, known)
             met += events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
-    raise _nothing(step, state, share)
+    raise _endless(step, state, share)
 
 
 def _sided(step: Step, state: State, part: Part) -> State:
@@ -255,6 +259,18 @@ def _snapped(step: Step, state: State, share: float) -> State:
         raise _nothing(step, state, share)
     free = np.array([law.free for law in step.load(share).laws])
     return turned(step, replace(there, loaded=there.at.deflection > free))
+
+
+def _endless(step: Step, state: State, share: float) -> NoEquilibrium:
+    """The sentence about contacts that change back and forth."""
+    bodies = step.network.bodies
+    body = bodies[int(np.abs(velocity(step, state)).argmax())]
+    return NoEquilibrium(
+        share,
+        body,
+        f"body {body}: its contacts change back and forth without end; friction of joints that "
+        "form a loop is not determined: leave one of them out, or change the step a little",
+    )
 
 
 def _nothing(step: Step, state: State, share: float) -> NoEquilibrium:

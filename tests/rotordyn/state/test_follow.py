@@ -183,6 +183,17 @@ def test_random_networks_are_in_balance_whatever_the_step(seed: int) -> None:
     assert difference(network, answers, 3) <= 1e-6
 
 
+def test_contacts_that_change_without_end_are_named() -> None:
+    """Three frictions between two bodies: which of them rubs is not determined."""
+    network = random_network(np.random.default_rng(214))
+    network["frictions"] += [
+        {"body": "sleeve 0", "other": "shaft", "limit": 80.0},
+        {"body": "sleeve 0", "other": None, "limit": 50.0},
+    ]
+    with pytest.raises(NoEquilibrium, match="back and forth without end; friction of joints"):
+        follow(network)
+
+
 def spoilt(**more: Any) -> Plain:
     return pair(**{"springs": spring(6e6), **more})
 
