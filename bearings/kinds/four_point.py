@@ -60,7 +60,8 @@ class FourPointBallBearing(BallBearing):
             if shim >= most * (1.0 - 1e-9):
                 yield (
                     f"{self.drawn(f'{ring}_shim')} reaches beyond the groove: with conformity "
-                    f"{conformity:g} allowed below {most * 1e3:.4g} mm"
+                    f"{conformity:g} allowed below {most * 1e3:.4g} mm: take a thinner shim or a "
+                    "larger conformity"
                 )
                 return
         gap = self._radial_gap()

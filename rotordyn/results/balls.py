@@ -9,6 +9,7 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.results.display import RPM
 
 GRIP = 0.1  # friction coefficient
+PAIR = 1.4  # times the rating of the grooves: that of a pair is 1.62 times
 DOFS = ("x", "y", "z", "thy", "thz")
 BALL_QUANTITIES = (
     "inner_angle",
@@ -33,6 +34,17 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
         f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on: lower the "
         "preload or the loads"
+    )
+
+
+def of_a_pair(rating: float, of_grooves: float) -> str:
+    """A warning where a dynamic load rating [N] may be that of a pair, else nothing."""
+    ratio = rating / of_grooves
+    if ratio <= PAIR:
+        return ""
+    return (
+        f"dynamic rating {rating:.0f} N is {ratio:.2f} times that of the grooves; give that of one "
+        "bearing: a pair has 1.62 times as much"
     )
 
 

@@ -190,7 +190,7 @@ def _bearings() -> dict[str, Subject]:
     state = ball.equilibrium(load=[1000.0, 50.0, 0.0, 0.0, 0.0], speed=1000.0)
     follower = bearings.Follower(ball, speed=1000.0)
     follower.load([1e-5, 0.0, 0.0, 0.0, 0.0])  # compiles once for all forks
-    oil = bearings.Lubricant(32.0, 5.4)
+    oil = bearings.Lubricant(32e-6, 5.4e-6)
     guide = bearings.LinearBallGuide(8, 3e-3, 20e-3, 2e-6)
     given = dict(
         load=[1000.0, 0.0, 0.0, None, None],

@@ -31,7 +31,8 @@ class BearingMapResult:
     contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
     contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
     NaN where no diameter of the shoulder is known, or where the groove has one arc.
-    ``revolutions``: L10r of ISO/TS 16281; heat and film are NaN without a lubricant. With a heat
+    ``revolutions``: L10r of ISO/TS 16281 by ``dynamic_rating``, beside which that of the grooves
+    stands; heat and film are NaN without a lubricant. With a heat
     flow ``load`` is the preload at rest and 20 °C, ``axial_force`` what it becomes; temperatures
     and ``speed_limit``, above which they reach no balance, are NaN without one, the limit also
     where it lies beyond the speeds. ``film_growth``: by which films shorten the distance of the
@@ -79,6 +80,8 @@ class BearingMapResult:
         printed=Shown("1e6", 1e-6),
         infinite=(NO_LOAD,),
     )
+    dynamic_rating: float = quantity(unit="N", label="dynamic load rating, used")
+    groove_rating: float = quantity(unit="N", label="dynamic load rating of the grooves")
     limiting: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY_LOAD, unit="N", label="equivalent load")
     static_safety: Array = quantity(

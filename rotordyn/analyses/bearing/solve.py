@@ -75,7 +75,7 @@ def answer(
         control_agrees=good & there(state.control_agrees),
         attitude=_where(outcome, np.arctan(there(state.tan_beta))),
         **balls,
-        **_life(solved, outcome, spec),
+        **_life(bearing, solved, outcome, spec),
         **_heat(bearing, conditions, solved, outcome, spec),
         **_contacts(bearing, state, outcome, spec),
     )
@@ -189,7 +189,9 @@ def _limits(
     return limit
 
 
-def _life(solved: _Solved, outcome: NDArray[np.str_], spec: BearingMapSpec) -> dict[str, Any]:
+def _life(
+    bearing: BallBearing, solved: _Solved, outcome: NDArray[np.str_], spec: BearingMapSpec
+) -> dict[str, Any]:
     """Life and safety; heat and film where there is oil."""
     state = solved.state
     lived = bearings.life.life_of(state, spec.dynamic_rating)
@@ -221,7 +223,13 @@ def _life(solved: _Solved, outcome: NDArray[np.str_], spec: BearingMapSpec) -> d
         name: _where(outcome, np.broadcast_to(values, outcome.shape))
         for name, values in computed.items()
     }
-    return {**shown, "limiting": np.where(outcome == "", lived.limiting, "")}
+    grooves = float(bearings.life.dynamic_rating(bearing))
+    return {
+        **shown,
+        "limiting": np.where(outcome == "", lived.limiting, ""),
+        "dynamic_rating": grooves if spec.dynamic_rating is None else spec.dynamic_rating,
+        "groove_rating": grooves,
+    }
 
 
 def _contacts(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
-from rotordyn.results.balls import pressed, slipping
+from rotordyn.results.balls import of_a_pair, pressed, slipping
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
 from rotordyn.results.headline import Number, ends
@@ -169,6 +169,16 @@ def _shown(result: BearingMapResult) -> list[int]:
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
+def _overheated(result: BearingMapResult) -> Iterator[str]:
+    """Where temperatures run away first."""
+    if np.isfinite(result.speed_limit).any():
+        k = int(np.nanargmin(result.speed_limit))
+        yield (
+            f"temperatures reach no balance above {result.speed_limit[k] * RPM.factor:.0f} rpm "
+            f"under {under(result, k)}: cool the rings better, or lower the preload or the speed"
+        )
+
+
 def warnings(result: BearingMapResult) -> list[str]:
     """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
     peak = np.fmax(result.inner_pressure, result.outer_pressure)
@@ -180,4 +190,5 @@ def warnings(result: BearingMapResult) -> list[str]:
         slipping(load, result.speed, values)
         for load, values in zip(loads, result.slipping.T, strict=True)
     ]
+    sentences += [of_a_pair(result.dynamic_rating, result.groove_rating), *_overheated(result)]
     return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import LifeResult
+from rotordyn.results.balls import of_a_pair
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
 from rotordyn.results.headline import Number, ends
@@ -20,7 +21,6 @@ LONG = 1e6  # h, more than anybody waits for
 LEAST_SAFETY = 2.0  # static, of spindles
 LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
 HIGHEST = 3.3e9  # Pa, up to which the exponent of life holds
-PAIR = 1.4  # times the rating of the grooves: that of a pair is 1.62 times
 
 
 def summary(result: LifeResult) -> list[str]:
@@ -133,12 +133,8 @@ def warnings(result: LifeResult) -> list[str]:
 
 
 def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
-    ratio = result.dynamic_rating[k] / result.groove_rating[k]
-    if ratio > PAIR:
-        yield (
-            f"dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of the "
-            "grooves; give that of one bearing: a pair has 1.62 times as much"
-        )
+    if doubt := of_a_pair(result.dynamic_rating[k], result.groove_rating[k]):
+        yield doubt
     if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
         yield (
             f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "

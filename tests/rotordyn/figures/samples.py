@@ -505,6 +505,8 @@ def bearing(count: int = 13, warm: float = np.nan) -> BearingMapResult:
         outer_spin_to_roll=0.01 * s * ones,
         attitude=0.3 * ones + 0.0 * s,
         revolutions=1e9 / (1.0 + s) * ones,
+        dynamic_rating=36e3,
+        groove_rating=36e3,
         limiting=np.full(k.shape, "o"),
         equivalent_load=load * ones + 0.0 * s,
         static_safety=30.0 * ones - 5.0 * s,

@@ -36,6 +36,18 @@ def test_ellipse_past_the_inner_shoulder() -> None:
     assert cut_off(unknown) == []
 
 
+def test_the_rating_of_a_pair_is_questioned() -> None:
+    """A pair has 2^0.7 times the rating of one bearing (ISO 281)."""
+    spec = BearingMapSpec((5e3,))
+    one = answer(four_point(QJ218), OUTER, np.array([100.0]), spec)
+    assert one.dynamic_rating == one.groove_rating
+    pair = replace(spec, dynamic_rating=2.0**0.7 * one.groove_rating)
+    found = answer(four_point(QJ218), OUTER, np.array([100.0]), pair)
+    assert found.revolutions == pytest.approx(2.0**2.1 * one.revolutions)
+    (sentence,) = result_warnings({"bearing": found})
+    assert "is 1.62 times that of the grooves; give that of one bearing" in sentence
+
+
 def test_most_loaded_ball_in_words() -> None:
     """Case 3 of Lacroix (2014), rigid: 22.4° at 0°, a third contact."""
     spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
