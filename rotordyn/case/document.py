@@ -23,6 +23,7 @@ from rotordyn.errors import Fault
 MAX_BYTES = 4_000_000
 MAX_DEPTH = 40
 MAX_VALUES = 100_000
+_TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -160,7 +161,7 @@ class _Composer:
 
     def _node(self, event: Any, depth: int) -> Node:
         if depth > MAX_DEPTH:
-            raise self._refused(f"nested deeper than {MAX_DEPTH} levels", event)
+            raise self._refused(_TOO_DEEP, event)
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event)
         if event.tag is not None and event.tag != "!":
@@ -241,6 +242,8 @@ def _not_yaml(error: Exception, text: str) -> _Refused:
     if mark is None:
         return _Refused("is not YAML: " + (str(error) or "cannot be parsed").splitlines()[0], 1, 1)
     problem = getattr(error, "problem", None) or "cannot be parsed"
+    if "maximum nesting depth" in problem:  # libyaml's own limit, met before the first event
+        return _Refused(_TOO_DEEP, mark.line + 1, mark.column + 1)
     context = getattr(error, "context", None)
     what = f"{problem}, {context}" if context else str(problem)
     return _Refused(f"is not YAML: {what}", mark.line + 1, mark.column + 1)
