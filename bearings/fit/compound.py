@@ -165,7 +165,7 @@ def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
 
 
 def _checked(
-    bodies: Sequence[Cylinder], interference: ArrayLike, axial: str
+    bodies: object, interference: ArrayLike, axial: str
 ) -> tuple[tuple[Cylinder, ...], Array]:
     if not isinstance(bodies, Iterable) or not all(isinstance(b, Cylinder) for b in bodies):
         raise InvalidBearing(f"bodies must be a list, each a Cylinder, got {shown(bodies)}")
