@@ -21,7 +21,6 @@ _LIBRARIES = (
     "scipy",
     "xarray",
     "h5py",
-    "h5netcdf",
     "matplotlib",
     "pyuff",
     "meshio",

@@ -13,7 +13,7 @@ dimensions of every variable anew.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from io import BytesIO
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,15 +36,19 @@ def write_results(
     path: Path, results: Mapping[str, Any], attributes: Mapping[str, str] | None = None
 ) -> None:
     """Write ``results`` (analysis name -> result) to ``path``; ``attributes`` describe the run."""
-    import h5netcdf
-    import h5py  # noqa: F401, which h5netcdf misses without naming it
+    import h5py
 
-    content = BytesIO()  # HDF5 itself, on a full disk, ends the process instead of saying so
-    with h5netcdf.File(content, "w") as file:
+    # In memory first: HDF5 itself, on a full disk, ends the process instead of saying so.
+    with h5py.File("results", "w", driver="core", backing_store=False, track_order=True) as file:
+        written_by = f"version=2,h5py={h5py.__version__},hdf5={h5py.version.hdf5_version}"
+        file.attrs["_NCProperties"] = np.bytes_(written_by)
         file.attrs.update(attributes or {})
+        number = count()
         for name, result in results.items():
-            _write_group(file.create_group(name), result)
-    path.write_bytes(content.getbuffer())
+            _write_group(file.create_group(name, track_order=True), result, number)
+        file.flush()
+        content = file.id.get_file_image()
+    path.write_bytes(content)
 
 
 def read_results(path: Path) -> Mapping[str, xr.Dataset]:
@@ -63,10 +67,10 @@ class _Groups(Mapping[str, "xr.Dataset"]):
     """Datasets of a file that must not change while it is read."""
 
     def __init__(self, path: Path) -> None:
-        import h5netcdf
+        import h5py
 
         self._path, self._state = path, _state(path)
-        with h5netcdf.File(path, "r") as file:
+        with h5py.File(path, "r") as file:
             self._names = _held(file)
 
     def __iter__(self) -> Iterator[str]:
@@ -100,32 +104,58 @@ def _state(path: Path) -> tuple[int, int] | None:
 
 def _held(group: Any, above: str = "") -> list[str]:
     """Names of the groups that hold a result, those in groups included."""
+    import h5py
+
     names = []
-    for name, inner in group.groups.items():
-        path = f"{above}{name}"
-        names += [path] if "result" in inner.attrs else _held(inner, f"{path}/")
+    for name, inner in group.items():
+        if isinstance(inner, h5py.Group):
+            path = f"{above}{name}"
+            names += [path] if "result" in inner.attrs else _held(inner, f"{path}/")
     return names
 
 
-def _write_group(group: Any, result: Any) -> None:
-    import h5py
-
+def _write_group(group: Any, result: Any, number: Iterator[int]) -> None:
+    """A result; ``number`` counts the dimensions of the whole file."""
     group.attrs["result"] = type(result).__name__
     parts = [half for variable in variables(result) for half in _storable(variable)]
-    group.dimensions = {d: n for v in parts for d, n in zip(v.dims, v.values.shape, strict=True)}
     auxiliary = " ".join(v.name for v in parts if v.role == "auxiliary")
+    names = {v.name for v in parts}
+    stored = {v.name: _stored(group, v) for v in parts}
     for v in parts:
-        words = v.values.dtype.kind == "U"
-        kind = h5py.string_dtype() if words else v.values.dtype
-        # CF: a missing value is declared, and coordinates have none.
-        has_gaps = v.role == "quantity" and v.values.dtype.kind == "f"
-        missing = {"fillvalue": np.nan} if has_gaps else {}
-        stored = group.create_variable(v.name, v.dims, dtype=kind, **missing)
-        if v.values.size:
-            stored[...] = v.values.astype(object) if words else v.values
-        stored.attrs.update(v.attrs)
         if v.role == "quantity" and (covered := _covered(auxiliary, v, parts)):
-            stored.attrs["coordinates"] = covered
+            stored[v.name].attrs["coordinates"] = covered
+    sizes = {d: n for v in parts for d, n in zip(v.dims, v.values.shape, strict=True)}
+    scales = {}
+    for d, size in sizes.items():
+        scales[d] = stored.pop(d, None) or _created(group, d, (size,), ">f4")
+        scales[d].make_scale(d if d in names else f"{NO_VARIABLE}.{size:10}")
+        scales[d].attrs["_Netcdf4Dimid"] = np.int32(next(number))
+    for v in parts:
+        if v.name not in scales:
+            for axis, d in zip(stored[v.name].dims, v.dims, strict=True):
+                axis.attach_scale(scales[d])
+
+
+def _stored(group: Any, v: Variable) -> Any:
+    """The values of a variable with its attributes, in a group of a file."""
+    import h5py
+
+    words = v.values.dtype.kind == "U"
+    kind = h5py.string_dtype() if words else v.values.dtype
+    # CF: a missing value is declared, and coordinates have none.
+    has_gaps = v.role == "quantity" and v.values.dtype.kind == "f"
+    missing = {"_FillValue": np.full(1, np.nan)} if has_gaps else {}
+    held = _created(group, v.name, v.values.shape, kind, np.nan if has_gaps else None)
+    if v.values.size:
+        held[...] = v.values.astype(object) if words else v.values
+    held.attrs.update(missing | v.attrs)
+    return held
+
+
+def _created(group: Any, name: str, shape: tuple[int, ...], kind: Any, gap: Any = None) -> Any:
+    """A variable without values; NetCDF has no empty dimension but one that may grow."""
+    grows = {"maxshape": tuple(n or None for n in shape)} if 0 in shape else {}
+    return group.create_dataset(name, shape, kind, fillvalue=gap, track_order=True, **grows)
 
 
 def _covered(auxiliary: str, variable: Variable, parts: list[Variable]) -> str:

@@ -237,8 +237,8 @@ def test_formats_of_figures_are_those_asked_for(
     ("missing", "lost"),
     [
         (
-            {"matplotlib": "figures", "h5netcdf": "results.nc", "pyuff": "frf.uff", "numba": ""},
-            {"campbell.png", "results.nc", "frf.uff"},
+            {"matplotlib": "figures", "h5netcdf": "", "pyuff": "frf.uff", "numba": ""},
+            {"campbell.png", "frf.uff"},
         ),
         (
             {"h5py": "results.nc", "meshio": "shapes_3d/*.vtu", "xarray": ""},

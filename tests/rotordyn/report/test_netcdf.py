@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import h5netcdf
 import numpy as np
 import pytest
 import xarray as xr
@@ -57,9 +58,24 @@ def test_complex_is_split_only_in_the_file(path, results):
     assert dataset(results["frf"]).receptance.dtype == complex
 
 
-def test_foreign_readers_see_auxiliary_speed_as_coordinate(path):
-    with xr.open_dataset(path, group="campbell", engine="h5netcdf") as stored:
-        assert {"speed_rpm", "shape_speed_rpm"} <= set(stored.coords)
+@pytest.mark.parametrize("name", NAMES)
+def test_foreign_readers_see_the_same(path, results, name):
+    """xarray alone: every dimension, coordinate, value and attribute; complex in two halves."""
+    held = dataset(results[name])
+    with xr.open_dataset(path, group=name, engine="h5netcdf") as file:
+        stored = file.load()
+    assert {"speed", "speed_rpm"} <= set(stored.coords) == set(held.coords)
+    for key in [key for key, v in held.items() if v.dtype.kind == "c"]:
+        halves = stored[f"{key}_re"], stored[f"{key}_im"]
+        assert [half.attrs.pop("complex_part") for half in halves] == ["real", "imaginary"]
+        assert [half.attrs.pop("complex_name") for half in halves] == [key, key]
+        assert halves[0].attrs == halves[1].attrs == held[key].attrs
+        joined = (halves[0] + 1j * halves[1]).assign_attrs(halves[0].attrs)
+        stored = stored.drop_vars([f"{key}_re", f"{key}_im"]).assign({key: joined})
+    for v in stored.variables.values():
+        assert v.attrs.pop("flag_meanings", "false true") == "false true"
+        assert list(v.attrs.pop("flag_values", (0, 1))) == [0, 1]
+    xr.testing.assert_identical(stored, held)
 
 
 def test_not_a_number_and_negative_zero_survive(tmp_path):
@@ -80,3 +96,6 @@ def test_machine_without_sleeves_and_critical_speeds(tmp_path):
     back = read_results(tmp_path / "r.nc")["campbell"]
     assert back.sizes["critical"] == 0
     xr.testing.assert_identical(back, dataset(result))
+    with h5netcdf.File(tmp_path / "r.nc", "r") as file:
+        growing = {n for n, d in file["campbell"].dimensions.items() if d.isunlimited()}
+    assert growing == {d for d, n in back.sizes.items() if n == 0}  # as NetCDF has them
