@@ -22,7 +22,11 @@ GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
 ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
 MATRICES = 6  # stiffness, damping, and what their sums take
 VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one frequency
-REMEDY = "take fewer speeds, lower frequencies or fewer points, or say yes to that (--yes)"
+TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
+STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-3 s where they slide
+FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
+REMEDY = "take fewer speeds, steps or points, or lower frequencies, or say yes to that (--yes)"
+DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,23 +87,36 @@ def require_responses(name: str, speeds: int, pairs: int, frequencies: int) -> N
     _require(what, VALUE * count, VALUE_BYTES * count)
 
 
-def _require(what: str, seconds: float, memory: float) -> None:
+def require_history(what: str, tables: int, steps: int) -> None:
+    """The same of a path of so many steps, through laws of bearings kept as ``tables``."""
+    seconds = TABLE * tables + STEP * steps
+    _require(what, seconds, TABLE_BYTES * tables + STEP_BYTES * steps)
+
+
+def require_figures(figures: int, pictures: int) -> None:
+    """The same of so many figures, and ``pictures`` in space."""
+    what = f"{figures} figures" + f" with {pictures} pictures in space" * (pictures > 0)
+    _require(what, FIGURE * figures + PICTURE * pictures, 0.0, DRAWN)
+
+
+def _require(what: str, seconds: float, memory: float, remedy: str = REMEDY) -> None:
     allowance = _allowance.get()
     if allowance is None:
         return
     left = allowance.until - time.perf_counter()
     if seconds > left or memory > MOST_BYTES:
+        also = f" and {memory / 1e9:.2g} GB" if memory else ""
         raise InvalidInput(
-            f"{what} take about {seconds:.3g} s and {memory / 1e9:.2g} GB; allowed: "
+            f"{what} take about {seconds:.3g} s{also}; allowed: "
             f"{allowance.seconds:g} s for the whole run, of which {max(left, 0.0):.0f} s are left, "
-            f"and {MOST_BYTES / 1e9:g} GB; {REMEDY}"
+            f"and {MOST_BYTES / 1e9:g} GB; {remedy}"
         )
 
 
-def require_time(name: str) -> None:
-    """Raise InvalidInput where the time of the run is over before a stage begins."""
+def require_time(name: str, how: str = "not begun") -> None:
+    """Raise InvalidInput where the time of the run is over before a stage begins, or within it."""
     allowance = _allowance.get()
     if allowance is not None and time.perf_counter() > allowance.until:
         raise InvalidInput(
-            f"{name}: not begun, since {allowance.seconds:g} s for the whole run are over; {REMEDY}"
+            f"{name}: {how}, since {allowance.seconds:g} s for the whole run are over; {REMEDY}"
         )

@@ -49,6 +49,10 @@ class Pictures(Protocol):
     def names(self) -> tuple[str, ...]:
         """Of the figures, known before the process runs."""
 
+    @property
+    def count(self) -> int:
+        """Of pictures, likewise."""
+
     def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one figure; InvalidInput where none can be made."""
 

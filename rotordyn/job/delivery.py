@@ -11,11 +11,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from rotordyn.allowance import require_figures
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
-from rotordyn.errors import not_installed
-from rotordyn.figures.draw import Omitted
+from rotordyn.errors import InvalidInput, not_installed
+from rotordyn.figures.draw import Omitted, Pictures
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.pages import REPORT
 from rotordyn.job.results import Solution, SolvedResults, inputs_of, run
@@ -103,11 +104,15 @@ def _drawn(
     from rotordyn.figures.draw import Drawing, load
 
     lacking = _attempted("figures", partial(load, formats))
+    pictures = [] if lacking.figures else results.pictures(folder.parent)
+    jobs = [] if lacking.figures else list(results.drawings().items())
+    lacking |= _too_long(len(jobs), pictures)
     if lacking.figures:
         return {}, _write_numbers(results, folder, seconds) | lacking
     with ExitStack() as stack:
-        pictures = [stack.enter_context(each) for each in results.pictures(folder.parent)]
-        drawing = Drawing(list(results.drawings().items()), folder, formats=formats)
+        for each in pictures:
+            stack.enter_context(each)
+        drawing = Drawing(jobs, folder, formats=formats)
         omitted = _write_numbers(results, folder, seconds)
         with _timed(seconds, "draw"):
             drawn = drawing.finish()
@@ -115,6 +120,16 @@ def _drawn(
                 drawn |= each.draw(folder, formats)
                 omitted |= each.omitted
         return drawn, omitted
+
+
+def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
+    """Figures are left out where they take more than the run may: what is solved is kept."""
+    count = figures + sum(len(each.names) for each in pictures)
+    try:
+        require_figures(count, sum(each.count for each in pictures))
+    except InvalidInput as error:
+        return Omitted({"figures": f"{error}"}, (f"figures left out: {error}",))
+    return Omitted()
 
 
 def _written(

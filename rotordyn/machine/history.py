@@ -76,6 +76,12 @@ class Past:
         return self.steps[self._run_up + 1 :]
 
     @property
+    def cold(self) -> bool:
+        """Whether some speed is passed at the temperatures of assembly."""
+        begins_warm = any(step.warm for step in self.before[:1])
+        return not begins_warm or any(step.warm is False for step in self.steps)
+
+    @property
     def _run_up(self) -> int:
         found = (k for k, step in enumerate(self.steps) if step.run_up)
         return next(found, len(self.steps))

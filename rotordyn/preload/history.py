@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from rotordyn.allowance import require_history, require_time
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.preload.arrangement import (
     HOUSING,
@@ -84,6 +85,7 @@ class History:
         for start, end in pairwise(path):
             if isinstance(state, str):
                 break
+            require_time("history", "broken off")
             try:
                 state = along(Step(self.network, start, end), state)[0]
             except NoEquilibrium as none:
@@ -147,8 +149,13 @@ def history(preload: PreloadState, reach: float) -> History:
     of ``preload``.
 
     ``reach``: largest axial force of the paths that go on from there [N].
+
+    Raises
+    ------
+    InvalidInput : that takes more time or memory than is allowed
     """
     joined, still, past = preload.network.arrangement, preload.still, preload.past
+    _require_allowed(preload)
     known = [step.axial_force or 0.0 for step in past.steps]
     pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
     most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
@@ -213,6 +220,28 @@ def moments(
         path += [path[-1]._replace(warm=True), Moment(there.speed, True, force)]
         after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
     return before, through, after
+
+
+def _require_allowed(preload: PreloadState) -> None:
+    """Raise InvalidInput where laws and steps of the history take more than is allowed."""
+    past, speeds = preload.past, preload.speed.tolist()
+    steps = length(past, speeds)
+    known = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
+    laws = len(known) * len(preload.network.arrangement.bearings)
+    if preload.temperatures is not None and past.cold:
+        laws *= 2
+    what = f"history: {steps} steps and {laws} load tables of bearings"
+    require_history(what, laws, steps)
+
+
+def length(past: Past, speeds: Sequence[float]) -> int:
+    """How many ``moments`` there are at most."""
+    here, count = 0.0, 0
+    for step in past.before:
+        goal = here if step.speed is None else step.speed
+        count += 1 + abs(bisect_left(speeds, goal) - bisect_left(speeds, here))
+        here = goal
+    return count + len(speeds) * (len(past.after) + 3)
 
 
 def _changed(

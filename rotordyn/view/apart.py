@@ -46,8 +46,7 @@ class Rendering:
         self._held = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
         self.folder = Path(self._held.name)
         (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
-        frames = sum(len(order.places) * (1 + order.frames) for order in orders)
-        self._longest = LONGEST + LONGEST_EACH * frames
+        self._longest = LONGEST + LONGEST_EACH * sum(order.pictures for order in orders)
         paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
         command = [sys.executable, *PROGRAM, str(self.folder)]
         orders_file, errors_file = self.folder / "orders", self.folder / "said"

@@ -34,6 +34,11 @@ class Order:
         known = np.isfinite(self.shape).all(axis=(2, 3))
         return [(int(speed), int(mode)) for speed, mode in np.argwhere(known)]
 
+    @property
+    def pictures(self) -> int:
+        """How many there are, those of animations included."""
+        return len(self.places) * (1 + self.frames)
+
 
 def still_name(order: int, speed: int, mode: int) -> str:
     """File with one picture (height, width, 3) of an order, by its number."""

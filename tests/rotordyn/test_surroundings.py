@@ -353,6 +353,19 @@ def test_what_takes_longer_than_allowed_is_refused_before_it_begins(
     assert main([*argv, "--longest", "-1"]) == 2
 
 
+def test_figures_that_take_longer_than_allowed_are_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
+    path.write_text(FRF, encoding="utf-8")
+    monkeypatch.setattr("rotordyn.allowance.PICTURE", 1e4)
+    assert main(["run", str(path), "-o", str(target)]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "figures left out: 9 figures with 2 pictures in space take about 2e+04 s;" in said
+    assert list(rotordyn.open(target)) == ["campbell", "frf"]
+    assert not [*target.rglob("*.svg")]
+
+
 def test_more_responses_than_allowed_are_refused_before_they_are_solved(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -13,7 +13,9 @@ import numpy as np
 import pytest
 
 from bearings.ball.law import Law
-from rotordyn.analyses import PreloadSpec, StiffnessSpec
+from rotordyn.allowance import within
+from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.axial_cycle.solve import answer as axial_cycle
 from rotordyn.analyses.preload.solve import answer as preload_answer
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
@@ -22,7 +24,7 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, moments
+from rotordyn.preload.history import Moment, length, moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
@@ -208,8 +210,25 @@ def test_a_history_in_its_order() -> None:
 
 def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
     steps = (HistoryStep(speed=25.0), HistoryStep(speed=5.0), HistoryStep(run_up=True))
-    before, _, _ = moments(Past(steps), [10.0, 20.0, 30.0], 0.0)
+    speeds = [10.0, 20.0, 30.0]
+    before, through, after = moments(Past(steps), speeds, 0.0)
     assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
+    assert length(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+
+
+def test_a_history_longer_than_allowed_is_refused_before_it_begins(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    speed = np.linspace(0.0, 12000.0, 50) * RPM
+    past = Past((*forces(*range(1000)), HistoryStep(run_up=True), *forces(*range(3000))))
+    with within(60.0), pytest.raises(InvalidInput, match=r"151150 steps.* take about 304 s"):
+        operating_state(rubbing(), speed, LAW, past=past)
+    many = AxialCycleSpec(steps=1000)
+    with within(3.0), pytest.raises(InvalidInput, match=r"axial_cycle: 2003 steps take about 4"):
+        axial_cycle(scene(mfw2310(), [0.0]), many)
+    monkeypatch.setattr("rotordyn.preload.history.require_history", lambda *_: None)
+    with within(0.0), pytest.raises(InvalidInput, match="history: broken off"):
+        operating_state(rubbing(), REST, LAW)
 
 
 def test_friction_slides_sticks_and_turns() -> None:

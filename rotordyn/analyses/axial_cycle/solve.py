@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_history, require_time
 from rotordyn.analyses.axial_cycle.result import BRANCHES, AxialCycleResult
 from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
 from rotordyn.preload.arrangement import SHAFT
@@ -22,9 +23,16 @@ Array = NDArray[np.float64]
 
 
 def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
-    """Positions, loads, friction and stiffness over the cycle."""
+    """Positions, loads, friction and stiffness over the cycle.
+
+    Raises
+    ------
+    InvalidInput : that takes more time or memory than is allowed
+    """
     preload, rows = scene.preload, scene.bearing_row
     force = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
+    steps = len(preload.speed) * (2 * spec.steps + 3)
+    require_history(f"axial_cycle: {steps} steps", 0, steps)
     path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
     seats, sleeves = scene.spindle.seats, scene.spindle.sleeves
     shape = (len(preload.speed), len(BRANCHES), len(force))
@@ -35,6 +43,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     reach = float(force[-1] - force[0])
     outcome = list(preload.outcome)
     for row, start in enumerate(path.run_up()):
+        require_time("axial_cycle", "broken off")
         outcome[row] = outcome[row] or (start if isinstance(start, str) else "")
         if isinstance(start, str) or outcome[row]:
             continue

@@ -99,6 +99,11 @@ class InSpace:
         """Of the sheets."""
         return _names(self._parts)
 
+    @property
+    def count(self) -> int:
+        """Of pictures and frames of animations."""
+        return sum(each.order.pictures for each in self._parts)
+
     def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one sheet.
 

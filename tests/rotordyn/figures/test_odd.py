@@ -158,6 +158,14 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
     assert [len(a.get_lines()) for a in axes] == [1, 0]
 
 
+def test_maps_of_many_pairs_stand_six_on_a_page() -> None:
+    many = replace(samples.frf(3, 10), pair=tuple(f"{k}.y / 0.y" for k in range(14)))
+    found = dict(figures(samples.case(), {"frf": many}))
+    assert [n for n in found if "maps" in n] == ["frf_maps", "frf_maps_2", "frf_maps_3"]
+    pairs = [found[name].args[0].args[1] for name in ("frf_maps", "frf_maps_3")]
+    assert pairs == [[1, 2, 3, 4, 5, 6], [13]]
+
+
 @pytest.mark.filterwarnings("error")
 def test_titles_of_any_letters_are_drawn_as_they_are(tmp_path: Path) -> None:
     result = {"stiffness": samples.stiffness(5)}

@@ -106,6 +106,16 @@ def test_a_force_pushes_the_shaft_through_the_play() -> None:
     assert after.seat_load()[0].sum() == pytest.approx(2000.0, rel=1e-9)
 
 
+@pytest.mark.parametrize("force", [200.0, -200.0])
+def test_a_force_alone_takes_the_shaft_to_the_end_of_the_play(force: float) -> None:
+    """Nothing but the bearing holds the shaft, and within its play that does not either."""
+    machine = mfw2310(seats=(BearingSeat("f", DEEP_GROOVE, 0.03),), sleeves=(), shortening=None)
+    found = state(machine, 0.0, force)
+    alone = DEEP_GROOVE.equilibrium(load=[force, 0.0, 0.0, 0.0, 0.0])
+    assert found.seat_load()[0] == pytest.approx([force], rel=1e-9)
+    assert found.net.position[0] == pytest.approx(alone.displacement[:1], rel=1e-6)
+
+
 def test_stiffness_along_the_axis_is_that_of_the_parts() -> None:
     """Dx/dF of the shaft: the fixed bearing beside spring and front set in series."""
     machine, step = sprung_set(1), 1.0

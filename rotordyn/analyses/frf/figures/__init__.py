@@ -13,7 +13,7 @@ from rotordyn.analyses.frf.figures.slices import nearest_slice
 from rotordyn.figures.draw import Job
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import modes_among
-from rotordyn.figures.panels import Panel, Shown
+from rotordyn.figures.panels import ON_A_PAGE, Panel, Shown
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, shown
 from rotordyn.results.frames import turning
@@ -31,9 +31,10 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
         yield "frf_map", partial(code("map:map_figure"), result, [0], modes)
         if not _unbounded(result):
             yield "frf_surface", partial(code("surface:surface_figure"), result, 0)
-        if count > 1:
-            others = list(range(1, count))
-            yield "frf_maps", partial(code("map:map_figure"), result, others, modes)
+        for first in range(1, count, ON_A_PAGE):
+            others = list(range(first, min(first + ON_A_PAGE, count)))
+            name = "frf_maps" + f"_{first // ON_A_PAGE + 1}" * (first > 1)
+            yield name, partial(code("map:map_figure"), result, others, modes)
     for first in range(0, count if len(result.line) else 0, 2):
         pairs = list(range(first, min(first + 2, count)))
         number = f"_{first // 2 + 1}" if count > 2 else ""
