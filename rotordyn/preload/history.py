@@ -139,7 +139,7 @@ class History:
         """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
-        return way * float(compliance(step, turned(step, state))[SHAFT])
+        return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
 
 
 def history(preload: PreloadState, reach: float) -> History:
