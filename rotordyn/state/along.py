@@ -29,7 +29,7 @@ from rotordyn.state.conditions import (
 from rotordyn.state.contacts import State, hold
 from rotordyn.state.network import Step, pieces
 from rotordyn.state.no_equilibrium import endless, nothing
-from rotordyn.state.rates import turned, velocity
+from rotordyn.state.rates import rates, turned, velocity
 from rotordyn.state.settle import settle
 
 Array = NDArray[np.float64]
@@ -57,9 +57,12 @@ class Part:
 
 
 class Sample(NamedTuple):
-    """A ``share``, how far every condition is from being violated there, and the rates of that."""
+    """The ``state`` at a ``share`` and its rates ``v`` (bodies,); how far every condition is from
+    being violated, ``value``, and the rate of that, ``slope`` (conditions,)."""
 
     share: float
+    state: State
+    v: Array
     value: Array
     slope: Array
 
@@ -71,29 +74,39 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
     ------
     NoEquilibrium : nothing balances a body, or contacts change without end
     """
+    met: list[Event] = []
+    for there, new in parts(step, state):
+        state = there
+        met += new
+    return state, met
+
+
+def parts(step: Step, state: State) -> Iterator[tuple[State, list[Event]]]:
+    """State and events at the begin of a step and after each of its smooth parts, as ``along``."""
     share, length, before, at_once = 0.0, 1.0, state, 0
     piece = pieces(step.load(0.0).laws, state.at.deflection, state.piece)
     state = turned(step, _sided(step, replace(state, piece=piece), 0.0), 0.0)
-    met = events(before, state, share, None)
+    yield state, events(before, state, share, None)
     for _ in range(PARTS):
         if share >= 1.0:
-            return state, met
+            return
         careful = not _one_way(step, state)
         part = _part(step, state, share, min(share + length, 1.0), careful=careful)
         length = max(2.0 * (part.share - share), SHORTEST)
         at_once = 0 if part.share > share else at_once + 1
         if at_once > AT_ONCE:
             break
-        share, before, state = part.share, part.state, part.state
+        share, before, state, met = part.share, part.state, part.state, list[Event]()
         if part.ended is SNAP:
             share, state = min(share + SHORTEST, 1.0), _snapped(step, state, share)
-            met += _snaps(before, state, share)
+            met = _snaps(before, state, share)
         elif part.ended is not None:
             known = part.ended.index if part.ended.kind == "halt" else None
             after = _sided(step, changed(step.network, before, part.ended), share)
             state = turned(step, after, share, known)
-            met += events(before, state, share, part.ended)
+            met = events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
+        yield state, met
     raise endless(step, share, velocity(step, state))
 
 
@@ -106,7 +119,8 @@ def _one_way(step: Step, state: State) -> bool:
 
 def _sided(step: Step, state: State, share: float) -> State:
     """The state with the slope that every bearing goes on with which is at a kink of its law."""
-    return replace(state, at=step.beside(state.at, step.load(share), state.piece))
+    at = step.beside(state.at, step.load(share), state.piece)
+    return state if at is state.at else replace(state, at=at)
 
 
 def _snaps(before: State, after: State, share: float) -> list[Event]:
@@ -121,14 +135,15 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
     ``careful``: the positions between are held against the cubic between the ends.
     """
     of = conditions(step, state)
-    begins = Sample(a, measures(step, state, step.load(a), of), slopes(step, state, of))
-    v = velocity(step, state)
+    begin = _sample(step, state, a, of)
     while True:
-        there = hold(step, state, b, state.x + (b - a) * v)
+        there = hold(step, state, b, state.x + (b - a) * begin.v)
         if there is not None:
-            samples = _samples(step, state, (a, b), there, v) if careful else [(b, there)]
-            if samples or np.abs(there.x - state.x).max() < SNAPPED:
-                part = _ended(step, (a, state), of, begins, samples or [(b, there)])
+            end = _sample(step, there, b, of)
+            middle = _middle(step, begin, end, of) if careful else None
+            if middle or not careful or np.abs(there.x - state.x).max() < SNAPPED:
+                samples = [begin, middle, end] if middle else [begin, end]
+                part = _ended(step, of, samples)
                 if part is not None:
                     return part
         if b - a <= SHORTEST:
@@ -136,41 +151,38 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
         b, careful = max(0.5 * (a + b), a + 0.9 * SHORTEST), True
 
 
-def _samples(
-    step: Step, state: State, ends: tuple[float, float], there: State, v: Array
-) -> list[tuple[float, State]]:
-    """Middle and end of a part; nothing where the positions are not smooth between."""
-    length = ends[1] - ends[0]
-    middle = 0.5 * (ends[0] + ends[1])
-    between = hold(step, state, middle, 0.5 * (state.x + there.x))
+def _sample(step: Step, state: State, share: float, of: list[Condition]) -> Sample:
+    rate = rates(step, state)
+    value = measures(step, state, step.load(share), of, rate)
+    return Sample(share, state, rate.x, value, slopes(step, state, of, rate))
+
+
+def _middle(step: Step, begin: Sample, end: Sample, of: list[Condition]) -> Sample | None:
+    """The middle of a part; None where the positions are not smooth between its ends."""
+    length = end.share - begin.share
+    middle, x = 0.5 * (begin.share + end.share), 0.5 * (begin.state.x + end.state.x)
+    between = hold(step, begin.state, middle, x)
     if between is None:
-        return []
-    cubic = 0.5 * (state.x + there.x) + 0.125 * length * (v - velocity(step, there))
-    way = np.abs(there.x - state.x).max()
+        return None
+    cubic = x + 0.125 * length * (begin.v - end.v)
+    way = np.abs(end.state.x - begin.state.x).max()
     smooth = np.abs(cubic - between.x).max() <= SMOOTH * way + STILL
-    return [(middle, between), (ends[1], there)] if smooth else []
+    return _sample(step, between, middle, of) if smooth else None
 
 
-def _ended(
-    step: Step,
-    start: tuple[float, State],
-    of: list[Condition],
-    begins: Sample,
-    samples: list[tuple[float, State]],
-) -> Part | None:
+def _ended(step: Step, of: list[Condition], samples: list[Sample]) -> Part | None:
     """The part up to the first violated condition; None where the positions jump there."""
-    values = [(share, measures(step, one, step.load(share), of)) for share, one in samples]
-    last = values[-1][1]
-    rate = [slopes(step, one, of) for _, one in samples]
-    seen = [begins, *(Sample(*value, one) for value, one in zip(values, rate, strict=True))]
-    dips = [*_halts(*seen)] if len(seen) > 2 else []
-    dips += [share for pair in pairwise(seen) for share in _lowest(step, start[1], of, *pair)]
+    begin, *_, end = samples
+    start = begin.share, begin.state
+    dips = [*_halts(*samples)] if len(samples) > 2 else []
+    dips += [share for pair in pairwise(samples) for share in _lowest(step, start[1], of, *pair)]
     there = [(share, hold(step, start[1], share)) for share in dips]
+    values = [(one.share, one.value) for one in samples[1:]]
     values += [(s, measures(step, one, step.load(s), of)) for s, one in there if one]
-    share, ended = samples[-1][0], None
+    share, ended = end.share, None
     for _ in of:
         brackets = [
-            one for k in range(len(of)) if (one := _bracket(k, start[0], begins.value, values))
+            one for k in range(len(of)) if (one := _bracket(k, start[0], begin.value, values))
         ]
         if not brackets:
             break
@@ -181,9 +193,9 @@ def _ended(
         values.append((share, measures(step, at, step.load(share), of)))
         values[-1][1][k] = 0.0
     if ended is None:
-        return Part(share, samples[-1][1], None)
+        return Part(share, end.state, None)
     if ended.kind == "halt":
-        ended = _kink(of, values[-1][1], last) or ended
+        ended = _kink(of, values[-1][1], end.value) or ended
     return _continuous(step, start, Part(share, start[1], ended))
 
 
@@ -234,7 +246,9 @@ def _lowest(
 
         def rate(share: float, k: int = k) -> float:
             there = hold(step, state, share)
-            return -1.0 if there is None else float(slopes(step, there, [of[k]])[0])
+            if there is None:
+                return -1.0
+            return float(slopes(step, there, [of[k]], rates(step, there))[0])
 
         yield cast(float, brentq(rate, one.share, other.share, xtol=LOWEST))
 

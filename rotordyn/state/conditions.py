@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.state.contacts import TINY, State
 from rotordyn.state.network import Load, Network, Step, limits
-from rotordyn.state.rates import rates
+from rotordyn.state.rates import Rates, rates
 
 Array = NDArray[np.float64]
 SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}
@@ -50,15 +50,19 @@ def conditions(step: Step, state: State) -> list[Condition]:
     ]
 
 
-def measures(step: Step, state: State, load: Load, of: list[Condition]) -> Array:
-    """How far every condition is from being violated, positive before (conditions,)."""
+def measures(
+    step: Step, state: State, load: Load, of: list[Condition], rate: Rates | None = None
+) -> Array:
+    """How far every condition is from being violated, positive before (conditions,).
+
+    ``rate`` of the state, if it is known.
+    """
     stops, frictions = step.network.stops, step.network.frictions
     gap = stops.side * (stops.row @ state.x - stops.limit) / LENGTH
     low, high = limits(load.laws, state.piece)
-    slides = ~state.sticks & (frictions.limit > 0.0)
-    way = np.zeros(len(slides))
-    if slides.any():
-        rate = rates(step, state)
+    way = np.zeros(len(state.slip))
+    if any(one.kind == "halt" for one in of):
+        rate = rate or rates(step, state)
         way = state.slip * (frictions.row @ rate.x) / rate.pace
     values = {
         "slip+": 1.0 + state.friction / np.maximum(frictions.limit, TINY),
@@ -72,10 +76,9 @@ def measures(step: Step, state: State, load: Load, of: list[Condition]) -> Array
     return np.array([values[one.kind][one.index] for one in of])
 
 
-def slopes(step: Step, state: State, of: list[Condition]) -> Array:
+def slopes(step: Step, state: State, of: list[Condition], rate: Rates) -> Array:
     """Rates of the measures over the share of the step (conditions,); those of halts are NaN."""
     stops, frictions, bearings = step.network.stops, step.network.frictions, step.network.bearings
-    rate = rates(step, state)
     rubs = rate.friction / np.maximum(frictions.limit, TINY)
     pressed = bearings.side * (bearings.row @ rate.x + step.end.shift - step.start.shift) / LENGTH
     values = {

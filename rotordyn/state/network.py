@@ -195,8 +195,11 @@ class Step:
         """The same forces; at a kink the slope of a law is that of its ``piece`` (bearings,)."""
         low, high = limits(load.laws, piece)
         inside = np.clip(at.deflection, low + EDGE, high - EDGE)
+        at_kink = np.flatnonzero(inside != at.deflection).tolist()
+        if not at_kink:
+            return at
         bearings, slope = self.network.bearings, at.slope.copy()
-        for k in np.flatnonzero(inside != at.deflection).tolist():
+        for k in at_kink:
             slope[k] = bearings.count[k] * load.laws[k](inside[k])[1]
         more = (bearings.row.T * (slope - at.slope)) @ bearings.row
         return replace(at, stiffness=at.stiffness + more, slope=slope)
@@ -206,11 +209,13 @@ class Step:
         over the whole step; the sum of the magnitudes of force that are added [N]."""
         a, b = self.start, self.end
         bearings, springs = self.network.bearings, self.network.springs
-        blended = [
-            0.0 if old is new else new(d)[0] - old(d)[0]
-            for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
-        ]
-        push = bearings.count * bearings.side * np.array(blended) + at.slope * (b.shift - a.shift)
+        push = at.slope * (b.shift - a.shift)
+        if a.laws != b.laws:
+            blended = [
+                0.0 if old is new else new(d)[0] - old(d)[0]
+                for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
+            ]
+            push += bearings.count * bearings.side * np.array(blended)
         gap = b.gap - a.gap
         outer, pull = b.force - a.force, springs.soft * gap
         size = float(np.abs(outer).sum() + np.abs(push).sum() + np.abs(pull).sum())

@@ -83,11 +83,9 @@ def turned(step: Step, state: State, share: float, sticks: int | None = None) ->
     may = _undecided(step.network, state, sticks)
     if not len(may.row):
         return state
-    fixed = replace(
-        state,
-        slip=np.where(np.isin(np.arange(len(state.slip)), may.friction), 1, state.slip),
-        closed=state.closed & ~np.isin(np.arange(len(state.closed)), may.stop),
-    )
+    slip, closed = state.slip.copy(), state.closed.copy()
+    slip[may.friction[may.friction >= 0]], closed[may.stop[may.stop >= 0]] = 1, False
+    fixed = replace(state, slip=slip, closed=closed)
     return _decided(step.network, state, may, _complementary(step, fixed, share, may))
 
 
