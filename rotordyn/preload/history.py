@@ -33,7 +33,7 @@ from rotordyn.preload.arrangement import (
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
-from rotordyn.state.along import along
+from rotordyn.state.along import along, parts
 from rotordyn.state.contacts import State
 from rotordyn.state.laws import Law, sloped_table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
@@ -120,15 +120,16 @@ class History:
         if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
             return math.nan
         step = Step(self.network, self.under(row, force), self.under(row, force + reach))
+        met = (event for _, events in parts(step, state) for event in events)
         try:
-            events = along(step, state)[1]
+            for event in met:
+                if event.kind.startswith("slip"):
+                    return event.share * reach
+                if event.kind in ("open", "close"):
+                    break
         except NoEquilibrium:
-            return math.nan
-        kinds = [event.kind for event in events]
-        slip = next((k for k, kind in enumerate(kinds) if kind.startswith("slip")), None)
-        if slip is None or {"open", "close"} & {*kinds[:slip]}:
-            return math.nan
-        return float(events[slip].share) * reach
+            pass
+        return math.nan
 
     def under(self, row: int, force: float) -> Load:
         """Loads at the speed of ``row`` with a further axial ``force`` [N] on the shaft."""
@@ -141,7 +142,7 @@ class History:
         """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
-        return way * float(compliance(step, turned(step, state))[SHAFT])
+        return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
 
 
 def history(preload: PreloadState, reach: float) -> History:

@@ -29,6 +29,9 @@ from rotordyn.preload.stops import meeting_speed, with_stops
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+FAR = 1e-3  # m: no gap of a stop is that large
+LEAST = 1e-9  # N, of a closed stop
+SOFT = 1e8  # N/m
 NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
@@ -107,6 +110,17 @@ class PreloadState:
             for p in pushes
         ]
         return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
+
+    def stop_gaps(self) -> Array:
+        """Gap of every end stop (speeds, sleeves) [m]: negative where it is closed, by what its
+        force would press ``SOFT``; ``FAR`` where there is no state."""
+        pushes = self.network.arrangement.pushes
+        body = [push.body for push in pushes]
+        direction = np.array([push.direction for push in pushes])
+        gap = direction * (self.net.position - self.limit)[:, body]
+        gap = np.where(np.isfinite(gap), gap, FAR)
+        pressed = np.maximum(self.stop_force, LEAST) / SOFT
+        return np.where(self.net.held[:, body], -pressed, gap)
 
     @property
     def friction_force(self) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,7 @@ from rotordyn.scene.statics import Statics
 from rotordyn.scene.warnings import friction_notes, machine_warnings
 
 Array = NDArray[np.float64]
-NARROWINGS, PIECES = 6, 16  # of the speeds between which a stop is met
+MEETING = 1e-6  # rad/s, of the speed at which a stop is met
 BEYOND = 2.0  # of the highest frequency: modes above it are followed a little farther
 
 
@@ -192,20 +192,27 @@ class Scene(Statics):
         return np.array([self._stop_speed(k, held[:, k]) for k in range(held.shape[1])])
 
     def _stop_speed(self, sleeve: int, held: NDArray[np.bool_]) -> float:
-        """The same under loads across the axis or with friction, narrowed down from the speeds of
-        the case."""
+        """The same under loads across the axis or with friction, between the speeds of the case."""
+        from scipy.optimize import brentq
+
         first = np.flatnonzero(held)
         if not first.size:
             return math.nan
+        known = self.preload.stop_gaps()[:, sleeve]
         high = float(self.bearing_speed[first[0]])
         low = float(self.bearing_speed[first[0] - 1]) if first[0] else 0.0
-        for _ in range(NARROWINGS):
-            inside = np.linspace(low, high, PIECES + 1)[1:-1]
-            closed = np.flatnonzero(self.at(inside).preload.net.held[:, 1 + sleeve])
-            places = np.concatenate([[low], inside, [high]])
-            place = int(closed[0]) + 1 if closed.size else PIECES
-            low, high = float(places[place - 1]), float(places[place])
-        return 0.5 * (low + high)
+        ends = {high: float(known[first[0]])}
+        if first[0]:
+            ends[low] = float(known[first[0] - 1])
+
+        def gap(speed: float) -> float:
+            if speed in ends:
+                return ends[speed]
+            return float(self.at(np.array([speed])).preload.stop_gaps()[0, sleeve])
+
+        if low >= high or gap(low) <= 0.0:
+            return low
+        return cast(float, brentq(gap, low, high, xtol=MEETING))
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:

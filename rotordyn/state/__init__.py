@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotordyn.state.along import NoEquilibrium
 from rotordyn.state.follow import follow
+from rotordyn.state.no_equilibrium import NoEquilibrium
 
 __all__ = ["NoEquilibrium", "follow"]

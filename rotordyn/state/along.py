@@ -8,18 +8,28 @@ equilibrium, or has none.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import cast
+from itertools import pairwise
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from rotordyn.errors import NoSolution
-from rotordyn.state.conditions import Condition, Event, changed, conditions, events, measures
+from rotordyn.state.conditions import (
+    Condition,
+    Event,
+    changed,
+    conditions,
+    events,
+    measures,
+    slopes,
+)
 from rotordyn.state.contacts import State, hold
-from rotordyn.state.network import Step
-from rotordyn.state.rates import turned, velocity
+from rotordyn.state.network import Step, pieces
+from rotordyn.state.no_equilibrium import endless, nothing
+from rotordyn.state.rates import rates, turned, velocity
 from rotordyn.state.settle import settle
 
 Array = NDArray[np.float64]
@@ -31,20 +41,10 @@ AFTER = 1e-10  # of what a condition is measured by: violated
 SNAPPED = 1e-9  # m
 PARTS = 4000  # of a step
 AT_ONCE = 100  # parts without length in a row: contacts change back and forth without end
-TOUCHED = 1e-9  # of what a condition is measured by, 1e-12 m: a bearing is about to load or unload
+TOUCHED = 1e-9  # of what a condition is measured by, 1e-12 m: a bearing is about to pass a kink
+LOWEST = 1e-9  # of a step: where a condition is nearest to being violated
 WITHIN = 0.5 ** np.arange(1.0, 31.0)  # of a bracket: where a condition at its limit is looked for
 SNAP = Condition("snap", -1)
-
-
-class NoEquilibrium(NoSolution):
-    """Nothing balances a body beyond some place of the path.
-
-    ``share`` of the step done; ``body`` that runs away.
-    """
-
-    def __init__(self, share: float, body: str, sentence: str) -> None:
-        self.share, self.body = share, body
-        super().__init__(sentence)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -56,6 +56,17 @@ class Part:
     ended: Condition | None
 
 
+class Sample(NamedTuple):
+    """The ``state`` at a ``share`` and its rates ``v`` (bodies,); how far every condition is from
+    being violated, ``value``, and the rate of that, ``slope`` (conditions,)."""
+
+    share: float
+    state: State
+    v: Array
+    value: Array
+    slope: Array
+
+
 def along(step: Step, state: State) -> tuple[State, list[Event]]:
     """The state at the end of a step, and the events on the way.
 
@@ -63,37 +74,53 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
     ------
     NoEquilibrium : nothing balances a body, or contacts change without end
     """
+    met: list[Event] = []
+    for there, new in parts(step, state):
+        state = there
+        met += new
+    return state, met
+
+
+def parts(step: Step, state: State) -> Iterator[tuple[State, list[Event]]]:
+    """State and events at the begin of a step and after each of its smooth parts, as ``along``."""
     share, length, before, at_once = 0.0, 1.0, state, 0
-    state = turned(step, state)
-    met = events(before, state, share, None)
+    piece = pieces(step.load(0.0).laws, state.at.deflection, state.piece)
+    state = turned(step, _sided(step, replace(state, piece=piece), 0.0), 0.0)
+    yield state, events(before, state, share, None)
     for _ in range(PARTS):
         if share >= 1.0:
-            return state, met
-        part = _part(step, state, share, min(share + length, 1.0), careful=not step.single)
+            return
+        careful = not _one_way(step, state)
+        part = _part(step, state, share, min(share + length, 1.0), careful=careful)
         length = max(2.0 * (part.share - share), SHORTEST)
         at_once = 0 if part.share > share else at_once + 1
         if at_once > AT_ONCE:
             break
-        share, before, state = part.share, part.state, part.state
+        share, before, state, met = part.share, part.state, part.state, list[Event]()
         if part.ended is SNAP:
             share, state = min(share + SHORTEST, 1.0), _snapped(step, state, share)
-            met += _snaps(before, state, share)
+            met = _snaps(before, state, share)
         elif part.ended is not None:
             known = part.ended.index if part.ended.kind == "halt" else None
-            after = _sided(step, changed(step.network, before, part.ended), part)
-            state = turned(step, after, known)
-            met += events(before, state, share, part.ended)
+            after = _sided(step, changed(step.network, before, part.ended), share)
+            state = turned(step, after, share, known)
+            met = events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
-    raise _endless(step, state, share)
+        yield state, met
+    raise endless(step, share, velocity(step, state))
 
 
-def _sided(step: Step, state: State, part: Part) -> State:
-    """The state with the slope that a bearing goes on with which was just loaded or unloaded."""
-    if part.ended is None or part.ended.kind not in ("load", "unload"):
-        return state
-    side = 1.0 if part.ended.kind == "load" else -1.0
-    at = step.beside(state.at, step.load(part.share), part.ended.index, side)
-    return replace(state, at=at)
+def _one_way(step: Step, state: State) -> bool:
+    """What slides goes on in one way: one force changes, and it slides along the ground."""
+    slides = ~state.sticks & (step.network.frictions.limit > 0.0)
+    between = np.count_nonzero(step.network.frictions.row, axis=1) > 1
+    return step.single and not (slides & between).any()
+
+
+def _sided(step: Step, state: State, share: float) -> State:
+    """The state with the slope that every bearing goes on with which is at a kink of its law."""
+    at = step.beside(state.at, step.load(share), state.piece)
+    return state if at is state.at else replace(state, at=at)
 
 
 def _snaps(before: State, after: State, share: float) -> list[Event]:
@@ -107,15 +134,16 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
 
     ``careful``: the positions between are held against the cubic between the ends.
     """
-    of = conditions(step.network, state)
-    begins = measures(step, state, step.load(a), of)
-    v = velocity(step, state)
+    of = conditions(step, state)
+    begin = _sample(step, state, a, of)
     while True:
-        there = hold(step, state, b, state.x + (b - a) * v)
+        there = hold(step, state, b, state.x + (b - a) * begin.v)
         if there is not None:
-            samples = _samples(step, state, (a, b), there, v) if careful else [(b, there)]
-            if samples or np.abs(there.x - state.x).max() < SNAPPED:
-                part = _ended(step, (a, state), of, begins, samples or [(b, there)])
+            end = _sample(step, there, b, of)
+            middle = _middle(step, begin, end, of) if careful else None
+            if middle or not careful or np.abs(there.x - state.x).max() < SNAPPED:
+                samples = [begin, middle, end] if middle else [begin, end]
+                part = _ended(step, of, samples)
                 if part is not None:
                     return part
         if b - a <= SHORTEST:
@@ -123,37 +151,39 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
         b, careful = max(0.5 * (a + b), a + 0.9 * SHORTEST), True
 
 
-def _samples(
-    step: Step, state: State, ends: tuple[float, float], there: State, v: Array
-) -> list[tuple[float, State]]:
-    """Middle and end of a part; nothing where the positions are not smooth between."""
-    length = ends[1] - ends[0]
-    middle = 0.5 * (ends[0] + ends[1])
-    between = hold(step, state, middle, 0.5 * (state.x + there.x))
+def _sample(step: Step, state: State, share: float, of: list[Condition]) -> Sample:
+    rate = rates(step, state)
+    value = measures(step, state, step.load(share), of, rate)
+    return Sample(share, state, rate.x, value, slopes(step, state, of, rate))
+
+
+def _middle(step: Step, begin: Sample, end: Sample, of: list[Condition]) -> Sample | None:
+    """The middle of a part; None where the positions are not smooth between its ends."""
+    length = end.share - begin.share
+    middle, x = 0.5 * (begin.share + end.share), 0.5 * (begin.state.x + end.state.x)
+    between = hold(step, begin.state, middle, x)
     if between is None:
-        return []
-    cubic = 0.5 * (state.x + there.x) + 0.125 * length * (v - velocity(step, there))
-    way = np.abs(there.x - state.x).max()
+        return None
+    cubic = x + 0.125 * length * (begin.v - end.v)
+    way = np.abs(end.state.x - begin.state.x).max()
     smooth = np.abs(cubic - between.x).max() <= SMOOTH * way + STILL
-    return [(middle, between), (ends[1], there)] if smooth else []
+    return _sample(step, between, middle, of) if smooth else None
 
 
-def _ended(
-    step: Step,
-    start: tuple[float, State],
-    of: list[Condition],
-    begins: Array,
-    samples: list[tuple[float, State]],
-) -> Part | None:
+def _ended(step: Step, of: list[Condition], samples: list[Sample]) -> Part | None:
     """The part up to the first violated condition; None where the positions jump there."""
-    values = [(share, measures(step, one, step.load(share), of)) for share, one in samples]
-    if len(values) > 1:
-        dips = _dips(start[0], begins, *values)
-        there = [(share, hold(step, start[1], share)) for share in dips]
-        values += [(s, measures(step, one, step.load(s), of)) for s, one in there if one]
-    share, ended, last = samples[-1][0], None, values[-1][1]
+    begin, *_, end = samples
+    start = begin.share, begin.state
+    dips = [*_halts(*samples)] if len(samples) > 2 else []
+    dips += [share for pair in pairwise(samples) for share in _lowest(step, start[1], of, *pair)]
+    there = [(share, hold(step, start[1], share)) for share in dips]
+    values = [(one.share, one.value) for one in samples[1:]]
+    values += [(s, measures(step, one, step.load(s), of)) for s, one in there if one]
+    share, ended = end.share, None
     for _ in of:
-        brackets = [one for k in range(len(of)) if (one := _bracket(k, start[0], begins, values))]
+        brackets = [
+            one for k in range(len(of)) if (one := _bracket(k, start[0], begin.value, values))
+        ]
         if not brackets:
             break
         _, k, met, past = min(brackets)
@@ -163,17 +193,17 @@ def _ended(
         values.append((share, measures(step, at, step.load(share), of)))
         values[-1][1][k] = 0.0
     if ended is None:
-        return Part(share, samples[-1][1], None)
+        return Part(share, end.state, None)
     if ended.kind == "halt":
-        ended = _loading(of, values[-1][1], last) or ended
+        ended = _kink(of, values[-1][1], end.value) or ended
     return _continuous(step, start, Part(share, start[1], ended))
 
 
-def _loading(of: list[Condition], here: Array, later: Array) -> Condition | None:
-    """The bearing that loads or unloads where sliding seems to halt: its slope jumps there, and
+def _kink(of: list[Condition], here: Array, later: Array) -> Condition | None:
+    """The bearing at a kink of its law where sliding seems to halt: its slope jumps there, and
     only the one beyond tells whether sliding halts."""
     near = (np.abs(here) <= TOUCHED) & (later < here)
-    return next((of[k] for k in np.flatnonzero(near) if of[k].kind in ("load", "unload")), None)
+    return next((of[k] for k in np.flatnonzero(near) if of[k].kind in ("rise", "fall")), None)
 
 
 def _bracket(
@@ -189,17 +219,38 @@ def _bracket(
     return met + (past - met) * above / (above - below), k, met, past
 
 
-def _dips(
-    a: float, begins: Array, middle: tuple[float, Array], end: tuple[float, Array]
-) -> list[float]:
-    """Shares where the parabola through three values of a condition lies below zero."""
-    half = middle[0] - a
-    bend = begins - 2.0 * middle[1] + end[1]
-    slope = 0.5 * (end[1] - begins)
-    cup = bend > 0.0
+def _halts(begin: Sample, middle: Sample, end: Sample) -> list[float]:
+    """Shares where the parabola through three values of a halt lies below zero."""
+    half = middle.share - begin.share
+    bend = begin.value - 2.0 * middle.value + end.value
+    slope = 0.5 * (end.value - begin.value)
+    cup = np.isnan(begin.slope) & (bend > 0.0)
     at = np.where(cup, -slope / np.where(cup, bend, 1.0), 0.0)
-    low = middle[1] + at * (slope + 0.5 * at * bend)
-    return [middle[0] + half * float(s) for s in at[cup & (np.abs(at) < 1.0) & (low < 0.0)]]
+    low = middle.value + at * (slope + 0.5 * at * bend)
+    return [middle.share + half * float(s) for s in at[cup & (np.abs(at) < 1.0) & (low < 0.0)]]
+
+
+def _lowest(
+    step: Step, state: State, of: list[Condition], one: Sample, other: Sample
+) -> Iterator[float]:
+    """Shares where a condition that is met at both ends may be violated: its rate is zero there.
+
+    The tangents at the ends tell how low it may go between.
+    """
+    turns = (one.slope < 0.0) & (other.slope > 0.0)
+    steep = np.where(turns, one.slope - other.slope, -1.0)
+    way = (other.value - other.slope * (other.share - one.share) - one.value) / steep
+    low = one.value + one.slope * way
+    near = low < 0.5 * np.minimum(one.value, other.value) - AFTER
+    for k in np.flatnonzero(turns & near).tolist():
+
+        def rate(share: float, k: int = k) -> float:
+            there = hold(step, state, share)
+            if there is None:
+                return -1.0
+            return float(slopes(step, there, [of[k]], rates(step, there))[0])
+
+        yield cast(float, brentq(rate, one.share, other.share, xtol=LOWEST))
 
 
 def _root(
@@ -256,32 +307,6 @@ def _snapped(step: Step, state: State, share: float) -> State:
     share = min(share + SHORTEST, 1.0)
     there = settle(step, state, share)
     if there is None:
-        raise _nothing(step, state, share)
-    free = np.array([law.free for law in step.load(share).laws])
-    return turned(step, replace(there, loaded=there.at.deflection > free))
-
-
-def _endless(step: Step, state: State, share: float) -> NoEquilibrium:
-    """The sentence about contacts that change back and forth."""
-    bodies = step.network.bodies
-    body = bodies[int(np.abs(velocity(step, state)).argmax())]
-    return NoEquilibrium(
-        share,
-        body,
-        f"body {body}: its contacts change back and forth without end; friction of joints that "
-        "form a loop is not determined: leave one of them out, or change the step a little",
-    )
-
-
-def _nothing(step: Step, state: State, share: float) -> NoEquilibrium:
-    """The sentence about the body that runs away."""
-    bodies, force = step.network.bodies, step.load(share).force
-    body = bodies[int(np.abs(velocity(step, state)).argmax())]
-    pushed = int(np.abs(force).argmax())
-    under = f"{force[pushed]:.6g} N on {bodies[pushed]}" if force[pushed] else "no external force"
-    return NoEquilibrium(
-        share,
-        body,
-        f"body {body} has no equilibrium under {under}: nothing holds it any longer; lower the "
-        "force, or hold it with a spring or a stop",
-    )
+        raise nothing(step, share, velocity(step, state))
+    piece = pieces(step.load(share).laws, there.at.deflection)
+    return turned(step, replace(there, piece=piece), share)

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.state.contacts import TINY, State
-from rotordyn.state.network import Load, Network, Step
-from rotordyn.state.rates import velocity
+from rotordyn.state.network import Load, Network, Step, limits
+from rotordyn.state.rates import Rates, rates
 
 Array = NDArray[np.float64]
 SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}
@@ -19,7 +19,8 @@ LENGTH = 1e-3  # m: what gaps and deflections are measured by
 @dataclass(frozen=True, slots=True)
 class Condition:
     """``kind``: slip+ and slip- (friction at its limit), halt (sliding comes to rest), close, open
-    (stops), unload, load (bearings); ``index`` among those."""
+    (stops), rise, fall (a bearing to the next kink of its law, or the last); ``index`` among those.
+    """
 
     kind: str
     index: int
@@ -35,34 +36,59 @@ class Event:
     index: int
 
 
-def conditions(network: Network, state: State) -> list[Condition]:
+def conditions(step: Step, state: State) -> list[Condition]:
     """All that may end the part that begins with ``state``."""
-    rubs = network.frictions.limit > 0.0
+    rubs = step.network.frictions.limit > 0.0
+    piece, laws = state.piece.tolist(), step.load(0.0).laws
     return [
         *(Condition("slip+", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
         *(Condition("slip-", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
         *(Condition("halt", k) for k in np.flatnonzero(~state.sticks & rubs).tolist()),
         *(Condition("open" if shut else "close", k) for k, shut in enumerate(state.closed)),
-        *(Condition("unload" if full else "load", k) for k, full in enumerate(state.loaded)),
+        *(Condition("fall", k) for k, passed in enumerate(piece) if passed),
+        *(Condition("rise", k) for k, law in enumerate(laws) if piece[k] < len(law.kinks)),
     ]
 
 
-def measures(step: Step, state: State, load: Load, of: list[Condition]) -> Array:
-    """How far every condition is from being violated, positive before (conditions,)."""
+def measures(
+    step: Step, state: State, load: Load, of: list[Condition], rate: Rates | None = None
+) -> Array:
+    """How far every condition is from being violated, positive before (conditions,).
+
+    ``rate`` of the state, if it is known.
+    """
     stops, frictions = step.network.stops, step.network.frictions
     gap = stops.side * (stops.row @ state.x - stops.limit) / LENGTH
-    pressed = state.at.deflection - np.array([law.free for law in load.laws])
-    pressed = np.where(state.loaded, pressed, -pressed) / LENGTH
-    slides = ~state.sticks & (frictions.limit > 0.0)
-    v = velocity(step, state) if slides.any() else np.zeros(len(state.x))
+    low, high = limits(load.laws, state.piece)
+    way = np.zeros(len(state.slip))
+    if any(one.kind == "halt" for one in of):
+        rate = rate or rates(step, state)
+        way = state.slip * (frictions.row @ rate.x) / rate.pace
     values = {
         "slip+": 1.0 + state.friction / np.maximum(frictions.limit, TINY),
         "slip-": 1.0 - state.friction / np.maximum(frictions.limit, TINY),
-        "halt": state.slip * (frictions.row @ v) / (np.abs(v).max(initial=0.0) + TINY),
+        "halt": way,
         "close": gap,
         "open": state.press / (state.at.size + TINY),
-        "unload": pressed,
-        "load": pressed,
+        "fall": (state.at.deflection - low) / LENGTH,
+        "rise": (high - state.at.deflection) / LENGTH,
+    }
+    return np.array([values[one.kind][one.index] for one in of])
+
+
+def slopes(step: Step, state: State, of: list[Condition], rate: Rates) -> Array:
+    """Rates of the measures over the share of the step (conditions,); those of halts are NaN."""
+    stops, frictions, bearings = step.network.stops, step.network.frictions, step.network.bearings
+    rubs = rate.friction / np.maximum(frictions.limit, TINY)
+    pressed = bearings.side * (bearings.row @ rate.x + step.end.shift - step.start.shift) / LENGTH
+    values = {
+        "slip+": rubs,
+        "slip-": -rubs,
+        "halt": np.full(len(rubs), np.nan),
+        "close": stops.side * (stops.row @ rate.x) / LENGTH,
+        "open": rate.press / (state.at.size + TINY),
+        "fall": pressed,
+        "rise": -pressed,
     }
     return np.array([values[one.kind][one.index] for one in of])
 
@@ -80,21 +106,21 @@ def changed(network: Network, state: State, ended: Condition) -> State:
         closed, press = state.closed.copy(), state.press.copy()
         closed[k], press[k] = ended.kind == "close", 0.0
         return replace(state, closed=closed, press=press)
-    loaded = state.loaded.copy()
-    loaded[k] = ended.kind == "load"
-    return replace(state, loaded=loaded)
+    piece = state.piece.copy()
+    piece[k] += 1 if ended.kind == "rise" else -1
+    return replace(state, piece=piece)
 
 
 def events(before: State, after: State, share: float, ended: Condition | None) -> list[Event]:
     """What changed at an event; friction that sticks counts where it came to rest by itself."""
     crossed = []
     for k, (was, now) in enumerate(zip(before.slip.tolist(), after.slip.tolist(), strict=True)):
-        halts = ended is not None and ended.kind == "halt"
+        halts = ended is not None and ended.kind in ("halt", "rise", "fall")
         if was != now and (now or halts):
             crossed.append(Event(share, {1: "slip+", -1: "slip-", 0: "stick"}[now], k))
     pairs = (
         (before.closed, after.closed, "close", "open"),
-        (before.loaded, after.loaded, "load", "unload"),
+        (before.piece > 0, after.piece > 0, "load", "unload"),
     )
     for was_so, is_so, begins, ends in pairs:
         for k in np.flatnonzero(was_so != is_so).tolist():

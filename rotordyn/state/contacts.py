@@ -37,8 +37,8 @@ class State:
 
     ``slip``: 0 where friction sticks, ±1 the way it slides; ``friction`` [N]; ``anchor``: where it
     sticks [m]; ``closed`` stops and what they ``press`` with, at least 0 [N]; ``rigid``: forces of
-    rigid springs [N]; ``loaded``: bearings pressed beyond their free deflection; ``at``: the forces
-    of all else.
+    rigid springs [N]; ``piece`` of the law of every bearing: how many of its kinks are passed, 0
+    unloaded; ``at``: the forces of all else.
     """
 
     x: Array
@@ -48,7 +48,7 @@ class State:
     closed: Flags
     press: Array
     rigid: Array
-    loaded: Flags
+    piece: NDArray[np.int_]
     at: Balance
 
     @property

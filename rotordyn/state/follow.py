@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.state.along import NoEquilibrium, along
+from rotordyn.state.along import along
 from rotordyn.state.conditions import Event
 from rotordyn.state.contacts import State
 from rotordyn.state.network import Network
+from rotordyn.state.no_equilibrium import NoEquilibrium
 from rotordyn.state.plain import network, steps
 from rotordyn.state.rest import at_rest
 

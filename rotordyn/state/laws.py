@@ -1,6 +1,7 @@
 """Axial laws of a bearing: load F(d) [N] of a deflection d [m], and its slope [N/m].
 
-Every law is unilateral and does not fall: F = 0 up to the deflection ``free``, from there it rises.
+Every law is unilateral and does not fall: F = 0 up to its first kink, from there it rises, smooth
+between two kinks.
 """
 
 from __future__ import annotations
@@ -9,16 +10,18 @@ import math
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Protocol, cast
 
 FURTHEST = 1.0  # m: no bearing is pressed so far
 
 
 class Law(Protocol):
-    """F and dF/dd at a deflection; ``free``: up to there nothing is pressed [m]."""
+    """F and dF/dd at a deflection; ``kinks`` [m], ascending: nothing is pressed up to the first, at
+    all others the slope jumps."""
 
     @property
-    def free(self) -> float: ...
+    def kinks(self) -> tuple[float, ...]: ...
     def __call__(self, d: float) -> tuple[float, float]: ...
 
 
@@ -28,7 +31,7 @@ class Power:
 
     k: float
     p: float
-    free: float = 0.0
+    kinks: tuple[float, ...] = (0.0,)
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
@@ -51,7 +54,7 @@ class RestBall:
     distance: float
     angle: float
     growth: float = 0.0
-    free: float = 0.0
+    kinks: tuple[float, ...] = (0.0,)
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
@@ -77,7 +80,7 @@ class Table:
 
     knots: Sequence[float]
     pieces: Sequence[tuple[float, float, float, float]]
-    free: float = -math.inf
+    kinks: tuple[float, ...]
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
@@ -106,7 +109,11 @@ def table(d: Sequence[float], force: Sequence[float], *, cubic: bool = False) ->
     else:
         ends = zip(d[:-1], d[1:], force[:-1], force[1:], strict=True)
         pieces = [(0.0, 0.0, (after - f) / (right - left), f) for left, right, f, after in ends]
-    return Table(tuple(d), tuple(map(tuple, pieces)), _free(d, force, pieces[0][2]))
+    free = _free(d, force, pieces[0][2])
+    inner = zip(d[1:-1], pairwise(pieces), strict=True)
+    bent = [] if cubic else [at for at, (a, b) in inner if not math.isclose(a[2], b[2])]
+    kinks = (free, *(at for at in bent if at > free))
+    return Table(tuple(d), tuple(map(tuple, pieces)), kinks)
 
 
 def sloped_table(d: Sequence[float], force: Sequence[float], slope: Sequence[float]) -> Table:
@@ -114,7 +121,7 @@ def sloped_table(d: Sequence[float], force: Sequence[float], slope: Sequence[flo
     from scipy.interpolate import CubicHermiteSpline
 
     pieces = CubicHermiteSpline(d, force, slope).c.T.tolist()
-    return Table(tuple(d), tuple(map(tuple, pieces)), _free(d, force, slope[0]))
+    return Table(tuple(d), tuple(map(tuple, pieces)), (_free(d, force, slope[0]),))
 
 
 def _free(d: Sequence[float], force: Sequence[float], slope: float) -> float:
@@ -134,9 +141,9 @@ class Blend:
     share: float
 
     @property
-    def free(self) -> float:
-        """Where the first of both begins [m]."""
-        return min(self.old.free, self.new.free)
+    def kinks(self) -> tuple[float, ...]:
+        """Those of both [m]."""
+        return tuple(sorted({*self.old.kinks, *self.new.kinks}))
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
@@ -151,7 +158,7 @@ def deflection(law: Law, load: float) -> float:
 
     if isinstance(law, Power):
         return cast(float, (load / law.k) ** (1.0 / law.p))
-    low = law.free if math.isfinite(law.free) else -FURTHEST
+    low = max(law.kinks[0], -FURTHEST)
     if load == 0.0:
         return low
     high = low + 1e-6

@@ -7,6 +7,8 @@ other.
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -16,7 +18,8 @@ from rotordyn.state.laws import Blend, Law
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-EDGE = 1e-12  # m from the free deflection of a law
+Pieces = NDArray[np.int_]
+EDGE = 1e-12  # m from a kink of a law
 SMALL = 1.0  # N: rounding is measured by at least that
 
 
@@ -100,6 +103,30 @@ class Load:
     laws: tuple[Law, ...]
 
 
+def limits(laws: Sequence[Law], piece: Pieces) -> tuple[Array, Array]:
+    """Deflections (bearings,) [m] between which every law is on its ``piece``."""
+    ends = [(-np.inf, *law.kinks, np.inf) for law in laws]
+    low = [one[k] for one, k in zip(ends, piece.tolist(), strict=True)]
+    high = [one[k + 1] for one, k in zip(ends, piece.tolist(), strict=True)]
+    return np.array(low), np.array(high)
+
+
+def pieces(laws: Sequence[Law], deflection: Array, near: Pieces | None = None) -> Pieces:
+    """How many kinks of every law lie below its ``deflection`` (bearings,) [m].
+
+    ``near``: the pieces before; they stay where the deflection is at a kink.
+    """
+    found = [bisect_left(law.kinks, d) for law, d in zip(laws, deflection.tolist(), strict=True)]
+    piece = np.array(found, dtype=int)
+    if near is None:
+        return piece
+    most = np.array([len(law.kinks) for law in laws], dtype=int)
+    near = np.minimum(near, most)
+    low, high = limits(laws, near)
+    stays = (low - EDGE <= deflection) & (deflection <= high + EDGE)
+    return np.where(stays, near, piece)
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Balance:
     """Forces without those of stops, friction and rigid springs.
@@ -164,26 +191,32 @@ class Step:
             slope=bearings.count * slope,
         )
 
-    def beside(self, at: Balance, load: Load, k: int, side: float) -> Balance:
-        """The same forces, with the slope of bearing ``k`` as it is just beside its free
-        deflection, ``side`` −1 unloaded or +1 loaded: a linear law has two there."""
-        bearings, law = self.network.bearings, load.laws[k]
-        slope = at.slope.copy()
-        slope[k] = bearings.count[k] * law(law.free + side * EDGE)[1]
-        row = bearings.row[k]
-        more = (slope[k] - at.slope[k]) * np.outer(row, row)
+    def beside(self, at: Balance, load: Load, piece: Pieces) -> Balance:
+        """The same forces; at a kink the slope of a law is that of its ``piece`` (bearings,)."""
+        low, high = limits(load.laws, piece)
+        inside = np.clip(at.deflection, low + EDGE, high - EDGE)
+        at_kink = np.flatnonzero(inside != at.deflection).tolist()
+        if not at_kink:
+            return at
+        bearings, slope = self.network.bearings, at.slope.copy()
+        for k in at_kink:
+            slope[k] = bearings.count[k] * load.laws[k](inside[k])[1]
+        more = (bearings.row.T * (slope - at.slope)) @ bearings.row
         return replace(at, stiffness=at.stiffness + more, slope=slope)
 
-    def rate(self, at: Balance) -> tuple[Array, Array]:
+    def rate(self, at: Balance) -> tuple[Array, Array, float]:
         """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],
-        over the whole step."""
+        over the whole step; the sum of the magnitudes of force that are added [N]."""
         a, b = self.start, self.end
         bearings, springs = self.network.bearings, self.network.springs
-        blended = [
-            0.0 if old is new else new(d)[0] - old(d)[0]
-            for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
-        ]
-        push = bearings.count * bearings.side * np.array(blended) + at.slope * (b.shift - a.shift)
+        push = at.slope * (b.shift - a.shift)
+        if a.laws != b.laws:
+            blended = [
+                0.0 if old is new else new(d)[0] - old(d)[0]
+                for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
+            ]
+            push += bearings.count * bearings.side * np.array(blended)
         gap = b.gap - a.gap
-        force = b.force - a.force - push @ bearings.row + (springs.soft * gap) @ springs.row
-        return force, gap
+        outer, pull = b.force - a.force, springs.soft * gap
+        size = float(np.abs(outer).sum() + np.abs(push).sum() + np.abs(pull).sum())
+        return outer - push @ bearings.row + pull @ springs.row, gap, size

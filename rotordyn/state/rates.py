@@ -12,15 +12,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.state.contacts import State, held, independent, solve
+from rotordyn.state.contacts import TINY, State, held, independent, solve
 from rotordyn.state.network import Network, Step
+from rotordyn.state.no_equilibrium import endless
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 AT_LIMIT = 1e-9  # of the friction limit, of the sum of forces
 TOUCHING = 1e-13  # m
 ROUNDING = 1e-9  # of the largest rate
-FLIPS = 400
+SLOW = 1e-3  # of what the force moves the stiffest body by
+FLIPS = 400  # of one contact each
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -34,24 +36,57 @@ class Open:
     friction: NDArray[np.int_]
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class Rates:
+    """Over the share of the step, contacts as they are: of positions ``x`` (bodies,) [m], of
+    ``friction`` that sticks (frictions,) and of what closed stops ``press`` with (stops,) [N].
+
+    ``pace`` [m]: what ``x`` is measured by, more than rounding leaves where every body is held.
+    """
+
+    x: Array
+    friction: Array
+    press: Array
+    pace: float
+
+
+def rates(step: Step, state: State) -> Rates:
+    """Rates of a state whose contacts stay as they are."""
+    force, gap, size = step.rate(state.at)
+    joints = held(step.network, state, gap)
+    way = _driven(joints.row, joints.rigid, gap)
+    x, mu = solve(state.at.stiffness, force, joints.row, way)
+    friction, press = np.zeros_like(state.friction), np.zeros_like(state.press)
+    _, pressing, friction[joints.sticks] = joints.forces(mu)
+    press[joints.closed] = step.network.stops.side[joints.closed] * pressing
+    return Rates(x, friction, press, _pace(x, size, state))
+
+
+def _pace(v: Array, size: float, state: State) -> float:
+    slow = SLOW * size / max(float(state.at.stiffness.max()), TINY)
+    return float(np.abs(v).max()) + slow + TINY
+
+
 def velocity(step: Step, state: State) -> Array:
     """dx over the share of the step (bodies,), contacts as they are."""
-    force, gap = step.rate(state.at)
-    joints = held(step.network, state, gap)
-    return solve(state.at.stiffness, force, joints.row, _driven(joints.row, joints.rigid, gap))[0]
+    return rates(step, state).x
 
 
-def turned(step: Step, state: State, sticks: int | None = None) -> State:
-    """The state with the contacts the path goes on with; friction ``sticks`` is known to stick."""
+def turned(step: Step, state: State, share: float, sticks: int | None = None) -> State:
+    """The state with the contacts the path goes on with, ``share`` of the step done; friction
+    ``sticks`` is known to stick.
+
+    Raises
+    ------
+    NoEquilibrium : rounding decides which contacts hold
+    """
     may = _undecided(step.network, state, sticks)
     if not len(may.row):
         return state
-    fixed = replace(
-        state,
-        slip=np.where(np.isin(np.arange(len(state.slip)), may.friction), 1, state.slip),
-        closed=state.closed & ~np.isin(np.arange(len(state.closed)), may.stop),
-    )
-    return _decided(step.network, state, may, _complementary(step, state, fixed, may))
+    slip, closed = state.slip.copy(), state.closed.copy()
+    slip[may.friction[may.friction >= 0]], closed[may.stop[may.stop >= 0]] = 1, False
+    fixed = replace(state, slip=slip, closed=closed)
+    return _decided(step.network, state, may, _complementary(step, fixed, share, may))
 
 
 def _undecided(network: Network, state: State, sticks: int | None) -> Open:
@@ -78,29 +113,30 @@ def _undecided(network: Network, state: State, sticks: int | None) -> Open:
     )
 
 
-def _complementary(step: Step, state: State, fixed: State, may: Open) -> Flags:
-    """Which of the contacts hold; ``fixed``: the state with all of them free."""
-    force, gap = step.rate(state.at)
+def _complementary(step: Step, fixed: State, share: float, may: Open) -> Flags:
+    """Which of the contacts hold; ``fixed``: the state with all of them free.
+
+    Those that hold are independent: without that the least-index method may go round for ever.
+    """
+    force, gap, size = step.rate(fixed.at)
     joints = held(step.network, fixed, gap)
     way = _driven(joints.row, joints.rigid, gap)
     acts = may.acts.copy()
+    acts[acts] = independent(np.concatenate([joints.row, may.row[acts]]))[len(way) :]
     for _ in range(FLIPS):
-        chosen = np.flatnonzero(acts)
-        row = np.concatenate([joints.row, may.row[chosen]])
-        needed = independent(row)
-        target = np.concatenate([way, np.zeros(len(chosen))])
-        v, mu = solve(state.at.stiffness, force, row[needed], target[needed])
-        rate = np.zeros(len(row))
-        rate[needed] = mu
+        row = np.concatenate([joints.row, may.row[acts]])
+        target = np.concatenate([way, np.zeros(len(row) - len(way))])
+        v, mu = solve(fixed.at.stiffness, force, row, target)
         push = np.zeros(len(acts))
-        push[chosen] = rate[len(way) :]
+        push[acts] = mu[len(way) :]
         opening = np.where(acts, 0.0, may.row @ v)
-        wrong = (opening < -ROUNDING * np.abs(v).max()) | (push < -ROUNDING * np.abs(force).max())
+        wrong = opening < -ROUNDING * _pace(v, size, fixed)
+        wrong |= push < -ROUNDING * size
         if not wrong.any():
-            break
+            return acts
         first = int(np.flatnonzero(wrong)[0])
         acts[first] = not acts[first]
-    return acts
+    raise endless(step, share, velocity(step, fixed))
 
 
 def _driven(row: Array, rigid: list[int], gap: Array) -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
 from rotordyn.state.contacts import State, contact_forces
-from rotordyn.state.network import Load, Network, Step
+from rotordyn.state.network import Load, Network, Step, pieces
 
 Array = NDArray[np.float64]
 BALANCED = 1e-6  # of the sum of forces
@@ -45,7 +45,7 @@ def at_rest(parts: Network, load: Load) -> State:
         closed=closed & (press > 0.0),
         press=press,
         rigid=carried[: rigid.sum()],
-        loaded=at.deflection > np.array([law.free for law in load.laws]),
+        piece=pieces(load.laws, at.deflection),
         at=at,
     )
     left = at.force + contact_forces(parts, state)

@@ -176,7 +176,7 @@ def test_a_history_without_friction_is_warned_of() -> None:
 def test_the_stop_is_met_where_the_path_meets_it() -> None:
     found = scene(rubbing(), [0.0, 20000.0, 24000.0])
     speed = float(found.stop_speeds[0])
-    near = np.array([0.999, 1.001]) * speed
+    near = np.array([1.0 - 1e-8, 1.0 + 1e-8]) * speed
     held = Scene(found.spindle, found.conditions, near).preload.net.held[:, FRONT]
     assert held.tolist() == [False, True]
     smooth = float(scene(mfw2310(), [0.0, 20000.0, 24000.0]).stop_speeds[0])

@@ -1,0 +1,47 @@
+"""Where a path cannot be followed any further, and the sentence about it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import NoSolution
+from rotordyn.state.network import Step
+
+Array = NDArray[np.float64]
+
+
+class NoEquilibrium(NoSolution):
+    """Nothing balances a body beyond some place of the path.
+
+    ``share`` of the step done; ``body`` that runs away.
+    """
+
+    def __init__(self, share: float, body: str, sentence: str) -> None:
+        self.share, self.body = share, body
+        super().__init__(sentence)
+
+
+def endless(step: Step, share: float, v: Array) -> NoEquilibrium:
+    """Contacts change back and forth; ``v`` (bodies,): rates of the positions."""
+    body = step.network.bodies[int(np.abs(v).argmax())]
+    return NoEquilibrium(
+        share,
+        body,
+        f"body {body}: which of its contacts stick, slide or close changes with rounding; "
+        "change a limit of friction or a force of the step by a thousandth of it",
+    )
+
+
+def nothing(step: Step, share: float, v: Array) -> NoEquilibrium:
+    """A body runs away; ``v`` (bodies,): rates of the positions."""
+    bodies, force = step.network.bodies, step.load(share).force
+    body = bodies[int(np.abs(v).argmax())]
+    pushed = int(np.abs(force).argmax())
+    under = f"{force[pushed]:.6g} N on {bodies[pushed]}" if force[pushed] else "no external force"
+    return NoEquilibrium(
+        share,
+        body,
+        f"body {body} has no equilibrium under {under}: nothing holds it any longer; lower the "
+        "force, or hold it with a spring or a stop",
+    )
