@@ -320,7 +320,7 @@ def test_a_load_takes_two_moves_of_the_balls(monkeypatch: pytest.MonkeyPatch) ->
     )
     spec = StiffnessSpec("Oc2", 500.0, 10, ("nonlinear",))
     assert stiffness_answer(found, spec).outcome == ("",) * 13
-    assert len(solves) == 1
+    assert not solves  # balls stand as the preload has them
     assert len(moves) <= 1 + 10 * 2 + 2  # no load; ten loads; stops that close
 
 
