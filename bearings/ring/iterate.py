@@ -99,7 +99,9 @@ def iterate_of(
     there = np.arange(len(state.operation.speed)).reshape(state.operation.shape)[grid]
     index = there.ravel()
     chosen = state.operation.repeated(index, state.operation.speed[index])
-    parts = parts_of(replace(chosen, displacement=state.displacement[grid].reshape(-1, 5)), assembly)
+    parts = parts_of(
+        replace(chosen, displacement=state.displacement[grid].reshape(-1, 5)), assembly
+    )
     ball = state.ball_centre[:, *grid][..., : parts[0][1].assembly.balls]
     return _linearised(parts, there.shape, state.displacement[grid], ball)
 

@@ -276,9 +276,7 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
     return NetworkState(x, held, response, error, converged)
 
 
-def _apart(
-    network: Network, x: Array, quick: NetworkState, fixed: Flags
-) -> tuple[Array, Response]:
+def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tuple[Array, Response]:
     """Every bearing solved by itself where ``_together`` has led, or at ``x`` where that is no
     equilibrium of such bearings: balls followed from place to place may be on another branch."""
     there = np.where(quick.converged[:, None], quick.position, x)
