@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.stiffness.tables import LAYOUTS
