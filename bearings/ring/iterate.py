@@ -102,7 +102,8 @@ def iterate_of(
     parts = parts_of(
         replace(chosen, displacement=state.displacement[grid].reshape(-1, 5)), assembly
     )
-    ball = state.ball_centre[:, *grid][..., : parts[0][1].assembly.balls]
+    balls = parts[0][1].assembly.balls
+    ball = state.ball_centre.reshape(2, len(state.operation.speed), -1)[:, index, :balls]
     return _linearised(parts, there.shape, state.displacement[grid], ball)
 
 
