@@ -104,6 +104,7 @@ def iterate_of(
     )
     balls = parts[0][1].assembly.balls
     ball = state.ball_centre.reshape(2, len(state.operation.speed), -1)[:, index, :balls]
+    ball = ball.reshape(2, *there.shape, balls)
     return _linearised(parts, there.shape, state.displacement[grid], ball)
 
 
