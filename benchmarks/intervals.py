@@ -5,7 +5,8 @@ python -m benchmarks.intervals [--count N] [--first K] [--parts N] [--only MACHI
 Of four spindles, with what is usually uncertain of them: sum of preloads and radial stiffness at
 rest and at top speed. The range from few runs (``rotordyn.study.interval``) beside the 2.5 % and
 97.5 % quantiles of machines drawn within the same tolerances (Latin hypercube), all of which are
-solved; their difference over the width of the range. Parts of the sample are kept and put together.
+solved; their difference over the width of the range, and the sampling error of that by bootstrap.
+Parts of the sample are kept and put together.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ MACHINES = {  # case -> point
     "grinding_spindle_catalogue": "nose",
     "grinding_spindle_interval": "nose",
 }
-COUNT, PARTS, RUNS = 10_000, 40, 3
+COUNT, PARTS, RUNS, RESAMPLED = 10_000, 40, 3, 1000
 SETS = (
     (("outer", "hybrid"), ("equal", "outer")),
     (("outer", "hybrid"), ("equal", "outer", "inner")),
@@ -105,18 +106,28 @@ def measure(name: str, values: Array) -> dict[str, Any]:
     for name_of, column in zip(names, values.T, strict=True):
         k = held.number.index(name_of)
         few, ends = held.tolerances[k], np.nanpercentile(column, (2.5, 97.5))
+        width = max(np.ptp(ends), 1e-9 * ends[1])
+        apart, scatter = np.abs(few - ends) / width, _scatter(column) / width
         lines.append(
             {
                 "number": f"{name_of} [{held.unit[k]}]",
                 "nominal": float(held.nominal[k]),
                 "few": few.tolist(),
                 "random": ends.tolist(),
-                "error": float(np.abs(few - ends).max() / max(np.ptp(ends), 1e-9 * ends[1])),
+                "error": float(apart.max()),
+                "sampling": float(scatter[apart.argmax()]),
                 "without": float(np.isnan(column).mean()),
                 "interaction": float(held.interaction[k]),
             }
         )
     return {"runs": held.runs, "count": len(values), "seconds": seconds, "lines": lines}
+
+
+def _scatter(column: Array) -> Array:
+    """Standard deviation of both quantiles as of other samples of that size, by the bootstrap."""
+    known, rng = column[np.isfinite(column)], np.random.default_rng(0)
+    again = (rng.choice(known, len(known)) for _ in range(RESAMPLED))
+    return np.std([np.percentile(each, (2.5, 97.5)) for each in again], axis=0)
 
 
 def costs() -> list[dict[str, Any]]:

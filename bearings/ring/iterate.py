@@ -91,6 +91,23 @@ def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> It
     return _linearised(parts, state.operation.shape, state.displacement, ball)
 
 
+def iterate_of(
+    state: BearingState, rows: Index, columns: Index, assembly: Callable[[Geometry], Assembly]
+) -> Iterate:
+    """Some bearings of a solved batch (speeds, places), also repeated: ``rows`` and ``columns``."""
+    grid = np.ix_(rows, columns)
+    there = np.arange(len(state.operation.speed)).reshape(state.operation.shape)[grid]
+    index = there.ravel()
+    chosen = state.operation.repeated(index, state.operation.speed[index])
+    parts = parts_of(
+        replace(chosen, displacement=state.displacement[grid].reshape(-1, 5)), assembly
+    )
+    balls = parts[0][1].assembly.balls
+    ball = state.ball_centre.reshape(2, len(state.operation.speed), -1)[:, index, :balls]
+    ball = ball.reshape(2, *there.shape, balls)
+    return _linearised(parts, there.shape, state.displacement[grid], ball)
+
+
 def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Parts:
     """States at given displacements that turn, and those at rest."""
     whole = replace(Problem.of(operation, assembly), free=np.zeros(5, dtype=bool))

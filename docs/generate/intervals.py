@@ -26,10 +26,16 @@ def _ranges(found: dict[str, Any]) -> str:
             few, drawn = (f"{a:.4g} to {b:.4g}" for a, b in (line["few"], line["random"]))
             apart, far = f"{100.0 * line['error']:.1f} %", line["error"] > LIMIT
             none = f"{100.0 * line['without']:.0f} % without" if line["without"] else ""
-            words = ", ".join(filter(None, ("**more than 5 %**" if far else "", none)))
+            words = ", ".join(filter(None, (_far(line) if far else "", none)))
             nominal = f"{line['nominal']:.4g}"
             rows.append(("" if place else runs, line["number"], nominal, few, drawn, apart, words))
     return table(head, rows)
+
+
+def _far(line: dict[str, float]) -> str:
+    """That few runs are far off, and how far beside the error of the sample."""
+    times, sampling = line["error"] / line["sampling"], 100.0 * line["sampling"]
+    return f"**more than 5 %**, {times:.1f} times the sampling error of {sampling:.1f} %"
 
 
 def _costs(lines: list[dict[str, float]]) -> str:

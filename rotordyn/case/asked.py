@@ -127,12 +127,26 @@ def faults_of(case: Case) -> Faults:
     for key in ("tolerances", "sensitivities"):
         for path, text in getattr(given, key).items():
             try:
-                found = tolerance(case, path, text or STEP)
+                found = tolerance(case, path, STEP if text is None else text)
                 for share in (0.0, 1.0):
                     vary(case, found.at(share))
             except InvalidInput as refusal:
                 sentence = str(refusal).removeprefix(f"{path}: ").replace("{", "(")
                 yield ("uncertain", key, path), sentence
+    yield from _twice(case, given.hypotheses, given.tolerances)
+
+
+def _twice(case: Case, hypotheses: Mapping[str, Any], tolerances: Mapping[str, Any]) -> Faults:
+    """Numbers that two entries move."""
+    moved = {place: name for name in hypotheses for place in _places(case, _full(name))}
+    for path in tolerances:
+        here = _places(case, path)
+        if other := next((moved[place] for place in sorted(here & {*moved})), None):
+            yield (
+                ("uncertain", "tolerances", path),
+                f"is moved by '{other}' too: one of both",
+            )
+        moved |= dict.fromkeys(here, path)
 
 
 def _hypotheses(case: Case, given: Mapping[str, Any]) -> Faults:

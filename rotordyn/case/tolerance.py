@@ -147,6 +147,8 @@ def _limits(value: Any, annotation: Any, text: str) -> tuple[float, float, bool]
         raise InvalidInput("is infinite in this case; a tolerance needs a number")
     quantity = quantity_of(annotation) or Quantity("number")
     low, high, log = _numbers(float(value), quantity, text.strip().replace("\u2212", "-"))
+    if low > high:
+        raise InvalidInput(f"the lower end comes first: given '{text}'")
     if not low < high or high - low <= LEAST * max(abs(low), abs(high)):
         hint = ", a share of 0 is 0: give it with a unit" if value == 0 and "%" in text else ""
         raise InvalidInput(f"a tolerance without width: given '{text}'{hint}")
@@ -182,6 +184,8 @@ def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float,
             raise InvalidInput(f"a factor is above 1, of a value above 0: given '{text}'")
         return value / by, value * by, True
     if match := BOTH.fullmatch(text):
+        if match[1].startswith("-"):
+            raise InvalidInput(f"a tolerance either way is above 0: given '{text}'")
         half = _difference(value, match[1], match[2], apart)
         return value - half, value + half, False
     if match := APART.fullmatch(text):

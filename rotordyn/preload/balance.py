@@ -115,6 +115,14 @@ class Balance:
         )
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
+    def begun(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
+        """The point of the preload state it was made of, with bearings as solved there."""
+        if state.lateral is not None or self.offset.any() or not state.usable[index].all():
+            return self.evaluate(self.start, None)
+        states = state.net.response.states
+        bearings = BearingIterates.chosen(states, self.bearings, index, self._assembly)
+        return self._point(self.start, bearings)
+
     @property
     def _assembly(self) -> Callable[[Geometry], Assembly]:
         """Which balls are solved: half of them where everything lies in plane y."""

@@ -49,6 +49,25 @@ class BearingIterates:
 
         return cls({k: (balls.places, iterate(balls.state, ring)) for k, balls in states.items()})
 
+    @classmethod
+    def chosen(
+        cls,
+        states: States,
+        bearings: Sequence[int],
+        rows: NDArray[np.intp],
+        ring: Callable[[Geometry], Assembly],
+    ) -> BearingIterates:
+        """The same at some of their speeds; which of ``bearings`` solved stands at every place."""
+        from bearings.ring.iterate import iterate_of
+
+        of = {}
+        for alike, balls in states.items():
+            columns = {bearing: k for k, bearing in enumerate(balls.places)}
+            places = [k for k, bearing in enumerate(bearings) if bearing in columns]
+            at = np.array([columns[bearings[k]] for k in places])
+            of[alike] = places, iterate_of(balls.state, rows, at, ring)
+        return cls(of)
+
     def __iter__(self) -> Iterator[tuple[list[int], Any]]:
         return iter(self.of.values())
 

@@ -234,12 +234,10 @@ def solve(
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    if network.one_branch:
-        quick = _together(network, x, held, near)
-        if quick.converged.all():
-            return quick
-        x = np.where(quick.converged[:, None], quick.position, x)
-    response = network.respond(x)
+    quick = _together(network, x, held, near)
+    if network.one_branch and quick.converged.all():
+        return quick
+    x, response = _apart(network, x, quick, fixed)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
@@ -278,11 +276,26 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
     return NetworkState(x, held, response, error, converged)
 
 
+def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tuple[Array, Response]:
+    """Every bearing solved by itself where ``_together`` has led, or at ``x`` where that is no
+    equilibrium of such bearings: balls followed from place to place may be on another branch."""
+    there = np.where(quick.converged[:, None], quick.position, x)
+    response = network.respond(there)
+    error = network.error(there, response, fixed)[1]
+    astray = quick.converged & ~(error < 1e3 * TOLERANCE)
+    if not astray.any():
+        return there, response
+    x = np.where(astray[:, None], x, there)
+    return x, network.respond(x)
+
+
 def confirmed(network: Network, net: NetworkState) -> NetworkState:
     """The same equilibrium with every bearing solved anew from its convex start.
 
     What was found by following neighbours stands only if no neighbour is needed to find it again.
     """
+    if not any(bearing.law.one_branch for bearing in network.arrangement.bearings):
+        return replace(net, converged=net.error < 1e3 * TOLERANCE)  # none was followed at the end
     response = network.respond(net.position)
     error = network.error(net.position, response, net.held | network.springs.fixed)[1]
     return NetworkState(net.position, net.held, response, error, error < 1e3 * TOLERANCE)

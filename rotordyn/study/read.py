@@ -104,7 +104,7 @@ def _opened(path: str | Path, kind: type) -> _Opened:
     asked = reading.fields(kind, root, annotations={"vary": Any})
     if reader.faults:
         raise InvalidInput(in_order(reader.faults.reported, root.file))
-    case = case_of(asked["case"], file)
+    case = case_of(asked["case"], root)
     case = replace(case, name=file.stem, title=asked["title"] or case.title)
     varied = _varied(reading, case, root.at("vary"))
     if reader.faults:
@@ -112,9 +112,24 @@ def _opened(path: str | Path, kind: type) -> _Opened:
     return _Opened(root, asked, case, varied)
 
 
-def case_of(reference: str, beside: Path) -> Case:
-    """The case that a file names: another file beside it, or one that comes with rotordyn."""
-    return load(beside.parent / Path(reference).expanduser() if is_path(reference) else reference)
+def case_of(reference: str, root: Node) -> Case:
+    """The case that a file names: another file beside it, or one that comes with rotordyn.
+
+    Raises
+    ------
+    InvalidInput : there is none, at its key; or its own faults
+    """
+    beside = Path(root.file).parent
+    named = beside / Path(reference).expanduser() if is_path(reference) else reference
+    try:
+        return load(named)
+    except InvalidInput as refusal:
+        none = f"{named}:1:1: "
+        if (why := str(refusal).removeprefix(none)).startswith("no such file"):
+            faults = Faults()
+            faults.at(root, ("case",), f"{why.rstrip()}: given '{reference}'")
+            raise InvalidInput(in_order(faults.reported, root.file)) from None
+        raise
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -68,3 +69,10 @@ def add(path: Path, line: Mapping[str, Any]) -> None:
             file.write(json.dumps(line) + "\n")
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def withdraw(path: Path) -> None:
+    """Remove what was begun and holds nothing of use, with its folder where that is empty then."""
+    with suppress(OSError):
+        path.unlink()
+        path.parent.rmdir()

@@ -33,8 +33,12 @@ def run(
     from rotordyn.study.interval import interval as interval_of
 
     if isinstance(case, Case):
-        for each in case.variants.values() if case.variants else (case,):
-            asked_of(each)
+        every = [asked_of(each) for each in case.variants.values() or (case,)]
+        if not any(each.hypotheses or each.tolerances or each.steps for each in every):
+            raise InvalidInput(
+                "interval: nothing that is uncertain changes this case: name hypotheses or "
+                "tolerances of what it gives"
+            )
     solution = job.run(case, progress).solution
     held = {
         name: interval_of(part, answers.results, progress)

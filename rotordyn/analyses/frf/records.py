@@ -261,10 +261,10 @@ def _record(
         raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
     for refusal in filter(None, map(FREQUENCY.refusal, frequency)):
         raise InvalidInput(refusal)
-    for before, here in pairwise(frequency):
+    for place, (before, here) in enumerate(pairwise(frequency), start=2):
         if here <= before:
             how = "repeated" if here == before else "not in ascending order"
-            raise InvalidInput(f"frequency: {how}: given {here:.6g} after {before:.6g}")
+            raise InvalidInput(f"frequency {place}: {how}: given {here:.6g} after {before:.6g}")
     if not any(values):
         raise InvalidInput(NO_RESPONSE)
     if not all(map(cmath.isfinite, values)):

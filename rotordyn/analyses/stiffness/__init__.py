@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.stiffness.tables import LAYOUTS
-
-LIGHT = 1.0  # N: headline numbers and curves are tangents at no load
 
 ANALYSIS = in_folder(
     __name__,
@@ -21,5 +17,5 @@ ANALYSIS = in_folder(
     ports=lambda spec: (spec.point,),
     tables=LAYOUTS,
     heading="radial stiffness at no load",
-    lean=lambda spec: replace(spec, steps=1, max_force=min(spec.max_force, LIGHT)),
+    lean=lambda spec: spec.unloaded,
 )

@@ -64,12 +64,12 @@ class RadialCurve:
         return RadialCurve(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
-def radial_curve(problem: Balance, force: Array) -> RadialCurve:
-    """Deflection under loads that ascend evenly from zero; every speed stands on its own."""
+def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
+    """Deflection under loads that ascend evenly from zero, where the machine stands ``here``; every
+    speed stands on its own."""
     p, point, start = len(problem.rotor.point), problem.rotor.point, problem.start
-    here = problem.evaluate(start, None)
     every = np.ones(len(start), dtype=bool)
-    step, slope = float(force[1] - force[0]), problem.per_newton(here, every)
+    step, slope = float(force[-1]) / max(len(force) - 1, 1), problem.per_newton(here, every)
     before, last = None, _load_step(problem, here, step * slope)
     deflection, tangent = np.zeros((len(start), len(force))), 1.0 / slope[:, :p].dot(point)
     outcome = np.full(len(start), "", dtype=object)

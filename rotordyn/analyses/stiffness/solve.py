@@ -85,9 +85,16 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         outcome=_outcome(scene, variants),
         deflection=scene.scattered(deflection),
         tangent=scene.scattered(np.stack([v.tangent for v in variants.values()], axis=1)),
-        secant=scene.scattered(force[-1] / deflection[..., -1]),
+        secant=scene.scattered(_secant(force, deflection)),
         unloading_force=scene.scattered(unloading if usual is None else usual.unloading),
     )
+
+
+def _secant(force: Array, deflection: Array) -> Array:
+    """At full load (usable, variants) [N/m]; NaN where none is asked for."""
+    if len(force) == 1:
+        return np.full(deflection.shape[:-1], np.nan)
+    return np.asarray(force[-1] / deflection[..., -1])
 
 
 def _rotor(
@@ -127,7 +134,8 @@ def _nonlinear(
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    return radial_curve(Balance.at(state, rotor, distinct), force).at(place)
+    problem = Balance.at(state, rotor, distinct)
+    return radial_curve(problem, problem.begun(state, distinct), force).at(place)
 
 
 def _as_variant(curve: RadialCurve) -> Variant:

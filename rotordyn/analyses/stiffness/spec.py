@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated
 
-from rotordyn.description import Faults, repeated
+from rotordyn.description import Faults, repeated, unchecked
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.matrix import entry_name
 from rotordyn.quantity import Choice, LightLoad, Name, Travel, Whole
@@ -37,6 +37,12 @@ class StiffnessSpec(Spec):
             yield ("variants",), "no variants: at least one is needed"
         for index, sentence in repeated(self.variants):
             yield ("variants", index), sentence
+
+    @property
+    def unloaded(self) -> StiffnessSpec:
+        """The same without any load: tangents alone, which headline numbers and curves are."""
+        with unchecked():
+            return replace(self, steps=0)
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle = setting.spindle

@@ -10,7 +10,7 @@ values are, ``profile`` the same without straight lines, ``criterion`` when a mo
 that joins these.
 """
 
-from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
+from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad
 from rotordyn.study.identification.identification import Identification
 from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.models import Phase
@@ -18,6 +18,7 @@ from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.prediction import Predicted
 from rotordyn.study.identification.responses import Responses
 from rotordyn.study.identification.solve import identify
+from rotordyn.study.identification.stop_met import StopMet
 from rotordyn.study.identification.unknown import Unknown
 
 __all__ = [

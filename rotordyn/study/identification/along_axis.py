@@ -1,5 +1,4 @@
-"""Axial measurements: displacement over force on both branches, without load over speed, stiffness,
-and where a sleeve meets its stop."""
+"""Axial measurements: displacement over force on both branches, without load, and stiffness."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ NEAR = 100.0  # N, either side of no load, between which stiffness is read
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Axial:
+class Axial:
     """What axial measurements share."""
 
     name: str
@@ -77,7 +76,8 @@ def _as_arrays(measurement: Any, *names: str) -> None:
         object.__setattr__(measurement, name, values)
 
 
-def _row(trial: Trial, speed: float) -> int:
+def row_at(trial: Trial, speed: float) -> int:
+    """The row of a speed [rad/s] among the axial ones of a trial."""
     return int(np.abs(np.array(trial.axial_speeds) - speed).argmin())
 
 
@@ -90,7 +90,7 @@ def _require_speeds(name: str, speed: Array) -> None:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class AxialCurve(_Axial):
+class AxialCurve(Axial):
     """Displacement of ``of`` ("shaft" or a sleeve) under an axial force that falls and rises.
 
     ``speed`` [rad/s], ``branch``, ``force`` [N] (besides that of the case) and ``displacement`` [m]
@@ -220,14 +220,14 @@ class AxialCurve(_Axial):
         curves = list(self._curves())
         for (speed, _, falling), (_, _, rising) in zip(curves[::2], curves[1::2], strict=True):
             forces = self.force[falling], self.force[rising]
-            branches = trial.cycle(_row(trial, speed), *forces, self.lowest, self.highest)
+            branches = trial.cycle(row_at(trial, speed), *forces, self.lowest, self.highest)
             for rows, shifts in zip((falling, rising), branches, strict=True):
                 found[rows] = shifts[:, body]
         return found
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class NoLoad(_Axial):
+class NoLoad(Axial):
     """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m].
 
     ``tare`` [m]: standard deviation of an offset of all points.
@@ -276,12 +276,12 @@ class NoLoad(_Axial):
     def predicted(self, trial: Trial) -> Array:
         """Displacements of the body (n,) [m]."""
         body = trial.axial.bodies.index(self.of)
-        rows = [_row(trial, speed) for speed in self.speed.tolist()]
+        rows = [row_at(trial, speed) for speed in self.speed.tolist()]
         return np.asarray(trial.axial.shift[rows, body])
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class AxialStiffness(_Axial):
+class AxialStiffness(Axial):
     """Axial stiffness of the shaft at no load [N/m] over ``speed`` [rad/s] on one ``branch``.
 
     Read between two forces ``near`` [N] either side of ``about`` [N], within a cycle from
@@ -306,11 +306,16 @@ class AxialStiffness(_Axial):
                 f"measurement {self.name}: branch {shown(self.branch)}; allowed: "
                 f"{', '.join(BRANCHES)}"
             )
+        if not self.near > 0.0:
+            raise InvalidInput(
+                f"measurement {self.name}: near: given {self.near:g} N; allowed: above 0 N"
+            )
         ends = self.about - self.near, self.about + self.near
         if not self.lowest < ends[0] < ends[1] < self.highest:
             raise InvalidInput(
-                f"measurement {self.name}: the cycle goes beyond {ends[0]:g} N to {ends[1]:g} N: "
-                f"got {self.lowest:g} N to {self.highest:g} N"
+                f"measurement {self.name}: the cycle goes beyond {ends[0]:g} N to {ends[1]:g} N, "
+                f"where the stiffness is read: given lowest {self.lowest:g} N, highest "
+                f"{self.highest:g} N"
             )
 
     @cached_property
@@ -336,64 +341,10 @@ class AxialStiffness(_Axial):
         found = []
         for speed in self.speed.tolist():
             forces = self.about + np.array([-self.near, self.near])
-            row, ends = _row(trial, speed), (self.lowest, self.highest)
+            row, ends = row_at(trial, speed), (self.lowest, self.highest)
             falling, rising = trial.cycle(row, forces[::-1], forces, *ends)
             u = (falling if self.branch == BRANCHES[0] else rising)[:, 0]
             if u[1] == u[0]:
                 raise NoSolution("the shaft does not move under an axial force")
             found.append(2.0 * self.near / abs(u[1] - u[0]))
         return np.array(found)
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class StopMet(_Axial):
-    """A ``sleeve`` just meets its stop at a ``speed`` [rad/s], after a run-up without further
-    force, or on the falling branch of a cycle between two forces, at ``force`` [N].
-
-    What counts is how far the sleeve, without its stop, would stand from it; ``deviation`` [m].
-    """
-
-    sleeve: str
-    speed: float
-    force: float | None = None
-    lowest: float | None = None
-    highest: float | None = None
-
-    @property
-    def data(self) -> Data:
-        """A gap of zero."""
-        one = np.ones(1)
-        at = one * (self.speed / RPM if self.force is None else self.force)
-        along = "speed [rpm]" if self.force is None else "axial force [N]"
-        deviation = self.deviation * one
-        return Data(self.name, 0.0 * one, deviation, "µm", 1e6, at, along, (self.sleeve,))
-
-    def _speeds(self) -> list[float]:
-        return [self.speed]
-
-    @property
-    def _body(self) -> str:
-        return self.sleeve
-
-    def faults(self, case: Case) -> Iterator[str]:
-        """Also a sleeve without a stop, a force without a cycle."""
-        yield from super().faults(case)
-        if self.force is not None and (self.lowest is None or self.highest is None):
-            yield f"measurement {self.name}: a force lies in a cycle: give its lowest and highest"
-        for sleeve in case.spindle.sleeves if case.spindle else ():
-            if sleeve.name == self.sleeve and not np.isfinite(sleeve.stop_travel):
-                yield f"measurement {self.name}: sleeve {self.sleeve} has no stop"
-
-    def predicted(self, trial: Trial) -> Array:
-        """The gap (1,) [m], below 0 beyond the stop."""
-        assert trial.case.spindle is not None
-        sleeve = next(s for s in trial.case.spindle.sleeves if s.name == self.sleeve)
-        free = trial.along(without_stop=self.sleeve)
-        body, row = free.bodies.index(self.sleeve), _row(trial, self.speed)
-        if self.force is None:
-            moved = free.idle[row, body] - free.mounted[body]
-        else:
-            path = [self.highest or 0.0, self.lowest or 0.0, self.highest or 0.0, self.force]
-            moved = free.under(row, path)[-1, body] + free.still[body] - free.mounted[body]
-        way = free.instants[row].slides[body - 1].way
-        return np.array([sleeve.stop_travel + way * moved])

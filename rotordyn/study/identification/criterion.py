@@ -68,7 +68,7 @@ class Criterion:
             return [words + self._worst(problem, left, mean)]
         if sure.degrees < 1 or _by_noise(sure) > UNLIKELY:
             return []
-        words = f"differs by {np.sqrt(sure.reduced):.2g} times the stated noise: {_test(sure)}"
+        words = f"differs by {_of_noise(sure)}: {_test(sure)}"
         return [words + self._worst(problem, left, mean)]
 
     def _worst(self, problem: Problem, left: Sequence[Array], mean: float) -> str:
@@ -91,10 +91,15 @@ class Criterion:
             held = "no more points than values: nothing is left to check it by"
         else:
             held = (
-                f"{np.sqrt(sure.reduced):.2g} times the stated noise in the root mean square, as "
-                f"noise alone may be: {_test(sure)}"
+                f"{_of_noise(sure)} in the root mean square, as noise alone may be: {_test(sure)}"
             )
         return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {held}"
+
+
+def _of_noise(sure: Certainty) -> str:
+    """The root mean square of the differences over the stated noise, in words."""
+    times = f"{np.sqrt(sure.reduced):.2g}"
+    return "as much as the stated noise" if times == "1" else f"{times} times the stated noise"
 
 
 def _by_noise(sure: Certainty) -> float:

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rotordyn.case.written import write_changed
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.figures.style import USUAL_FORMATS
-from rotordyn.study.identification.started import Progress
+from rotordyn.study import record
+from rotordyn.study.identification.started import JOURNAL, Progress
 from rotordyn.study.identification.summary import summary, write_tables
 
 if TYPE_CHECKING:
@@ -31,11 +32,16 @@ def deliver(
 
     Raises
     ------
-    InvalidInput, NoSolution : see ``identify``; searches that ended stay in the folder
+    InvalidInput, NoSolution : see ``identify``; searches that ended stay in the folder, unless none
+        has a machine with a solution
     """
     from rotordyn.study.identification.solve import identified
 
-    found = identified(held, workers, folder, progress)
+    try:
+        found = identified(held, workers, folder, progress)
+    except NoSolution:
+        record.withdraw(folder / JOURNAL)
+        raise
     write(found, folder, draw=draw)
     return found, summary(found)
 

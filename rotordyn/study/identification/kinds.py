@@ -8,17 +8,25 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad, StopMet
+from rotordyn.quantity import Force, Quantity, Speed
+from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad
 from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.points import read_points
 from rotordyn.study.identification.responses import Responses
+from rotordyn.study.identification.stop_met import StopMet
 
 Entry = Mapping[str, Any]
-COLUMNS = {"speed": "speed", "branch": None, "force": "force", "displacement": "length"}
+COLUMNS = {
+    "speed": quantity_of(Speed),
+    "branch": None,
+    "force": quantity_of(Force),
+    "displacement": Quantity("length", at_least="-100 mm", at_most="100 mm"),
+}
 
 
 def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:

@@ -90,7 +90,10 @@ def _model(
     words = [_said(case, path, value) for path, value in chosen.items()]
     label = ", ".join(part for part in (name, *words) if part) or "the case"
     holds = {**phase.values, **chosen}
-    return Model(label, vary(case, holds), wanted, holds)
+    try:
+        return Model(label, vary(case, holds), wanted, holds)
+    except InvalidInput as refusal:
+        raise InvalidInput(f"phase {name}: {refusal}" if name else str(refusal)) from None
 
 
 def _said(case: Case, path: str, value: Any) -> str:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
+from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
 Array = NDArray[np.float64]
@@ -19,16 +20,16 @@ HEAD = re.compile(r"\s*([\w ]+?)\s*(?:\[([^\]]*)\])?\s*")
 
 
 def read_points(
-    path: Path, columns: Mapping[str, str | None]
+    path: Path, columns: Mapping[str, Quantity | None]
 ) -> tuple[dict[str, Array], dict[str, tuple[str, ...]], tuple[str, ...]]:
     """Numbers [SI] and words of a table by the name of the column, and the place of each row.
 
-    ``columns``: by name the kind of quantity, None of words; all of them are needed.
+    ``columns``: by name what it holds, with its range, None of words; all of them are needed.
 
     Raises
     ------
     InvalidInput : no file, a column that is missing, unknown or in a wrong unit, a row that is
-        short or holds no number; the sentence names the file and the line
+        short or holds no number, or one out of range; the sentence names the file and the line
     """
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
@@ -42,29 +43,32 @@ def read_points(
     ]
     if not rows:
         raise InvalidInput(f"{path}: holds no table; allowed: columns {_allowed(columns)}")
-    scales = _head(path, *rows[0], columns)
-    numbers: dict[str, list[float]] = {n: [] for n, kind in columns.items() if kind is not None}
-    words: dict[str, list[str]] = {n: [] for n, kind in columns.items() if kind is None}
+    units = _head(path, *rows[0], columns)
+    numbers: dict[str, list[float]] = {n: [] for n, held in columns.items() if held is not None}
+    words: dict[str, list[str]] = {n: [] for n, held in columns.items() if held is None}
     for line, row in rows[1:]:
         if len(row) != len(rows[0][1]):
             raise InvalidInput(
                 f"{path}:{line}: has {len(row)} cells where the head has {len(rows[0][1])}"
             )
-        for place, (name, scale) in scales.items():
-            if name in words:
+        for place, (name, unit) in units.items():
+            if (quantity := columns[name]) is None:
                 words[name].append(row[place].strip())
-            else:
-                numbers[name].append(_number(path, line, name, row[place]) * scale)
+                continue
+            value = _number(path, line, name, row[place]) * parse_unit(unit).scale
+            if why := quantity.refusal(value, f"{row[place].strip()} {unit}"):
+                raise InvalidInput(f"{path}:{line}: {name}: {why}")
+            numbers[name].append(value)
     arrays = {name: np.array(values) for name, values in numbers.items()}
     places = tuple(f"{path.name}:{line}" for line, _ in rows[1:])
     return arrays, {name: tuple(values) for name, values in words.items()}, places
 
 
 def _head(
-    path: Path, line: int, head: list[str], columns: Mapping[str, str | None]
-) -> dict[int, tuple[str, float]]:
-    """By the place of a column its name, and its unit in SI."""
-    found: dict[int, tuple[str, float]] = {}
+    path: Path, line: int, head: list[str], columns: Mapping[str, Quantity | None]
+) -> dict[int, tuple[str, str]]:
+    """By the place of a column its name and its unit."""
+    found: dict[int, tuple[str, str]] = {}
     for place, cell in enumerate(head):
         match = HEAD.fullmatch(cell)
         name = match.group(1) if match else cell
@@ -74,7 +78,7 @@ def _head(
             )
         if name in (known for known, _ in found.values()):
             raise InvalidInput(f"{path}:{line}: has the column {name} twice")
-        found[place] = name, _scale(path, line, cell, columns[name], match.group(2))  # type: ignore[union-attr]
+        found[place] = name, _unit(path, line, cell, columns[name], match.group(2))  # type: ignore[union-attr]
     for name in columns:
         if name not in (known for known, _ in found.values()):
             raise InvalidInput(
@@ -83,10 +87,10 @@ def _head(
     return found
 
 
-def _scale(path: Path, line: int, cell: str, kind: str | None, unit: str | None) -> float:
-    if kind is None:
-        return 1.0
-    allowed = KINDS[kind]
+def _unit(path: Path, line: int, cell: str, held: Quantity | None, unit: str | None) -> str:
+    if held is None:
+        return ""
+    allowed = KINDS[held.kind]
     if unit is None:
         raise InvalidInput(
             f"{path}:{line}: {shown(cell.strip())} has no unit; allowed: {', '.join(allowed)}"
@@ -97,10 +101,10 @@ def _scale(path: Path, line: int, cell: str, kind: str | None, unit: str | None)
         given = None
     if given is None or given.dimension not in {parse_unit(u).dimension for u in allowed}:
         raise InvalidInput(
-            f"{path}:{line}: {shown(cell.strip())} is in no unit of {kind}; allowed: "
+            f"{path}:{line}: {shown(cell.strip())} is in no unit of {held.kind}; allowed: "
             f"{', '.join(allowed)}"
         )
-    return given.scale
+    return unit
 
 
 def _number(path: Path, line: int, name: str, cell: str) -> float:
@@ -113,9 +117,10 @@ def _number(path: Path, line: int, name: str, cell: str) -> float:
     return value
 
 
-def _allowed(columns: Mapping[str, str | None]) -> str:
+def _allowed(columns: Mapping[str, Quantity | None]) -> str:
     return ", ".join(
-        name if kind is None else f"{name} [{KINDS[kind][-1]}]" for name, kind in columns.items()
+        name if held is None else f"{name} [{KINDS[held.kind][-1]}]"
+        for name, held in columns.items()
     )
 
 

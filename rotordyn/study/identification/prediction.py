@@ -97,7 +97,10 @@ def numbers(
 
 
 def _known(of: Predicted, unit: str) -> float | None:
-    return None if of.measured is None else amount(of.measured, unit)
+    try:
+        return None if of.measured is None else amount(of.measured, unit)
+    except InvalidInput as refusal:
+        raise InvalidInput(f"{shown(of.of)}: measured: {refusal}") from None
 
 
 def _headings(case: Case, results: Mapping[str, Any], of: Criterion) -> list[str]:

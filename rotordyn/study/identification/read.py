@@ -50,7 +50,7 @@ def read_identification(path: str | Path) -> Asked:
     free = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
     given = reading.fields(IdentificationFile, root, annotations=free)
     _stop(reading, root)
-    case = case_of(given["case"], file)
+    case = case_of(given["case"], root)
     case = replace(case, name=file.stem, title=given["title"] or case.title)
     parts: dict[str, Any] = {
         "unknowns": _each(reading, root, "unknowns", case, _unknown),
@@ -66,13 +66,19 @@ def read_identification(path: str | Path) -> Asked:
     except InvalidInput as refusal:
         faults = Faults()
         place = _place(root, parts, str(refusal))
-        faults.at(root, place, str(refusal).removeprefix(f"{'.'.join(place[:1])}: "))
+        faults.at(root, place, _bare(str(refusal), place))
         raise InvalidInput(in_order(faults.reported, root.file)) from None
 
 
 def _stop(reading: Reading, root: Node) -> None:
     if reading.faults:
         raise InvalidInput(in_order(reading.faults.reported, root.file))
+
+
+def _bare(why: str, place: tuple[str, ...]) -> str:
+    """A sentence without the keys that it begins with."""
+    names = [f"{word}{key}: " for key in place for word in ("", "measurement ", "phase ")]
+    return why.removeprefix(next((name for name in names if why.startswith(name)), ""))
 
 
 def _place(root: Node, parts: dict[str, Any], why: str) -> tuple[str, ...]:

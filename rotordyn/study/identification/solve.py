@@ -25,6 +25,7 @@ from rotordyn.study.identification.criterion import Criterion
 from rotordyn.study.identification.identification import Explained, Identification
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model, Phase, models
+from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.prediction import Predicted, numbers, over_models, predictions
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import asked_profiles
@@ -85,8 +86,9 @@ def asked(  # noqa: PLR0913 - see identify
     _require_points(every, measurements)
     searches = Searches(every, tuple(measurements), starts, seed, minimise == MINIMISED[1])
     held = Criterion.of(criterion, searches.measurements)
+    first = searches.problem(0)
+    _require_numbers(first)
     if predict:
-        first = searches.problem(0)
         with suppress(NoSolution, BearingError):
             numbers(first, first.start, tuple(predict), Known())  # refuses what is no number
     return Asked(case, searches, held, tuple(predict), profiled)
@@ -94,7 +96,7 @@ def asked(  # noqa: PLR0913 - see identify
 
 def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> None:
     if not len(measurements):
-        raise InvalidInput("nothing was measured: give at least one measurement")
+        raise InvalidInput("measurements: none is given: at least one is needed")
     names = [each.data.name for each in measurements]
     for each in measurements:
         data = each.data
@@ -117,9 +119,23 @@ def _require_points(every: Sequence[Model], measurements: Sequence[Measurement])
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:
             raise InvalidInput(
-                f"{len(model.unknowns)} unknowns, but the measurements have {count} points and "
-                f"there are {priors} priors: fewer unknowns, or more points"
+                f"unknowns: {len(model.unknowns)} are sought, but the measurements have {count} "
+                f"points and there are {priors} priors: fewer unknowns, or more points"
             )
+
+
+def _require_numbers(problem: Problem) -> None:
+    """Go on only where the machine to begin with has the ``Numbers`` that were measured, or no
+    solution."""
+    measured = [each for each in problem.measurements if isinstance(each, Numbers)]
+    with suppress(NoSolution, BearingError):
+        trial = problem.trial(problem.start)
+        for each in measured:
+            try:
+                each.predicted(trial)
+            except InvalidInput as refusal:
+                words = str(refusal).removeprefix(f"measurement {each.name}: ")
+                raise InvalidInput(f"measurement {each.name}: {words}") from None
 
 
 @typed(InvalidInput, besides=["case", "measurements"])

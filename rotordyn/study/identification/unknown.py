@@ -91,7 +91,7 @@ def sought(case: Case, asked: Mapping[str, Unknown]) -> tuple[Sought, ...]:
     InvalidInput : a path that leads nowhere or to no number, ends or a prior that cannot be
     """
     if not asked:
-        raise InvalidInput("nothing is unknown: map at least one dotted path to its ends")
+        raise InvalidInput("unknowns: none is given: map at least one dotted path to its ends")
     found = [_sought(case, path, each) for path, each in asked.items()]
     names = [each.name for each in found]
     for each in found:
@@ -113,7 +113,9 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
             f"{path}: an unknown lies between a lower and a higher end, got "
             f"{_written(case, path, low)} to {_written(case, path, high)}"
         )
+    _require_fractions(case, path, low, high)
     for other in asked.also:
+        _require_alike(case, path, other)
         _number(case, other, asked.low)
     if (asked.prior is None) != (asked.deviation is None):
         raise InvalidInput(f"{path}: a prior has a value and a deviation: give both or none")
@@ -121,20 +123,41 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
     deviation = None if asked.deviation is None else _amount(case, path, asked.deviation)
     if deviation is not None and not deviation > 0.0:
         raise InvalidInput(f"{path}: the deviation of a prior is above 0, got {asked.deviation}")
+    for word, value in (("prior", prior), ("start", asked.start)):
+        if value is not None and not low <= (number := _number(case, path, value)) <= high:
+            raise InvalidInput(
+                f"{path}: the {word} {_written(case, path, number)} lies outside "
+                f"{_written(case, path, low)} to {_written(case, path, high)}"
+            )
     held = found_at(case, path)[0][0]
     begin = next((v for v in (asked.start, asked.prior) if v is not None), None)
     start = float(held) if begin is None else _number(case, path, begin)
-    inside = low <= start <= high
-    if asked.start is not None and not inside:
-        raise InvalidInput(
-            f"{path}: the start {_written(case, path, start)} lies outside "
-            f"{_written(case, path, low)} to {_written(case, path, high)}"
-        )
-    if not inside:
+    if not low <= start <= high:
         start = min(max(start, low), high) if math.isfinite(start) else 0.5 * (low + high)
     quantity = quantity_of(found_at(case, path)[0][1])
     name = asked.name or _short(path)
     return Sought(path, name, low, high, start, prior, deviation, tuple(asked.also), quantity)
+
+
+def _require_fractions(case: Case, path: str, low: float, high: float) -> None:
+    """Go on only where a value between two ends may be any number."""
+    try:
+        accept(found_at(case, path)[0][1], low + (high - low) / math.pi)
+    except Refused:
+        raise InvalidInput(
+            f"{path}: holds whole numbers, between which nothing is sought: give them as hypotheses"
+        ) from None
+
+
+def _require_alike(case: Case, path: str, other: str) -> None:
+    """Go on only where two paths hold the same kind of quantity, or one leads nowhere."""
+    kinds = [{getattr(quantity_of(a), "kind", "number") for _, a in found_at(case, one)}
+             for one in (path, other)]  # fmt: skip
+    if kinds[1] and kinds[0] != kinds[1]:
+        raise InvalidInput(
+            f"{path}: also: {other} holds a {min(kinds[1])}, no {min(kinds[0])}, and cannot take "
+            "the same value"
+        )
 
 
 def _written(case: Case, path: str, value: float) -> str:

@@ -1,15 +1,19 @@
-"""The preload network on the compiled solver, as long studies take it, and without."""
+"""The preload network on the compiled solver, as long studies take it, and without; and balls that
+know two branches, which bodies take along without leaving a mark."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from bearings.ball.law import Law
 from bearings.geometry import geometry
 from bearings.ring.compiled import states
+from rotordyn.preload import network
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.spindles import RPM, mfw2310
@@ -45,3 +49,25 @@ def test_it_is_taken_where_it_pays(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not states.loaded(grooves)
     states.expect(2.0 * states.FROM_DISK, grooves)
     assert states.loaded(grooves)
+
+
+@pytest.mark.parametrize("move", [0.0, 20e-6])
+def test_where_balls_of_two_branches_were_moved_to_leaves_no_mark(
+    move: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of bodies and balls moved together nothing is taken, or they end at a wrong place: what each
+    bearing by itself does decides."""
+    law, speed = Law("geometric", "inner"), SPEED[::6]
+    found = dynamic_preload(mfw2310(), speed, law)
+    together = network._together
+
+    def astray(*given: Any) -> network.NetworkState:
+        net = together(*given)
+        converged = net.converged & (move > 0.0)
+        return replace(net, position=net.position + move, converged=converged)
+
+    monkeypatch.setattr(network, "_together", astray)
+    alone = dynamic_preload(mfw2310(), speed, law)
+    assert alone.usable.all()
+    assert alone.net.held.tolist() == found.net.held.tolist()
+    assert alone.seat_load() == pytest.approx(found.seat_load(), rel=1e-9)

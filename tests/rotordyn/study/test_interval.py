@@ -108,6 +108,14 @@ def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
     assert [each.name for each in asked_of(frozen).hypotheses] == ["kinematics"]
 
 
+def test_an_interval_over_nothing_is_refused_before_anything_is_solved(tmp_path: Path) -> None:
+    text = "title: t\nspindle: friswell_two_discs\nspeeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    (tmp_path / "case.yaml").write_text(text)
+    case = replace(rotordyn.load(tmp_path / "case.yaml"), uncertain=Uncertain(as_usual=True))
+    with pytest.raises(InvalidInput, match="nothing that is uncertain changes this case"):
+        rotordyn.run(case, interval=True)
+
+
 def _effect(low: float, high: float, nominal: float = 0.5, levels: int = 0) -> quantiles.Effect:
     share, change = np.array([0.0, nominal, 1.0]), np.array([[low], [0.0], [high]])
     return quantiles.Effect(share, change, nominal, levels)

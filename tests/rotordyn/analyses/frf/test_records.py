@@ -175,7 +175,7 @@ TABLES = {
     "frequency [Hz],amplitude [m/N],phase [deg]\n1,-2,3\n": "an amplitude below zero: given -2",
     "frequency [Hz],amplitude [m/N],phase [mm]\n1,2,3\n": "not a unit of phase: given 'mm'",
     "frequency [Hz],a real [m/N],b real [m/N],imag [m/N]\n1,2,3,4\n": "2 columns for real: one",
-    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n1,2,2\n": "csv: frequency: not in ascending",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n1,2,2\n": "csv: frequency 2: not in ascending",
     "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "csv: too few frequencies: given 1; allo",
     "frequency [Hz],amplitude [m/N],phase [deg]\n": "csv: too few frequencies: given 0;",
     "frequency [Hz],real [m/N],imag [m/N]\n-2,2,2\n2,2,2\n": "csv: frequency out of range: given",
