@@ -20,7 +20,8 @@ from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
 from rotordyn.equation.groups import Groups
-from rotordyn.equation.linear import Linear, Loss, planes_of
+from rotordyn.equation.hysteresis import Hysteresis
+from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
@@ -157,7 +158,7 @@ def _motions(linear: Linear, link: Link) -> Array | None:
     return rows if touched else None
 
 
-def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
+def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | None:
     """Loss factors times stiffness; None where there are none."""
     spindle = linear.structure.spindle
     if not spindle.hysteretic:
@@ -175,4 +176,4 @@ def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
     for connection in connections:
         if connection.link.loss_factor:
             fixed = fixed + connection.link.loss_factor * connection.stiffness
-    return Loss(fixed, turning, across)
+    return Hysteresis(fixed, turning, across)

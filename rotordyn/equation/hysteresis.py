@@ -18,12 +18,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.connection import at_rows
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
 from rotordyn.numerics.follow import mac
@@ -57,15 +58,18 @@ class Signs(NamedTuple):
 SYNCHRONOUS = Signs(0, 1, 1)  # what turns with the shaft does not move in it
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Hysteresis:
+class Hysteresis(NamedTuple):
     """Loss factors times stiffness: ``fixed`` (s or 1, n, n) of what does not turn; ``turning``
-    (n, n) of the shaft; ``across`` (n, n): the same from plane z to y, and with opposite sign back,
-    None of one complex plane."""
+    (n, n) of shafts in bending; ``across`` (n, n): the same from plane z to y, and with opposite
+    sign back, None of one complex plane."""
 
     fixed: Matrix
-    turning: Array
-    across: Array | None
+    turning: Matrix
+    across: Matrix | None
+
+    def at(self, rows: Integers) -> Hysteresis:
+        """At some of the speeds."""
+        return self._replace(fixed=at_rows(self.fixed, rows))
 
     def stiffness(self, signs: Signs) -> Complex:
         """What it adds to the stiffness (s or 1, n, n)."""
@@ -191,11 +195,8 @@ class Hysteretic:
 
     def _part(self, rows: Integers) -> Hysteretic:
         """At some of the speeds."""
-        loss, plain = self.loss, self._plain.at(rows)
-        if len(loss.fixed) > 1:
-            loss = replace(loss, fixed=loss.fixed[rows])
-        system = self.stiffness[rows], self.damping[rows]
-        return Hysteretic(*system, loss, self.spin[rows], plain=plain)
+        system = self.stiffness[rows], self.damping[rows], self.loss.at(rows)
+        return Hysteretic(*system, self.spin[rows], plain=self._plain.at(rows))
 
     def _of_whole_systems(self) -> Modes:
         """The same by all modes of every set of signs."""
