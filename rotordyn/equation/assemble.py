@@ -148,14 +148,9 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
 
 def _motions(linear: Linear, link: Link) -> Array | None:
     """Relative motions of a link by the coordinates (k, n); None if it is of other subsystems."""
-    rows, touched = np.zeros((len(link.motions), linear.size)), False
-    for component, at in zip(linear.components, linear.slices, strict=True):
-        held = component.has(link.dofs)
-        if held.any():
-            touched = True
-            vectors = component.vectors[component.local(link.dofs[held])]
-            rows[:, at] = link.motions[:, held] @ vectors
-    return rows if touched else None
+    if not any(component.has(link.dofs).any() for component in linear.components):
+        return None
+    return np.asarray(link.motions @ linear.moved(link.dofs))
 
 
 def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | None:

@@ -154,11 +154,14 @@ class Linear:
     def displaced(self, dofs: NDArray[np.intp]) -> Array:
         """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
         other subsystems."""
-        rows, sign = np.zeros((len(dofs), self.size)), self.structure.dofs.sign
+        return np.asarray(self.structure.dofs.sign[dofs, None] * self.moved(dofs))
+
+    def moved(self, dofs: NDArray[np.intp]) -> Array:
+        """The same of DOF as they are signed."""
+        rows = np.zeros((len(dofs), self.size))
         for component, part in zip(self.components, self.slices, strict=True):
             mine = component.has(dofs)
-            vectors = component.vectors[component.local(dofs[mine])]
-            rows[mine, part] = sign[dofs[mine], None] * vectors
+            rows[mine, part] = component.vectors[component.local(dofs[mine])]
         return rows
 
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
