@@ -20,7 +20,8 @@ from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
 from rotordyn.equation.groups import Groups
-from rotordyn.equation.linear import Linear, Loss, planes_of
+from rotordyn.equation.hysteresis import Hysteresis
+from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
@@ -147,17 +148,12 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
 
 def _motions(linear: Linear, link: Link) -> Array | None:
     """Relative motions of a link by the coordinates (k, n); None if it is of other subsystems."""
-    rows, touched = np.zeros((len(link.motions), linear.size)), False
-    for component, at in zip(linear.components, linear.slices, strict=True):
-        held = component.has(link.dofs)
-        if held.any():
-            touched = True
-            vectors = component.vectors[component.local(link.dofs[held])]
-            rows[:, at] = link.motions[:, held] @ vectors
-    return rows if touched else None
+    if not any(component.has(link.dofs).any() for component in linear.components):
+        return None
+    return np.asarray(link.motions @ linear.moved(link.dofs))
 
 
-def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
+def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | None:
     """Loss factors times stiffness; None where there are none."""
     spindle = linear.structure.spindle
     if not spindle.hysteretic:
@@ -175,4 +171,4 @@ def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
     for connection in connections:
         if connection.link.loss_factor:
             fixed = fixed + connection.link.loss_factor * connection.stiffness
-    return Loss(fixed, turning, across)
+    return Hysteresis(fixed, turning, across)

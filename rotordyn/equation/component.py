@@ -9,10 +9,9 @@ Theory: docs/theory/reduction.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,16 +28,26 @@ REDUCED = ("mass", "stiffness")  # matrices that the reduction of a shaft follow
 WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
 
 
+class Coarse(NamedTuple):
+    """The same ``component`` of a coarser model: its DOF ``there`` have the shape functions of the
+    DOF ``here`` of the finer one."""
+
+    component: Component
+    here: Indices
+    there: Indices
+
+
 @dataclass(eq=False)
 class Component:
     """DOF ``dofs`` (n,) of ``lines``, and the ``parts`` on them.
 
     ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
-    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
-    components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
-    whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
-    ``coarse``: the same of a coarser model; ``nested``: gives DOF here and there of one shape.
-    ``pressed``: weighted slopes where an axial force may come near to buckling, None elsewhere.
+    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft, and
+    ``ratio``, its speed over the spindle's. ``solved``: components with the same matrices share one
+    reduction. ``polar``: gyroscopic parts in one plane whose forces on modes up to ``band`` [rad/s]
+    static modes answer; none where they need not. ``pressed``: weighted slopes where an axial force
+    may come near to buckling, None elsewhere. ``coarse``: where there is a coarser model, whose
+    vectors begin the reduction of a large component.
     """
 
     lines: tuple[Line, ...]
@@ -50,6 +59,11 @@ class Component:
     cutoff: float
     bends: bool
     solved: Solved
+    ratio: float
+    polar: list[Part]
+    band: float
+    pressed: tuple[int, list[Rows]] | None
+    coarse: Coarse | None
 
     @property
     def way(self) -> str:
@@ -141,13 +155,6 @@ class Component:
             return damping
         return damping + self.ratio * self.spindle.internal_damping * self.own_damping
 
-    ratio: float = 1.0
-    polar: list[Part] = field(default_factory=list)
-    band: float = 0.0
-    pressed: tuple[int, list[Rows]] | None = None
-    coarse: Component | None = None
-    nested: Callable[[], tuple[Indices, ...]] = tuple
-
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
         if not any(part.matrix == name for part in self.parts):
@@ -191,10 +198,10 @@ class Component:
             slopes = self.placed(count, rows)
             couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
         if self.coarse is not None and self.large:
-            vectors = self.coarse.vectors[:, ~self.coarse.is_rigid]
+            coarser, here, there = self.coarse
+            vectors = coarser.vectors[:, ~coarser.is_rigid]
             known = np.zeros((len(self.dofs), vectors.shape[1]))
-            here, there = self.nested()
-            known[self.local(here)] = vectors[self.coarse.local(there)]
+            known[self.local(here)] = vectors[coarser.local(there)]
             basis = enriched(mass, stiffness, rigid, known, couplings)
         else:
             basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)

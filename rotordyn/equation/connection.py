@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.equation.term import Array, Link, LinkMatrices
+from rotordyn.equation.term import Array, Link, LinkMatrices, Matrices
 
 Complex = NDArray[np.complex128]
+M = TypeVar("M", bound=Matrices)
 
 
-def at_rows(values: Array, rows: NDArray[np.intp]) -> Array:
+def at_rows(values: M, rows: NDArray[np.intp]) -> M:
     """Of values (s or 1, …) those of some speeds; one serves all."""
-    return values if len(values) == 1 else values[rows]
+    chosen: Any = values if len(values) == 1 else values[rows]  # of the type of ``values``
+    return chosen
 
 
 class Connection(NamedTuple):

@@ -1,4 +1,4 @@
-"""Degrees of DOF by name: six of every node, and those that terms add.
+"""Degrees of freedom by name: six of every node, and those that terms add.
 
 A DOF belongs to a ``Line``: what moves (a rotor, a sleeve, a housing) and its direction. Rotations
 thy count from z to −x: z and −thy obey the same equations as y and thz, so that every matrix of
@@ -8,6 +8,7 @@ With r = y + i z and φ = thz − i thy both planes are one complex plane.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -40,23 +41,16 @@ class Dofs:
         self._sign: list[NDArray[np.float64]] = []
         self.count = 0
 
-    def add(self, line: Line, count: int = 1, sign: float = 1.0) -> Indices:
-        """Numbers of ``count`` new DOF of a line."""
-        if line not in self.lines:
-            self.lines.append(line)
-        self._line.append(np.full(count, self.lines.index(line)))
-        self._sign.append(np.full(count, sign))
-        self.count += count
-        return np.arange(self.count - count, self.count)
-
-    def add_nodes(self, body: str, nodes: int) -> Indices:
-        """Numbers (nodes, 6) of the DOF of new nodes, those of one node side by side."""
-        lines = [Line(body, PLANE_OF.get(name, name)) for name in DIRECTIONS]
+    def add(self, body: str, directions: Sequence[str], times: int = 1) -> Indices:
+        """Numbers (times, directions) of new DOF of a body; "" are coordinates without a
+        direction."""
+        lines = [Line(body, PLANE_OF.get(name, name)) for name in directions]
         self.lines += [line for line in dict.fromkeys(lines) if line not in self.lines]
-        self._line.append(np.tile([self.lines.index(line) for line in lines], nodes))
-        self._sign.append(np.tile([-1.0 if n == "thy" else 1.0 for n in DIRECTIONS], nodes))
-        self.count += 6 * nodes
-        return np.arange(self.count - 6 * nodes, self.count).reshape(nodes, 6)
+        self._line.append(np.tile([self.lines.index(line) for line in lines], times))
+        signs = [-1.0 if name == "thy" else 1.0 for name in directions]
+        self._sign.append(np.tile(signs, times))
+        first, self.count = self.count, self.count + times * len(directions)
+        return np.arange(first, self.count).reshape(times, len(directions))
 
     @property
     def line(self) -> Indices:

@@ -250,7 +250,7 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
     """Stiffness (s, n, n) that answers motions of some signs of loss."""
     if linear.loss is None:
         return linear.stiffness
-    return linear.stiffness + Hysteresis(*linear.loss).stiffness(signs)
+    return linear.stiffness + linear.loss.stiffness(signs)
 
 
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
@@ -258,7 +258,9 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     own frequency. What is the same at all speeds is solved once."""
     stiffness: Matrices = linear.allowed_stiffness
     damping: Matrices = linear.within(linear.damping)
-    loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
+    loss = linear.loss
+    if loss is not None:
+        loss = Hysteresis(*(linear.within(part) for part in loss if part is not None))
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
     turns = loss is not None and loss.turns
     if len(linear.speed) > 1 and not turns and all((part == part[:1]).all() for part in parts):

@@ -82,7 +82,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
     return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, rows.T @ flat))
 
 
-def free_motions(spindle: Spindle) -> Array:
+def unheld_motions(spindle: Spindle) -> Array:
     """Motions of the rigid shaft that nothing holds (6, k), orthonormal.
 
     They are those of the front end, in lengths (``length_scale``).

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.equation.dofs import DIRECTIONS, PLANE_OF, Dofs, Indices, Line, position
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, position
 from rotordyn.equation.support import node_matrix
 from rotordyn.equation.term import Array, Part
 from rotordyn.errors import InvalidInput
@@ -30,7 +30,6 @@ class Foundation:
     def __init__(self, dofs: Dofs, spindle: Spindle, housing: Housing) -> None:
         stations = {seat.name: seat.x for seat in spindle.seats}
         stations |= {support.name: support.x for support in spindle.supports}
-        body = f"housing {housing.name}"
         if isinstance(housing, RigidHousing):
             names: tuple[str, ...] = housing.dofs
             mass, stiffness, damping, under = _of_rigid(housing, stations)
@@ -38,11 +37,8 @@ class Foundation:
             names = ("",) * len(housing.mass)
             mass, stiffness, damping, under = _of_reduced(housing)
         _require_mass(housing, mass)
-        sign = np.array([-1.0 if name == "thy" else 1.0 for name in names])
-        lines = [Line(body, PLANE_OF.get(name, name)) for name in names]
-        self.dofs: Indices = np.concatenate(
-            [dofs.add(line, sign=one) for line, one in zip(lines, sign, strict=True)]
-        )
+        self.dofs: Indices = dofs.add(f"housing {housing.name}", names)[0]
+        sign = dofs.sign[self.dofs]
         self.mass, self.stiffness, self.damping = (
             sign[:, None] * matrix * sign for matrix in (mass, stiffness, damping)
         )

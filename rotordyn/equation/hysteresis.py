@@ -18,28 +18,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.connection import at_rows
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
 from rotordyn.numerics.follow import mac
-from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.numerics.modes import Modes, modes, residual, swings
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 Integers = NDArray[np.intp]
 MET = 1e-9  # of the larger: frequencies so near are the same
-WIDE = (
-    0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther from Ω its sign is clear
-)
+WIDE = 0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther off its sign is clear
 ALIKE, FARTHEST = 0.3, 0.5  # MAC and share of a pole: what is less like it or farther is another
 REAL = 1e-9  # of a pole: less imaginary part is rounding
-STRAIGHT = 1e-6  # of |pole|: less imaginary part than that is no vibration
 
 
 class Signs(NamedTuple):
@@ -57,15 +55,18 @@ class Signs(NamedTuple):
 SYNCHRONOUS = Signs(0, 1, 1)  # what turns with the shaft does not move in it
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Hysteresis:
+class Hysteresis(NamedTuple):
     """Loss factors times stiffness: ``fixed`` (s or 1, n, n) of what does not turn; ``turning``
-    (n, n) of the shaft; ``across`` (n, n): the same from plane z to y, and with opposite sign back,
-    None of one complex plane."""
+    (n, n) of shafts in bending; ``across`` (n, n): the same from plane z to y, and with opposite
+    sign back, None of one complex plane."""
 
     fixed: Matrix
-    turning: Array
-    across: Array | None
+    turning: Matrix
+    across: Matrix | None
+
+    def at(self, rows: Integers) -> Hysteresis:
+        """At some of the speeds."""
+        return self._replace(fixed=at_rows(self.fixed, rows))
 
     def stiffness(self, signs: Signs) -> Complex:
         """What it adds to the stiffness (s or 1, n, n)."""
@@ -126,7 +127,7 @@ class Hysteretic:
             participation=plain.participation.copy(),
         )
         size = np.abs(plain.pole)
-        turning = np.where(_swings(plain.pole), np.abs(plain.pole.imag), size)
+        turning = np.where(swings(plain.pole), np.abs(plain.pole.imag), size)
         near = (turning < self.ceiling) & ~plain.at_rest()
         near &= (plain.pole.imag >= 0.0) | self.whirling
         rows = range(len(self.spin))
@@ -191,11 +192,8 @@ class Hysteretic:
 
     def _part(self, rows: Integers) -> Hysteretic:
         """At some of the speeds."""
-        loss, plain = self.loss, self._plain.at(rows)
-        if len(loss.fixed) > 1:
-            loss = replace(loss, fixed=loss.fixed[rows])
-        system = self.stiffness[rows], self.damping[rows]
-        return Hysteretic(*system, loss, self.spin[rows], plain=plain)
+        system = self.stiffness[rows], self.damping[rows], self.loss.at(rows)
+        return Hysteretic(*system, self.spin[rows], plain=self._plain.at(rows))
 
     def _of_whole_systems(self) -> Modes:
         """The same by all modes of every set of signs."""
@@ -232,7 +230,7 @@ class Hysteretic:
 
     def _signs(self, pole: Complex, spin: Array | None = None) -> Integers:
         """Of free motions (s, k, 3); over both planes those of |Im λ|."""
-        omega = np.where(_swings(pole), pole.imag, 0.0)
+        omega = np.where(swings(pole), pole.imag, 0.0)
         one_way = omega if self.whirling else np.abs(omega)
         turning = self.spin[:, None] if spin is None else spin
         return signs_of(one_way, turning, whirling=self.whirling)
@@ -255,10 +253,6 @@ class Hysteretic:
                 before = after
             parts.append((before, column, taken))
         return collected(plain, parts)
-
-
-def _swings(pole: Complex) -> NDArray[np.bool_]:
-    return np.asarray(np.abs(pole.imag) > STRAIGHT * np.abs(pole))
 
 
 def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Integers:

@@ -14,15 +14,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.component import Component
-from rotordyn.equation.connection import Connection, at_rows
+from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import DEPENDENT
 from rotordyn.equation.dofs import DIRECTIONS, position
+from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
 from rotordyn.equation.term import Array, Matrices
@@ -30,19 +31,6 @@ from rotordyn.equation.term import Array, Matrices
 Complex = NDArray[np.complex128]
 STRAINED = 1e-13  # of a link's largest motion: less is rounding
 T = TypeVar("T", bound=Matrices)
-
-
-class Loss(NamedTuple):
-    """Loss factors times stiffness: of what does not turn (s or 1, n, n), of shafts in bending
-    (n, n), and the latter from plane z to plane y, with opposite sign back (n, n)."""
-
-    fixed: Array
-    turning: Array
-    across: Array
-
-    def at(self, rows: NDArray[np.intp]) -> Loss:
-        """At some of the speeds."""
-        return self._replace(fixed=at_rows(self.fixed, rows))
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +49,7 @@ class Linear:
     stiffness: Array
     damping: Array
     connections: tuple[Connection, ...]
-    loss: Loss | None = None
+    loss: Hysteresis | None = None
     allowed: Array | None = None
     bodies: Array | None = None
 
@@ -166,11 +154,14 @@ class Linear:
     def displaced(self, dofs: NDArray[np.intp]) -> Array:
         """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
         other subsystems."""
-        rows, sign = np.zeros((len(dofs), self.size)), self.structure.dofs.sign
+        return np.asarray(self.structure.dofs.sign[dofs, None] * self.moved(dofs))
+
+    def moved(self, dofs: NDArray[np.intp]) -> Array:
+        """The same of DOF as they are signed."""
+        rows = np.zeros((len(dofs), self.size))
         for component, part in zip(self.components, self.slices, strict=True):
             mine = component.has(dofs)
-            vectors = component.vectors[component.local(dofs[mine])]
-            rows[mine, part] = sign[dofs[mine], None] * vectors
+            rows[mine, part] = component.vectors[component.local(dofs[mine])]
         return rows
 
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:

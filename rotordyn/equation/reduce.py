@@ -22,12 +22,11 @@ from numpy.typing import NDArray
 
 from rotordyn.allowance import require_free_modes
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.sparse import LARGE, Matrix
 from rotordyn.numerics.threads import linear_algebra_alone
 
 Array = NDArray[np.float64]
-Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
 LEAST_MODES = 8
-LARGE = 300  # DOF from which Lanczos finds a few modes faster than LAPACK finds all
 MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
 ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
@@ -38,6 +37,20 @@ STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from roundi
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
 RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
 NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
+
+
+@contextmanager
+def _solvable() -> Iterator[None]:
+    """Linear algebra on one thread; a body whose matrices are not definite is refused."""
+    try:
+        with linear_algebra_alone():  # that of scipy may have been loaded just now
+            yield
+    except np.linalg.LinAlgError:
+        raise InvalidInput(
+            "the modes of a free body cannot be computed: a part of it has no mass, is held by "
+            "nothing, or is stiff or light beyond the digits of its matrices; join it to others "
+            "or leave it out"
+        ) from None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -63,6 +76,7 @@ class Coupling(NamedTuple):
     statics: bool = False
 
 
+@_solvable()
 def reduce(
     mass: Matrix,
     stiffness: Matrix,
@@ -90,30 +104,6 @@ def reduce(
     ------
     InvalidInput : M or K is not definite, or the vectors asked for do not fit into memory
     """
-    with _solvable(), linear_algebra_alone():  # that of scipy may have been loaded just now
-        return _reduced(mass, stiffness, rigid, ports, cutoff, couplings)
-
-
-@contextmanager
-def _solvable() -> Iterator[None]:
-    try:
-        yield
-    except np.linalg.LinAlgError:
-        raise InvalidInput(
-            "the modes of a free body cannot be computed: a part of it has no mass, is held by "
-            "nothing, or is stiff or light beyond the digits of its matrices; join it to others "
-            "or leave it out"
-        ) from None
-
-
-def _reduced(
-    mass: Matrix,
-    stiffness: Matrix,
-    rigid: Array,
-    ports: Array,
-    cutoff: float,
-    couplings: Sequence[Coupling],
-) -> Basis:
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
     if size >= LARGE:
@@ -150,6 +140,7 @@ def _reduced(
     return Basis(vectors[:, order], every[order], order < still + len(values), roots[swapped])
 
 
+@_solvable()
 def enriched(
     mass: Matrix,
     stiffness: Matrix,
@@ -163,13 +154,6 @@ def enriched(
     The step answers what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where the
     coarser model errs by δ, this one errs by δ².
     """
-    with _solvable():
-        return _enriched(mass, stiffness, rigid, known, couplings)
-
-
-def _enriched(
-    mass: Matrix, stiffness: Matrix, rigid: Array, known: Array, couplings: Sequence[Coupling]
-) -> Basis:
     body = _Body.held(mass, stiffness, rigid)
     known = known - body.rigid @ (body.pushed.T @ known)
     pushed, pulled = mass @ known, stiffness @ known

@@ -17,7 +17,7 @@ from functools import cached_property
 
 import numpy as np
 
-from rotordyn.equation.dofs import Dofs, Indices, Line, position
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, position
 from rotordyn.equation.elements import beam as bending
 from rotordyn.equation.elements import rod
 from rotordyn.equation.fineness import (
@@ -71,22 +71,20 @@ class Shaft:
         InvalidInput : more DOF than ``MOST_DOF``
         """
         mesh, degree, rod_degree = _elements(spindle, shown, fine)
-        node = dofs.add_nodes(body, mesh.nodes)
+        node = dofs.add(body, DIRECTIONS, mesh.nodes)
         jump: dict[tuple[int, str], int] = {}
         for joint in spindle.joints:
             at = mesh.node_of(joint.x)
             for way, directions in WAYS.items():
                 if math.isfinite(getattr(joint, way)):
                     for name in directions:
-                        line = Line(body, {"thz": "y", "thy": "z"}.get(name, name))
-                        sign = -1.0 if name == "thy" else 1.0
-                        jump[at, name] = int(dofs.add(line, sign=sign)[0])
+                        jump[at, name] = dofs.add(body, [name]).item()
         counts = {"y": bending.inner_dofs(degree, sheared(spindle)), "x": rod_degree - 1}
         counts["z"], counts["thx"] = counts["y"], counts["x"]
         inner = {}
         for way, inside in counts.items():
-            first = dofs.add(Line(body, way), int(inside.sum()))
-            begin = int(first[0]) if len(first) else 0
+            begin = dofs.count
+            dofs.add(body, [way], int(inside.sum()))
             inner[way] = begin + np.concatenate([[0], np.cumsum(inside)[:-1]]).astype(np.intp)
         return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.equation.dofs import Dofs, Indices, Line
+from rotordyn.equation.dofs import Dofs, Indices
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.term import AtState, Link, LinkMatrices, Part, State
 from rotordyn.machine.sleeve import Sleeve
@@ -33,15 +33,14 @@ class Sleeves:
         for sleeve in spindle.sleeves:
             for way, stiffness in springs(sleeve):
                 if math.isfinite(stiffness):
-                    number = dofs.add(Line(f"sleeve {sleeve.name}", way))
-                    self.dofs[sleeve.name, way] = int(number[0])
+                    self.dofs[sleeve.name, way] = dofs.add(f"sleeve {sleeve.name}", [way]).item()
 
     def under(self, seat: str) -> dict[str, int]:
         """DOF of the sleeve that carries a bearing, by direction."""
         sleeve = self.spindle.sleeve_of(seat)
-        ways = ("x", "y", "z") if sleeve else ()
-        numbers = {way: self.dofs.get((sleeve.name, way)) for way in ways if sleeve}
-        return {way: number for way, number in numbers.items() if number is not None}
+        if sleeve is None:
+            return {}
+        return {way: number for (name, way), number in self.dofs.items() if name == sleeve.name}
 
     def parts(self) -> Iterator[Part]:
         """Mass, and the spring across the axis."""

@@ -57,8 +57,7 @@ def plane_rotor(
         if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
     whole = assemble(structure, components, _without_bearings(structure, speed), force)
-    number = structure.node(*point)[position("y")]
-    return _rotor(structure, whole, PLANE, whole.displaced(np.array([number]))[0])
+    return _rotor(structure, whole, PLANE, whole.row(*point, "y"))
 
 
 def loaded_rotor(

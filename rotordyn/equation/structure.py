@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 
 from rotordyn.equation.axial_force import Slopes, slope_rows
-from rotordyn.equation.component import Component, Solved
+from rotordyn.equation.component import Coarse, Component, Solved
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
@@ -90,6 +89,8 @@ class Structure:
         self.springs = list(self.sleeves.links())
         self.strings = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
+        self._gyroscopic: dict[tuple[int, int], Array] = {}
+        self._slopes: dict[int, Slopes] = {}
 
     @property
     def connections(self) -> list[Link]:
@@ -222,19 +223,16 @@ class Structure:
             polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
             pressed=self._pressed(lines[0]),
-            **self._coarser(lines),
+            coarse=self._coarser(lines),
         )
 
-    def _coarser(self, lines: tuple[Line, ...]) -> dict[str, Any]:
+    def _coarser(self, lines: tuple[Line, ...]) -> Coarse | None:
         """The component of the same lines of the coarser model, where that is a shaft's line."""
         body, way = lines[0]
         if self.coarse is None or body not in self.shafts or len(lines) > 1:
-            return {}
+            return None
         component = next(each for each in self.coarse.components if each.lines == lines)
-        return {
-            "coarse": component,
-            "nested": partial(self.shafts[body].nested, self.coarse.shafts[body], way),
-        }
+        return Coarse(component, *self.shafts[body].nested(self.coarse.shafts[body], way))
 
     def _pressed(self, line: Line) -> tuple[int, list[Rows]] | None:
         """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""
@@ -275,10 +273,6 @@ class Structure:
             self._gyroscopic[key] = np.asarray(y.vectors.T @ (matrix @ z.vectors))
         return self._gyroscopic[key]
 
-    @cached_property
-    def _gyroscopic(self) -> dict[tuple[int, int], Array]:
-        return {}
-
     def slopes(self, component: Component) -> Slopes:
         """Weighted slopes of a bending plane of the spindle's shaft."""
         key = id(component)
@@ -286,10 +280,6 @@ class Structure:
             rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
             self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
         return self._slopes[key]
-
-    @cached_property
-    def _slopes(self) -> dict[int, Slopes]:
-        return {}
 
     def motion(self, components: Sequence[Component]) -> Array:
         """Displacements of the shown nodes by the coordinates of components (nodes, 6, n)."""

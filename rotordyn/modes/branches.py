@@ -19,6 +19,7 @@ from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
 from rotordyn.numerics.follow import doubts, follow
+from rotordyn.numerics.modes import swings
 from rotordyn.numerics.products import times
 from rotordyn.scene.scene import Scene
 
@@ -33,7 +34,6 @@ MOST_BREAKPOINTS = 200  # of tables of supports, beyond which only every second 
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
 PLANAR = 1e-6  # whirl degree below which a motion is straight
-OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -138,11 +138,6 @@ class _Step:
         """Columns of followed modes that whirl to ``side``, ascending."""
         columns = np.flatnonzero(self.followed & (self.whirl == side))
         return columns[np.argsort(self.pole.imag[columns])]
-
-
-def swings(pole: Complex) -> Flags:
-    """Where a pole is that of a vibration."""
-    return np.asarray(np.abs(pole.imag) > OSCILLATING * np.abs(pole))
 
 
 def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:

@@ -6,8 +6,8 @@ of the case. Where bearings change with speed, and for axial motion and torsion,
 followed modes say between which speeds they are. Either way the machine is then solved anew at the
 speed found, damping and all, until the mode turns at the multiple of it to rounding.
 
-Told are those in the band in which modes are followed, each by the followed mode that is like it
-and has its frequency there.
+Reported are those in the band in which modes are followed, each by the followed mode that is like
+it and has its frequency there.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -134,8 +133,8 @@ def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: L
             continue  # two crossings of one mode hardly fit; of one the lines tell
         slope = (fast - slow) / (high - low)
         still = slow - low * slope
-        for side, of_side in _SIDES.items() if linear.isotropic else [(0.0, _of_both)]:
-            spins, vectors = of_side(still, gyroscopic, slope, line.size)
+        for side in (1.0, -1.0) if linear.isotropic else (0.0,):
+            spins, vectors = _turning(side, still, gyroscopic, slope, line.size)
             for spin, vector in zip(spins, (linear.basis @ vectors).T, strict=True):
                 if low <= spin <= high:
                     at = float(speed[0]), float(speed[-1])
@@ -143,26 +142,19 @@ def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: L
     return starts
 
 
-def _of_both(
-    stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
-) -> tuple[Array, Complex]:
-    """Synchronous motions of both planes."""
-    return synchronous(stiffness, gyroscopic, order, slope)
-
-
-def _of_whirl(
+def _turning(
     side: float, stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
 ) -> tuple[Array, Complex]:
-    """Those that whirl one way, of planes that are one: such of both ways may be at one speed."""
+    """Synchronous motions of both planes, ``side`` 0, or, of planes that are one, those that whirl
+    to one side: such of both sides may be at one speed."""
+    if side == 0.0:
+        return synchronous(stiffness, gyroscopic, order, slope)
     h = len(stiffness) // 2
     still, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
     spins, vectors = synchronous(still, -1j * side * gyroscopic[:h, h:], order, change)
     return spins, np.concatenate(
         [vectors, -1j * vectors] if side > 0.0 else [vectors.conj(), 1j * vectors.conj()]
     )
-
-
-_SIDES = {side: partial(_of_whirl, side) for side in (1.0, -1.0)}
 
 
 def _symmetric(stiffness: Matrix) -> Matrix:

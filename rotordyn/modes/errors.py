@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import Branch, swings
+from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.numerics.modes import swings
 from rotordyn.results.display import RPM
 from rotordyn.results.kinds import Array, Complex
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import Signs, signs_of
-from rotordyn.modes.branches import Branch, swings
+from rotordyn.modes.branches import Branch
 from rotordyn.modes.excitation import Line
 from rotordyn.numerics.correct import corrected
 from rotordyn.numerics.follow import mac
+from rotordyn.numerics.modes import swings
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]

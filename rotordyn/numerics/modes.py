@@ -17,6 +17,7 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 NOISE = 1e-7  # of the highest own frequency: what rounding makes of a pole at zero, at most
 HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is held by nothing
+STRAIGHT = 1e-6  # of |pole|: less imaginary part than that is no vibration
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
 NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from a free one
@@ -164,6 +165,11 @@ def unsolved(stiffness: Matrix, damping: Matrix) -> Modes:
         np.swapaxes(none, -1, -2),
         np.full(shape[:-2], np.inf),
     )
+
+
+def swings(pole: Complex) -> NDArray[np.bool_]:
+    """Where poles are those of vibrations."""
+    return np.asarray(np.abs(pole.imag) > STRAIGHT * np.abs(pole))
 
 
 def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.numerics.vector_fit import Fit, columns, residues
+from rotordyn.numerics.vector_fit import Fit, columns, residues, stacked
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -72,22 +72,17 @@ def refined(omega: Array, values: Complex, pole: Complex, weight: Array) -> Refi
 def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> _Linearised:
     """About some poles, residues eliminated entry by entry."""
     basis = np.concatenate([columns(omega, pole), np.ones((len(omega), 1))], axis=1)
-    q, r = np.linalg.qr(_stacked(weight.T[:, :, None] * basis))
-    right = _stacked((weight * values).T[:, :, None])
+    q, r = np.linalg.qr(stacked(weight.T[:, :, None] * basis))
+    right = stacked((weight * values).T[:, :, None])
     inside = np.swapaxes(q, 1, 2) @ right
     rest = right - q @ inside
     pairs = zip(r, inside, strict=True)
     known = np.array([np.linalg.lstsq(a, b, rcond=None)[0][:, 0] for a, b in pairs])
-    moving = _stacked(weight.T[:, :, None] * _moving(omega, pole, known))
+    moving = stacked(weight.T[:, :, None] * _moving(omega, pole, known))
     moving -= q @ (np.swapaxes(q, 1, 2) @ moving)
     across = np.swapaxes(moving, 1, 2)
     slope, normal = (across @ rest).sum(axis=0)[:, 0], (across @ moving).sum(axis=0)
     return _Linearised(float((rest**2).sum()), slope, normal)
-
-
-def _stacked(rows: Complex) -> Array:
-    """Real parts above imaginary ones (e, 2f, k)."""
-    return np.concatenate([rows.real, rows.imag], axis=1)
 
 
 def _moving(omega: Array, pole: Complex, known: Array) -> Complex:

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
 Part = tuple[Indices, Indices, Array]
-LARGE = 300  # DOF from which few vectors of all are found faster in compressed rows
+LARGE = 300  # DOF from which Lanczos finds a few modes in compressed rows faster than LAPACK all
 
 
 def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Matrix:

@@ -14,6 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.peaks import tops
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 ROUNDS = 12
@@ -60,9 +62,9 @@ def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit
     weight = np.broadcast_to(weight, values.shape)
     found = np.empty((basis.shape[1], values.shape[1]))
     for k, (own, entry) in enumerate(zip(weight.T, values.T, strict=True)):
-        left = split(own[:, None] * basis)
+        left = stacked(own[:, None] * basis)
         scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
-        right = split((own * entry)[:, None])
+        right = stacked((own * entry)[:, None])
         found[:, k] = np.linalg.lstsq(left / scale, right, rcond=None)[0][:, 0] / scale
     own = _complex(pole, found[:-1])
     fitted = basis @ found
@@ -72,8 +74,8 @@ def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit
 def _start(omega: Array, values: Complex, count: int) -> Complex:
     """Lightly damped poles at the highest peaks, and between the ends of the band."""
     size = np.abs(values).sum(axis=1)
-    tops = 1 + np.flatnonzero((size[1:-1] > size[:-2]) & (size[1:-1] >= size[2:]))
-    at = omega[tops[np.argsort(-size[tops])]][:count]
+    peaks = tops(size)
+    at = omega[peaks[np.argsort(-size[peaks])]][:count]
     more = np.geomspace(max(omega[0], 1e-3 * omega[-1]), omega[-1], count - len(at) + 2)[1:-1]
     at = np.sort(np.concatenate([at, more]))
     return np.asarray(-START_DAMPING * at + 1j * at)
@@ -112,9 +114,9 @@ def _real(pole: Complex, residue: Complex) -> Array:
     return np.array(found).reshape(-1, residue.shape[1])
 
 
-def split(rows: Complex) -> Array:
-    """Real parts above imaginary ones."""
-    return np.concatenate([rows.real, rows.imag], axis=0)
+def stacked(rows: Complex) -> Array:
+    """Rows (…, f, k): real parts above imaginary ones (…, 2f, k)."""
+    return np.concatenate([rows.real, rows.imag], axis=-2)
 
 
 def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Complex:
@@ -126,8 +128,8 @@ def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Compl
             continue
         basis = share[:, None] * plain
         whole = np.concatenate([basis, share[:, None].astype(complex)], axis=1)
-        own = split(np.concatenate([whole, -entry[:, None] * basis], axis=1))
-        target = split((share * entry)[:, None])
+        own = stacked(np.concatenate([whole, -entry[:, None] * basis], axis=1))
+        target = stacked((share * entry)[:, None])
         r = np.asarray(np.linalg.qr(np.concatenate([own, target], axis=1), mode="r"))
         rows.append(r[n:-1, n:-1])
         right.append(r[n:-1, -1])

@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.equation.holding import (
-    free_motions,
     free_names,
     held_stiffness,
     length_scale,
     rigid_motion,
     rigidly_held,
+    unheld_motions,
 )
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.reactions import Held, reactions
@@ -111,7 +111,7 @@ def require_balance(spindle: Spindle, x: Array, loads: Iterable[Array]) -> Array
     ------
     InvalidInput : they do not: the shaft is a free body
     """
-    free, scale = free_motions(spindle), length_scale(spindle)
+    free, scale = unheld_motions(spindle), length_scale(spindle)
     if not free.shape[1]:
         return free
     motion = rigid_motion(x, float(x[0])) / scale

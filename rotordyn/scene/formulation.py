@@ -1,4 +1,4 @@
-"""The frames in which bending may be written, and what a user is frame_notes of each."""
+"""The frames in which bending may be written, and what a user reads of each."""
 
 from __future__ import annotations
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from rotordyn.description import Description, Faults
-from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
     BalanceQuality,
@@ -138,11 +137,6 @@ class TwistLimit(Description):
     def called(self) -> str:
         """Its name, or where it goes from and to."""
         return self.name or f"{_place(self.start)} to {_place(self.to)}"
-
-
-def station(spindle: Spindle, at: str | float) -> float:
-    """Where a point's name or a station is [m]."""
-    return spindle.points[at] if isinstance(at, str) else at
 
 
 def _place(at: str | float) -> str:

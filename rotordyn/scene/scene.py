@@ -44,6 +44,8 @@ class Scene(Statics):
     [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
     by which elements and reduction are finer than the accuracy asks for. ``checks``: whether errors
     are looked for with such a model. ``progress`` is called with how far a long analysis is.
+    ``top_speed`` [rad/s]: to which elements are fitted; ``coarse``: the model of lower degrees, of
+    a finer one.
     """
 
     def __init__(
@@ -61,6 +63,8 @@ class Scene(Statics):
         super().__init__(spindle, conditions, speed, memo, clock)
         self.checks = checks or Checks()
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
+        self.top_speed = float(np.abs(speed).max(initial=0.0))
+        self.coarse: Structure | None = None
         self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
         self.systems: dict[int, FreeMotions] = {}
@@ -91,20 +95,6 @@ class Scene(Statics):
         other.top_speed, other.bodies = self.top_speed, self.bodies
         other.coarse = self.coarse
         return other
-
-    @property
-    def top_speed(self) -> float:
-        """The highest speed, to which elements are fitted [rad/s]."""
-        if self._top is None:
-            self._top = float(np.abs(self.speed).max())
-        return self._top
-
-    @top_speed.setter
-    def top_speed(self, value: float) -> None:
-        self._top = value
-
-    _top: float | None = None
-    coarse: Structure | None = None  # of lower degrees
 
     @property
     def fineness(self) -> Fineness:

@@ -16,8 +16,7 @@ Inputs = tuple[Any, ...]
 
 @dataclass
 class Memo:
-    """Values of stages by name, each with the inputs that it follows from; seconds each stage took
-    by itself, and who ``asked`` for it first ("": the case).
+    """Values of stages by name, each with the inputs that it follows from.
 
     Machines that differ little (variants, other speeds, a finer model) share one memo.
     """
@@ -38,7 +37,8 @@ class Memo:
 
 @dataclass
 class Clock:
-    """Seconds of every stage without those of stages inside it, and who asked first."""
+    """Seconds of every stage without those of stages inside it, and who ``asked`` for it first
+    ("": the case)."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     asked: dict[str, str] = field(default_factory=dict)

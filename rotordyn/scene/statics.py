@@ -75,7 +75,8 @@ class Statics(Staged):
         """
         if self.conditions.bearings != "static":
             return self.speed
-        return np.zeros_like(self.speed) if self._supports_follow else np.zeros(1)
+        follow = any(support.speeds for support in self.spindle.supports)
+        return np.zeros_like(self.speed) if follow else np.zeros(1)
 
     @property
     def state_speed(self) -> Array:
@@ -83,15 +84,10 @@ class Statics(Staged):
         return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
 
     @property
-    def _supports_follow(self) -> bool:
-        return any(support.speeds for support in self.spindle.supports)
-
-    @property
     def bearing_row(self) -> NDArray[np.intp]:
         """For every speed of the case, its row among ``bearing_speed``."""
-        if self.conditions.bearings == "static" and not self._supports_follow:
-            return np.zeros(len(self.speed), dtype=np.intp)
-        return np.arange(len(self.speed))
+        rows = np.arange(len(self.speed))
+        return rows if len(self.bearing_speed) == len(rows) else np.zeros_like(rows)
 
     @property
     def gravity(self) -> float:

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in, swings
-from rotordyn.numerics.modes import grows
+from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in
+from rotordyn.numerics.modes import grows, swings
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]

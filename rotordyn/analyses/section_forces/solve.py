@@ -23,7 +23,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import AtRest, at_rest
-from rotordyn.scene.loads import TwistLimit, station
+from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -130,7 +130,7 @@ def _preload_push(scene: Scene) -> Array:
 
 def _span(limit: TwistLimit, spindle: Spindle, mesh: Mesh) -> slice:
     """The elements between the ends of ``limit``; start and stop are their outermost nodes."""
-    first, last = (mesh.node_of(station(spindle, at)) for at in (limit.start, limit.to))
+    first, last = (mesh.node_of(spindle.place(at).x) for at in (limit.start, limit.to))
     return slice(first, last)
 
 

@@ -10,12 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-from rotordyn.equation.holding import free_motions, rigid_motion
+from rotordyn.equation.holding import rigid_motion, unheld_motions
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import on_nodes, require_balance
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.loads import station
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
@@ -40,7 +39,7 @@ def loaded_mesh(
 
 
 def _marked(spindle: Spindle, spec: SectionForcesSpec) -> Spindle:
-    places = {f"place {k}": station(spindle, at) for k, at in enumerate(spec.places)}
+    places = {f"place {k}": spindle.place(at).x for k, at in enumerate(spec.places)}
     return replace(spindle, points={**spindle.points, **places})
 
 
@@ -50,13 +49,13 @@ def static_loads(
     """All loads of the question; of the conditions those that no preload state carries."""
     point, turning = np.zeros((2, mesh.nodes, 6))
     for load in spec.loads:
-        _put(point, mesh, station(spindle, load.at), np.array(load.on_axis))
+        _put(point, mesh, spindle.place(load.at).x, np.array(load.on_axis))
     for each in spec.unbalances:
         way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
-        _put(turning, mesh, station(spindle, each.at), each.unbalance * way)
+        _put(turning, mesh, spindle.place(each.at).x, each.unbalance * way)
     line = np.zeros((mesh.nodes - 1, 2, 3))
     for span in spec.line_loads:
-        ends = [station(spindle, at) for at in (span.start, span.to)]
+        ends = [spindle.place(at).x for at in (span.start, span.to)]
         covered = (ends[0] < mesh.middle) & (mesh.middle < ends[1])
         line[covered] += (span.qx, span.qy, span.qz)
     for gravity in _weights(spindle, spec, conditions):
@@ -100,7 +99,7 @@ def require_held(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditio
     ------
     InvalidInput : they do not: the shaft is a free body
     """
-    if not free_motions(spindle).shape[1]:
+    if not unheld_motions(spindle).shape[1]:
         return
     mesh = station_mesh(_marked(spindle, spec))
     loads = static_loads(spindle, mesh, spec, conditions)

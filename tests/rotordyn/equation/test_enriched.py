@@ -46,7 +46,8 @@ def test_nested_dof_have_the_matrices_of_the_coarser_model(
 ) -> None:
     draw = np.random.default_rng(7)
     for coarse, finer in both(jointed(draw, spindle), accuracy):
-        own, there = finer.nested()
+        assert finer.coarse is not None
+        _, own, there = finer.coarse
         assert sorted(there) == coarse.dofs.tolist()
         assert len(set(own)) == len(own) < len(finer.dofs)
         for name in ("mass", "stiffness", "softening", "damping"):
@@ -58,9 +59,8 @@ def test_nested_dof_have_the_matrices_of_the_coarser_model(
 def test_nested_dof_of_cones() -> None:
     """Quadrature of another degree has other last digits."""
     for coarse, finer in both(CONE, 1e-4):
-        own, there = (
-            each.local(dofs) for each, dofs in zip((finer, coarse), finer.nested(), strict=True)
-        )
+        assert finer.coarse is not None
+        own, there = finer.local(finer.coarse.here), coarse.local(finer.coarse.there)
         fine, known = finer.assembled("mass"), coarse.assembled("mass")
         np.testing.assert_allclose(
             fine[np.ix_(own, own)], known[np.ix_(there, there)], rtol=1e-6, atol=1e-9 * known.max()

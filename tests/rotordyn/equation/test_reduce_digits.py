@@ -15,8 +15,9 @@ from scipy.linalg import block_diag, eigh
 from scipy.sparse import csr_array, diags_array
 
 from rotordyn.equation import reduce as module
-from rotordyn.equation.reduce import LARGE, LEAST_MODES, Basis, reduce
+from rotordyn.equation.reduce import LEAST_MODES, Basis, reduce
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.sparse import LARGE
 from tests.oracles.cylinder_elements import hierarchic_bending
 
 Array = np.ndarray
