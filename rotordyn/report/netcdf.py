@@ -6,7 +6,7 @@ part of. Truth values are bytes 0 and 1, flags in the sense of CF, with the attr
 ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both. Words are strings; those of
 a dimension stand in a variable of its name, where xarray looks for labels.
 
-xarray reads such a file as well, by its own engine, in seven times the time: that looks up the
+xarray reads such a file as well, by its own engine, in ten times the time: that looks up the
 dimensions of every variable anew.
 """
 
