@@ -70,7 +70,7 @@ def _thumbnail(exhibit: Exhibit, tree: Path) -> str:
     small.parent.mkdir(exist_ok=True)
     with Image.open(exhibit.face) as full:
         full.thumbnail(THUMBNAIL)
-        full.convert("RGB").quantize(128).save(small, optimize=True)
+        full.convert("RGB").quantize(128).save(small)
     return f"[![](/thumbnails/{small.name}) {exhibit.title}](/{exhibit.page}.md)"
 
 

@@ -98,11 +98,10 @@ def test_modes_move_as_computed(opened: Any, flagship: Path) -> None:
     assert said == []
 
 
-@pytest.fixture(scope="module", params=["wide", "narrow", "dark"])
+@pytest.fixture(scope="module", params=["wide", "narrow and dark"])
 def looked(request: pytest.FixtureRequest, show: Any, evil_folder: Path) -> Any:
     """The page of ``evil`` in one look, opened once, and what its console said."""
-    width = 390 if request.param == "narrow" else 1300
-    scheme = "dark" if request.param == "dark" else "light"
+    width, scheme = (1300, "light") if request.param == "wide" else (390, "dark")
     look = {"viewport": {"width": width, "height": 844}, "color_scheme": scheme}
     return show(evil_folder / "report.html", **look)
 
@@ -125,12 +124,12 @@ def test_nothing_runs_over_the_edge(looked: Any, request: pytest.FixtureRequest)
     names = ("color", "backgroundColor")
     ink, paper = (page.evaluate(f"getComputedStyle(document.body).{name}") for name in names)
     light = [sum(map(int, c.strip("rgb()").split(", ")[:3])) for c in (ink, paper)]
-    assert (light[0] > light[1]) == (look == "dark")
+    assert (light[0] > light[1]) == (look != "wide")
     tick = page.evaluate("getComputedStyle(document.querySelector('.xtick text')).fill")
     assert tick == ink
 
 
-@pytest.mark.parametrize("looked", ["dark"], indirect=True, scope="module")
+@pytest.mark.parametrize("looked", ["narrow and dark"], indirect=True, scope="module")
 def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
     page, said = looked
     page.emulate_media(media="print")
