@@ -97,7 +97,7 @@ def measure(name: str, values: Array) -> dict[str, Any]:
     """A line for each number: both ranges, and how far their ends lie apart."""
     case = machine(name)
     begin = time.process_time()
-    held = rotordyn.run(case, interval=True)._intervals[""]
+    held = rotordyn.run(case, interval=True).held_intervals[""]
     seconds = time.process_time() - begin
     top = f"{case.speeds[-1] * 30.0 / math.pi:.0f}"
     names = [f"preload: sum at {rpm} rpm" for rpm in ("0", top)]

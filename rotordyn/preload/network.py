@@ -227,9 +227,9 @@ def solve(
 ) -> NetworkState:
     """Newton from ``position``; bodies ``held`` stay at ``limit``.
 
-    Bodies and balls together; where that fails, or balls know two branches, in shortened steps with
-    every bearing solved by itself. ``near``: bearings close to those sought, which only speed the
-    search up.
+    Bodies and balls together; where that fails in shortened steps with every bearing solved by
+    itself, and so at the end where balls know two branches. ``near``: bearings close to those
+    sought, which only speed the search up.
     """
     springs = network.springs
     fixed = held | springs.fixed

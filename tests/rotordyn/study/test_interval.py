@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
 from rotordyn.job.values import values_of
+from rotordyn.report.interval import FAR
 from rotordyn.study import quantiles
 from rotordyn.study.interval import sampled
 from rotordyn.study.machines import Machines, lean
@@ -114,6 +116,18 @@ def test_an_interval_over_nothing_is_refused_before_anything_is_solved(tmp_path:
     case = replace(rotordyn.load(tmp_path / "case.yaml"), uncertain=Uncertain(as_usual=True))
     with pytest.raises(InvalidInput, match="nothing that is uncertain changes this case"):
         rotordyn.run(case, interval=True)
+
+
+def test_a_sample_is_advised_where_random_machines_show_that_it_is_needed() -> None:
+    """Of the numbers of the benchmark, which thousands of random machines were held against."""
+    kept = json.loads(
+        (Path(__file__).parents[3] / "benchmarks" / "results.json").read_text("utf-8")
+    )
+    machines = [each for name, each in kept["intervals"].items() if name != "costs"]
+    lines = [line for each in machines for line in each["lines"]]
+    off = [line["error"] > 0.05 for line in lines]
+    assert [line["interaction"] > FAR for line in lines] == off
+    assert 0 < sum(off) < len(off)
 
 
 def _effect(low: float, high: float, nominal: float = 0.5, levels: int = 0) -> quantiles.Effect:
