@@ -347,11 +347,12 @@ def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
 
 
 def _sweep(arguments: argparse.Namespace) -> int:
-    from rotordyn.study.deliver import deliver
     from rotordyn.study.read import read_study
 
     _heed_signals()
     study = read_study(arguments.study)
+    from rotordyn.study.deliver import deliver
+
     folder = Path("out") / study.case.name if arguments.output is None else Path(arguments.output)
     try:
         with _bar("points", None, quiet=arguments.quiet, timed=True) as update:
@@ -374,11 +375,12 @@ def _sweep(arguments: argparse.Namespace) -> int:
 
 
 def _optimise(arguments: argparse.Namespace) -> int:
-    from rotordyn.study.optimum.deliver import deliver
     from rotordyn.study.read import read_optimum
 
     _heed_signals()
     problem, how = read_optimum(arguments.optimum)
+    from rotordyn.study.optimum.deliver import deliver
+
     name = problem.case.name
     folder = Path("out") / name if arguments.output is None else Path(arguments.output)
     try:
