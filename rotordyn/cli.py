@@ -423,13 +423,13 @@ def _identify(arguments: argparse.Namespace) -> int:
                 progress=lambda done, of: update(completed=done, total=of),
                 draw=not arguments.no_figures,
             )
+        if arguments.report:
+            rotordyn.write_report(folder, folder / REPORT)
     except KeyboardInterrupt:
         _complain(
             f"interrupted; searches that ended are kept: the same command goes on in {folder}"
         )
         return 130
-    if arguments.report:
-        rotordyn.write_report(folder, folder / REPORT)
     if not arguments.quiet:
         _say(text)
         _say(f"results in {folder}")
@@ -442,6 +442,7 @@ def _identify(arguments: argparse.Namespace) -> int:
 def _report(arguments: argparse.Namespace) -> int:
     from rotordyn.job.pages import REPORT
 
+    _heed_signals()
     folder = Path(arguments.folder)
     path = folder / REPORT if arguments.output is None else Path(arguments.output)
     _say(rotordyn.write_report(folder, path))
