@@ -2,11 +2,11 @@
 
 ``--files``: every hostile file, checked and run, and the grid of odd values and sizes, checked;
 ``--mutants N``: so many of every shipped file, checked, and ``--runs``: those that pass, run;
-``--machines N``: so many extreme machines, run; ``--calls N``: so many calls of the Python API;
-``--kills N``: so many kills of a run; ``--interrupts N``: Ctrl-C in so many runs of every analysis,
-and four times as many signals while figures are drawn; names of files: these alone. ``--all``:
-10 000 mutants, a thousand machines, every call and 200 kills. A line for each that is not as it
-must be; the exit code is 1 if there is any.
+``--machines N``: so many extreme machines, run, from number ``--first`` on; ``--calls N``: so many
+calls of the Python API; ``--kills N``: so many kills of a run; ``--interrupts N``: Ctrl-C in so
+many runs of every analysis, and four times as many signals while figures are drawn; names of files:
+these alone. ``--all``: 10 000 mutants, a thousand machines, every call and 200 kills. A line for
+each that is not as it must be; the exit code is 1 if there is any.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ def of_mutants(count: int, runs: bool) -> Iterator[Trial]:
                     yield f"run {name}", _run(case)
 
 
-def of_machines(count: int) -> Iterator[Trial]:
-    """Extreme machines, run."""
-    for number in range(count):
+def of_machines(count: int, first: int = 0) -> Iterator[Trial]:
+    """Extreme machines from the number ``first`` on, run."""
+    for number in range(first, first + count):
         with tempfile.TemporaryDirectory() as place:
             yield f"machine {number}", _run(machines.written(number, Path(place)))
 
@@ -112,6 +112,7 @@ def main() -> int:
         parser.add_argument(f"--{word}", action="store_true")
     for word in ("mutants", "machines", "calls", "kills", "interrupts"):
         parser.add_argument(f"--{word}", type=int, default=0, metavar="N")
+    parser.add_argument("--first", type=int, default=0, metavar="N", help="number of a machine")
     parser.add_argument("names", nargs="*")
     asked = parser.parse_args()
     if asked.all:
@@ -124,7 +125,7 @@ def main() -> int:
         of_files(names),
         of_grid() if asked.files else iter(()),
         of_mutants(asked.mutants, asked.runs),
-        of_machines(asked.machines),
+        of_machines(asked.machines, asked.first),
         of_calls(asked.calls) if asked.calls else iter(()),
         of_kills(asked.kills),
         of_interrupts(asked.interrupts),
