@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open
-    from rotordyn.study import Goal, Limit, Span, optimise, sweep, write_report
     from rotordyn.study.identification import (
         AxialCurve,
         AxialStiffness,
@@ -28,8 +27,13 @@ if TYPE_CHECKING:
         Unknown,
         identify,
     )
+    from rotordyn.study.optimum.solve import optimise
+    from rotordyn.study.optimum.wish import Goal, Limit
+    from rotordyn.study.page import write_report
+    from rotordyn.study.parameter import Span
     from rotordyn.study.run import run
     from rotordyn.study.sensitivity import sensitivities
+    from rotordyn.study.solve import sweep
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
@@ -37,9 +41,9 @@ _MODULE_OF = {
     "AxialCurve": "rotordyn.study.identification",
     "AxialStiffness": "rotordyn.study.identification",
     "Case": "rotordyn.case.case",
-    "Goal": "rotordyn.study",
+    "Goal": "rotordyn.study.optimum.wish",
     "InvalidInput": "rotordyn.errors",
-    "Limit": "rotordyn.study",
+    "Limit": "rotordyn.study.optimum.wish",
     "Modes": "rotordyn.study.identification",
     "NoLoad": "rotordyn.study.identification",
     "NoSolution": "rotordyn.errors",
@@ -49,7 +53,7 @@ _MODULE_OF = {
     "Responses": "rotordyn.study.identification",
     "Results": "rotordyn.job",
     "RotordynError": "rotordyn.errors",
-    "Span": "rotordyn.study",
+    "Span": "rotordyn.study.parameter",
     "StopMet": "rotordyn.study.identification",
     "Unknown": "rotordyn.study.identification",
     "cases": "rotordyn.case.shipped",
@@ -58,12 +62,12 @@ _MODULE_OF = {
     "model": "rotordyn.case.model",
     "models": "rotordyn.case.shipped",
     "open": "rotordyn.job",
-    "optimise": "rotordyn.study",
+    "optimise": "rotordyn.study.optimum.solve",
     "run": "rotordyn.study.run",
     "sensitivities": "rotordyn.study.sensitivity",
-    "sweep": "rotordyn.study",
+    "sweep": "rotordyn.study.solve",
     "vary": "rotordyn.case.vary",
-    "write_report": "rotordyn.study",
+    "write_report": "rotordyn.study.page",
 }
 __all__ = [
     "AxialCurve",

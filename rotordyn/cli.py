@@ -347,11 +347,12 @@ def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
 
 
 def _sweep(arguments: argparse.Namespace) -> int:
-    from rotordyn.study.deliver import deliver
     from rotordyn.study.read import read_study
 
     _heed_signals()
     study = read_study(arguments.study)
+    from rotordyn.study.deliver import deliver
+
     folder = Path("out") / study.case.name if arguments.output is None else Path(arguments.output)
     try:
         with _bar("points", None, quiet=arguments.quiet, timed=True) as update:
@@ -374,11 +375,12 @@ def _sweep(arguments: argparse.Namespace) -> int:
 
 
 def _optimise(arguments: argparse.Namespace) -> int:
-    from rotordyn.study.optimum.deliver import deliver
     from rotordyn.study.read import read_optimum
 
     _heed_signals()
     problem, how = read_optimum(arguments.optimum)
+    from rotordyn.study.optimum.deliver import deliver
+
     name = problem.case.name
     folder = Path("out") / name if arguments.output is None else Path(arguments.output)
     try:
@@ -421,13 +423,13 @@ def _identify(arguments: argparse.Namespace) -> int:
                 progress=lambda done, of: update(completed=done, total=of),
                 draw=not arguments.no_figures,
             )
+        if arguments.report:
+            rotordyn.write_report(folder, folder / REPORT)
     except KeyboardInterrupt:
         _complain(
             f"interrupted; searches that ended are kept: the same command goes on in {folder}"
         )
         return 130
-    if arguments.report:
-        rotordyn.write_report(folder, folder / REPORT)
     if not arguments.quiet:
         _say(text)
         _say(f"results in {folder}")
@@ -440,6 +442,7 @@ def _identify(arguments: argparse.Namespace) -> int:
 def _report(arguments: argparse.Namespace) -> int:
     from rotordyn.job.pages import REPORT
 
+    _heed_signals()
     folder = Path(arguments.folder)
     path = folder / REPORT if arguments.output is None else Path(arguments.output)
     _say(rotordyn.write_report(folder, path))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import logging
 import os
+import signal
 import sys
 import time
 import warnings
@@ -13,7 +14,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, BinaryIO, Protocol
 
 from rotordyn.figures.style import USUAL_FORMATS
 
@@ -67,6 +68,8 @@ class Pictures(Protocol):
 class Drawing:
     """Figures being drawn. ``finish`` helps with the rest and returns seconds per figure.
 
+    A context, at whose end nobody draws any more.
+
     The list is shared through a pipe that holds one byte per figure: whoever is free takes one. A
     worker that fails leaves its figure to ``finish``, where the error then surfaces.
     """
@@ -80,21 +83,35 @@ class Drawing:
     ) -> None:
         self._jobs, self._folder, self._formats = list(jobs), folder, tuple(formats)
         self._owner = os.getpid()
-        self._queue, fill = os.pipe()
+        queue, fill = os.pipe()
+        self._queue = os.fdopen(queue, "rb", buffering=0)
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
         load(self._formats)
         self._workers = [self._start() for _ in range(max(count, 0))]
 
+    def __enter__(self) -> Drawing:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End workers that still draw: of an interrupted run, whose folder is removed next."""
+        for process, report in self._workers:
+            with suppress(OSError):
+                os.kill(process, signal.SIGKILL)
+                os.waitpid(process, 0)
+            report.close()
+        self._queue.close()
+
     def finish(self) -> dict[str, float]:
         """Draw what nobody has begun, wait for the others; seconds by figure, in order."""
         seconds = self._work()
-        os.close(self._queue)
-        for process, report in self._workers:
-            with os.fdopen(report, "rb") as pipe:
-                lines = pipe.read().decode().splitlines()
+        self._queue.close()
+        while self._workers:
+            process, report = self._workers[0]
+            lines = report.read().decode().splitlines()
             os.waitpid(process, 0)
+            self._workers.pop(0)[1].close()
             seconds |= dict(json.loads(line) for line in lines)
         for name, draw in self._jobs:
             if name not in seconds:
@@ -103,7 +120,7 @@ class Drawing:
 
     def _work(self, report: int | None = None) -> dict[str, float]:
         seconds = {}
-        while taken := os.read(self._queue, 1):
+        while taken := self._queue.read(1):
             if self._owner not in (os.getpid(), os.getppid()):
                 break  # whoever asked has been killed
             name, draw = self._jobs[taken[0]]
@@ -112,7 +129,7 @@ class Drawing:
                 os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
         return seconds
 
-    def _start(self) -> tuple[int, int]:
+    def _start(self) -> tuple[int, BinaryIO]:
         """Fork a worker; returns its process and the pipe it reports to."""
         out, report = os.pipe()
         with warnings.catch_warnings():
@@ -120,7 +137,7 @@ class Drawing:
             process = os.fork()
         if process:
             os.close(report)
-            return process, out
+            return process, os.fdopen(out, "rb")
         status = 1
         try:
             os.close(out)

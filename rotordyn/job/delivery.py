@@ -112,7 +112,7 @@ def _drawn(
     with ExitStack() as stack:
         for each in pictures:
             stack.enter_context(each)
-        drawing = Drawing(jobs, folder, formats=formats)
+        drawing = stack.enter_context(Drawing(jobs, folder, formats=formats))
         omitted = _write_numbers(results, folder, seconds)
         with _timed(seconds, "draw"):
             drawn = drawing.finish()

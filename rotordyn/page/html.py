@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -26,6 +27,7 @@ from rotordyn.page.blocks import (
     Text,
 )
 from rotordyn.page.packed import compressed, packed
+from rotordyn.whole import whole_files
 
 LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
@@ -116,7 +118,12 @@ def write(path: Path, page: Page) -> None:
     """
     text = html(page)
     try:
-        path.write_text(text, encoding="utf-8")
+        path = Path(os.path.realpath(path))
+        if path.exists() and not path.is_file():  # a pipe or a device is written to, not replaced
+            path.write_text(text, encoding="utf-8")
+        else:
+            with whole_files(path.parent) as place:
+                (place / path.name).write_text(text, encoding="utf-8")
     except OSError as error:
         raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
 

@@ -4,10 +4,3 @@
 results on disk as they come, ``workers`` who solves, ``dataset`` all of them as one xarray Dataset,
 ``solve`` the call that joins these, ``optimum`` the best of them, ``page`` the page of a folder.
 """
-
-from rotordyn.study.optimum import Goal, Limit, Optimum, optimise
-from rotordyn.study.page import write_report
-from rotordyn.study.parameter import Span
-from rotordyn.study.solve import sweep
-
-__all__ = ["Goal", "Limit", "Optimum", "Span", "optimise", "sweep", "write_report"]

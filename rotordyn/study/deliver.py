@@ -11,6 +11,7 @@ from rotordyn.study.figures import figures
 from rotordyn.study.point import Study
 from rotordyn.study.solve import Progress, solved
 from rotordyn.study.summary import summary, write_points
+from rotordyn.whole import whole_files
 
 DATASET, SUMMARY = "study.nc", "summary.txt"
 
@@ -43,14 +44,15 @@ def deliver(
     InvalidInput : see ``sweep``; the points that are solved stay in the folder
     """
     data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
-    data.to_netcdf(folder / DATASET, engine="h5netcdf")
-    write_points(folder, study, outcomes)
     text = summary(study, outcomes)
-    (folder / SUMMARY).write_text(text + "\n", encoding="utf-8")
-    if draw:
-        from rotordyn.figures.draw import draw_one
+    with whole_files(folder) as place:
+        data.to_netcdf(place / DATASET, engine="h5netcdf")
+        write_points(place, study, outcomes)
+        (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
+        if draw:
+            from rotordyn.figures.draw import draw_one
 
-        for name, drawing in figures(study, outcomes):
-            draw_one(name, drawing, folder, formats)
+            for name, drawing in figures(study, outcomes):
+                draw_one(name, drawing, place, formats)
     good = sum(bool(row.numbers) for row in outcomes.values())
     return Delivered(folder, text, study.design.count, good)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rotordyn.case.case import Case
 from rotordyn.case.expand import Reader
@@ -18,12 +18,11 @@ from rotordyn.case.study import ABSENT, SPACINGS, OptimumFile, SpanEntry, StudyF
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
-from rotordyn.study.optimum.problem import Problem, as_it_stands
-from rotordyn.study.optimum.solve import problem_of
-from rotordyn.study.optimum.wish import Goal, Limit
 from rotordyn.study.parameter import Span, parameter
-from rotordyn.study.point import Study
-from rotordyn.study.solve import study_of
+
+if TYPE_CHECKING:
+    from rotordyn.study.optimum.problem import Problem
+    from rotordyn.study.point import Study
 
 
 def read_study(path: str | Path) -> Study:
@@ -34,6 +33,8 @@ def read_study(path: str | Path) -> Study:
     InvalidInput : faults of the file, each with its line; or those of its case
     """
     read = _opened(path, StudyFile)
+    from rotordyn.study.solve import study_of  # what a file with faults does not wait for
+
     how = {
         name: read.asked[name] for name in ("sampling", "samples", "seed", "analyses", "results")
     }
@@ -53,6 +54,10 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
     NoSolution : the case as it stands has none
     """
     read = _opened(path, OptimumFile)
+    from rotordyn.study.optimum.problem import as_it_stands
+    from rotordyn.study.optimum.solve import problem_of
+    from rotordyn.study.optimum.wish import Goal, Limit
+
     wishes: dict[str, list[Any]] = {"goals": [], "limits": []}
     for key, kind in (("goals", Goal), ("limits", Limit)):
         node = read.root.child(key)

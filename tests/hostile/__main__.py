@@ -2,11 +2,11 @@
 
 ``--files``: every hostile file, checked and run, and the grid of odd values and sizes, checked;
 ``--mutants N``: so many of every shipped file, checked, and ``--runs``: those that pass, run;
-``--machines N``: so many extreme machines, run; ``--calls N``: so many calls of the Python API;
-``--kills N``: so many kills of a run; ``--interrupts N``: Ctrl-C in so many runs of every analysis;
-names of files: these alone. ``--all``: 10 000 mutants, a
-thousand machines, every call and 200 kills. A line for each that is not as it must be; the exit
-code is 1 if there is any.
+``--machines N``: so many extreme machines, run, from number ``--first`` on; ``--calls N``: so many
+calls of the Python API; ``--kills N``: so many kills of a run; ``--interrupts N``: Ctrl-C in so
+many runs of every analysis, and four times as many signals while figures are drawn; names of files:
+these alone. ``--all``: 10 000 mutants, a thousand machines, every call and 200 kills. A line for
+each that is not as it must be; the exit code is 1 if there is any.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ def of_mutants(count: int, runs: bool) -> Iterator[Trial]:
                     yield f"run {name}", _run(case)
 
 
-def of_machines(count: int) -> Iterator[Trial]:
-    """Extreme machines, run."""
-    for number in range(count):
+def of_machines(count: int, first: int = 0) -> Iterator[Trial]:
+    """Extreme machines from the number ``first`` on, run."""
+    for number in range(first, first + count):
         with tempfile.TemporaryDirectory() as place:
             yield f"machine {number}", _run(machines.written(number, Path(place)))
 
@@ -93,12 +93,14 @@ def of_kills(count: int) -> Iterator[Trial]:
 
 
 def of_interrupts(count: int) -> Iterator[Trial]:
-    """Ctrl-C in long runs of every analysis."""
+    """Ctrl-C in long runs of every analysis, and while figures are drawn."""
     with tempfile.TemporaryDirectory() as place:
         for name, waited, after, code in interrupts.interrupts(Path(place), count):
             said = f"Ctrl-C after {waited:.1f} s: exit code {code}, {after:.1f} s later"
             fine = code in (None, 130) and after <= interrupts.MOST
             yield f"interrupt {name}", FINE if fine else Verdict(1, said, after, 0.0)
+        for wrong in interrupts.drawn(Path(place), 4 * count):
+            yield "interrupt figures", Verdict(1, wrong, 0.0, 0.0) if wrong else FINE
 
 
 def main() -> int:
@@ -110,6 +112,7 @@ def main() -> int:
         parser.add_argument(f"--{word}", action="store_true")
     for word in ("mutants", "machines", "calls", "kills", "interrupts"):
         parser.add_argument(f"--{word}", type=int, default=0, metavar="N")
+    parser.add_argument("--first", type=int, default=0, metavar="N", help="number of a machine")
     parser.add_argument("names", nargs="*")
     asked = parser.parse_args()
     if asked.all:
@@ -122,7 +125,7 @@ def main() -> int:
         of_files(names),
         of_grid() if asked.files else iter(()),
         of_mutants(asked.mutants, asked.runs),
-        of_machines(asked.machines),
+        of_machines(asked.machines, asked.first),
         of_calls(asked.calls) if asked.calls else iter(()),
         of_kills(asked.kills),
         of_interrupts(asked.interrupts),

@@ -63,6 +63,7 @@ CASES = {
     "bearing radial": _bearing(f"bearing: {{radial_loads: [{LOADS}], axial_load: 1 kN}}"),
     "control": _bearing("control: {max_load: 5 kN}"),
 }
+DRAWN = _rotor("preload: {}\n  campbell: {}", "[0 rpm, 9000 rpm]")
 
 
 class Stopped(NamedTuple):
@@ -101,9 +102,53 @@ def interrupts(folder: Path, count: int, seed: int = 0) -> Iterator[Stopped]:
             yield stopped(name, folder, 0.2 + 3.0 * chance.random(), "--no-figures")
 
 
+def drawn(folder: Path, count: int, seed: int = 0) -> Iterator[str]:
+    """What is wrong after each of ``count`` signals while figures are drawn and the page is
+    written, empty where nothing is; to the process alone or to its workers too."""
+    chance, case, target = random.Random(seed), folder / "case.yaml", folder / "out"
+    case.write_text(DRAWN, encoding="utf-8")
+    words = ["run", str(case), "-o", str(target), "--quiet", "--report"]
+    begin = time.perf_counter()
+    os.waitpid(_started(words), 0)
+    whole, held = time.perf_counter() - begin, _files(target)
+    for _ in range(count):
+        process = _started(words)
+        while _alive(process) and not any(folder.glob(".out.*")):
+            time.sleep(0.002)
+        time.sleep(chance.uniform(0.0, whole))
+        if not _alive(process):
+            os.waitpid(process, 0)
+            held = _files(target)
+            yield ""
+            continue
+        send = chance.choice((os.kill, os.killpg))
+        send(process, chance.choice((signal.SIGINT, signal.SIGTERM)))
+        code = os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
+        left = {each.name for each in folder.iterdir()} - {"case.yaml", "out"}
+        changed = _files(target) != held
+        held = _files(target)
+        wrong = {f"exit code {code}": code not in (0, 130), f"left over: {left}": bool(left)}
+        wrong |= {"other results": changed and code != 0, "a worker goes on": _group(process)}
+        yield ", ".join(word for word, so in wrong.items() if so)
+
+
+def _files(folder: Path) -> dict[Path, int]:
+    return {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+
+
+def _group(leader: int) -> bool:
+    """Whether a process of the group still runs."""
+    try:
+        os.killpg(leader, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
 def _started(words: list[str]) -> int:
     process = os.fork()
     if process == 0:
+        os.setsid()
         signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background
         from rotordyn.cli import main
 

@@ -91,7 +91,9 @@ class InSpace:
             return {}
         from rotordyn.figures.draw import Drawing
 
-        drawn = Drawing(_sheets(self._parts, self._rendering), folder, formats=formats).finish()
+        jobs = _sheets(self._parts, self._rendering)
+        with Drawing(jobs, folder, formats=formats) as drawing:
+            drawn = drawing.finish()
         return drawn | _animate(self._parts, self._rendering, folder)
 
     @property

@@ -12,6 +12,7 @@ from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.study import record
 from rotordyn.study.identification.started import JOURNAL, Progress
 from rotordyn.study.identification.summary import summary, write_tables
+from rotordyn.whole import whole_files
 
 if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Identification
@@ -61,9 +62,14 @@ def write(
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / SUMMARY).write_text(summary(found) + "\n", encoding="utf-8")
+        with whole_files(folder) as place:
+            _write(found, place, formats if draw else ())
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
+
+
+def _write(found: Identification, folder: Path, formats: Sequence[str]) -> None:
+    (folder / SUMMARY).write_text(summary(found) + "\n", encoding="utf-8")
     found.dataset().to_netcdf(folder / DATASET, engine="h5netcdf")
     write_tables(folder, found)
     best = found.explained
@@ -77,7 +83,7 @@ def write(
         title = f"{found.title or found.name}: as identified"
         changes |= best.held
         write_changed(best.problem.case, changes, folder / BEST, title=title)
-    if draw:
+    if formats:
         from rotordyn.figures.draw import draw_one
         from rotordyn.study.identification.figures import figures
 

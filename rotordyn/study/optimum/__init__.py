@@ -4,8 +4,3 @@
 choices and what a trial of one comes to, ``trials`` those made so far, on disk as they come,
 ``search`` which are made next, ``front`` the trade-off of two goals, ``solve`` the call.
 """
-
-from rotordyn.study.optimum.solve import Optimum, optimise
-from rotordyn.study.optimum.wish import Goal, Limit
-
-__all__ = ["Goal", "Limit", "Optimum", "optimise"]

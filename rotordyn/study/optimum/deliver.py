@@ -12,6 +12,7 @@ from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum, Progress
 from rotordyn.study.optimum.summary import summary, write_about, write_trials
+from rotordyn.whole import whole_files
 
 BEST, SUMMARY = "best.yaml", "summary.txt"
 
@@ -35,18 +36,19 @@ def deliver(
     """
     found = optimum.solved(problem, trials, seed, workers, folder, progress)
     text = summary(found)
-    (folder / SUMMARY).write_text(text + "\n", encoding="utf-8")
-    write_trials(folder, found)
-    write_about(folder, found)
-    if found.best is not None:
-        title = f"{problem.case.title or problem.case.name}: the best"
-        write_changed(problem.case, _as_written(problem, found.best), folder / BEST, title=title)
-    if draw:
-        from rotordyn.figures.draw import draw_one
-        from rotordyn.study.optimum.figures import figures
+    with whole_files(folder) as place:
+        (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
+        write_trials(place, found)
+        write_about(place, found)
+        if found.best is not None:
+            title = f"{problem.case.title or problem.case.name}: the best"
+            write_changed(problem.case, _as_written(problem, found.best), place / BEST, title=title)
+        if draw:
+            from rotordyn.figures.draw import draw_one
+            from rotordyn.study.optimum.figures import figures
 
-        for name, drawing in figures(found):
-            draw_one(name, drawing, folder, formats)
+            for name, drawing in figures(found):
+                draw_one(name, drawing, place, formats)
     return found, text
 
 

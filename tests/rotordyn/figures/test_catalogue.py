@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 
@@ -268,13 +270,29 @@ def test_a_failing_figure_surfaces_its_own_error(tmp_path, case, results):
 
     good = figures(case, results)[-1]
     for workers in (1, 2):
-        with pytest.raises(LookupError, match="no such mode"):
-            Drawing([good, ("broken", broken), good], tmp_path, workers).finish()
+        drawing = Drawing([good, ("broken", broken), good], tmp_path, workers)
+        with pytest.raises(LookupError, match="no such mode"), drawing:
+            drawing.finish()
+
+
+def test_nobody_draws_any_more_after_an_interruption(tmp_path, case, results, monkeypatch):
+    main = os.getpid()
+
+    def endless():
+        if os.getpid() == main:
+            raise KeyboardInterrupt
+        time.sleep(60.0)
+
+    monkeypatch.setattr("rotordyn.figures.draw._processors", lambda: 2)
+    jobs = [("one", endless), ("two", endless)]
+    with pytest.raises(KeyboardInterrupt), Drawing(jobs, tmp_path, workers=2) as drawing:
+        drawing.finish()
+    ((process, _),) = drawing._workers
+    with pytest.raises(ProcessLookupError):
+        os.kill(process, 0)
 
 
 def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkeypatch):
-    import os
-
     main = os.getpid()
 
     def deadly():
