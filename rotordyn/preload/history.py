@@ -32,7 +32,7 @@ from rotordyn.preload.arrangement import (
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
-from rotordyn.state.along import along, parts
+from rotordyn.state.along import along, parts, passed
 from rotordyn.state.contacts import State
 from rotordyn.state.laws import Law, sloped_table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
@@ -95,19 +95,23 @@ class History:
     ) -> list[State]:
         """States under axial forces [N] one after the other, at speed ``row`` from ``state``.
 
-        ``start``: what acts in that state; None: no force besides.
+        ``start``: what acts in that state, at this speed; None: no force besides.
 
         Raises
         ------
         NoEquilibrium : nothing balances a body
         """
-        states, at = [], self.loads[row] if start is None else start
-        for value in force:
-            after = self.under(row, value)
-            state = along(Step(self.network, at, after), state)[0]
-            states.append(state)
-            at = after
-        return states
+        base = float(self.loads[row].force[SHAFT])
+        states, at = [state], self.loads[row] if start is None else start
+        for values in _ways(float(at.force[SHAFT]) - base, force):
+            step = Step(self.network, at, self.under(row, values[-1]))
+            here, there = at.force[SHAFT], step.end.force[SHAFT]
+            way = (there - here) or 1.0
+            states += passed(
+                step, states[-1], [*((base + v - here) / way for v in values[:-1]), 1.0]
+            )
+            at = step.end
+        return states[1:]
 
     def held(self, row: int, state: State, force: float, reach: float) -> float:
         """Axial force [N] beyond ``force`` at which a sleeve first slides again, where friction of
@@ -118,7 +122,7 @@ class History:
         if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
             return math.nan
         step = Step(self.network, self.under(row, force), self.under(row, force + reach))
-        met = (event for _, events in parts(step, state) for event in events)
+        met = (event for *_, events in parts(step, state) for event in events)
         try:
             for event in met:
                 if event.kind.startswith("slip"):
@@ -141,6 +145,19 @@ class History:
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
         return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
+
+
+def _ways(start: float, force: Sequence[float]) -> list[list[float]]:
+    """Forces after ``start``, each time it turns a list of its own."""
+    ways: list[list[float]] = []
+    before = 0.0
+    for a, b in pairwise([start, *force]):
+        if not ways or np.sign(b - a) != before:
+            ways.append([b])
+        else:
+            ways[-1].append(b)
+        before = np.sign(b - a)
+    return ways
 
 
 def history(preload: PreloadState, reach: float) -> History:
