@@ -13,6 +13,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -20,6 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from bearings.ball.law import Law as BallLaw
+from bearings.bearing import BallBearing
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.preload.arrangement import (
     HOUSING,
@@ -42,6 +45,7 @@ from rotordyn.state.rest import at_rest as mounted
 Array = NDArray[np.float64]
 SPACING = 1e-6  # m, of a table
 FINER = 2.0 ** -np.arange(1.0, 13.0)  # of the spacing, beside the place where a law begins
+TABLES = 256  # kept: variants and analyses of a case share bearings and speeds
 REACH = 250e-6  # m, of deflection: a table begins so far unloaded and hardly ends farther loaded
 SLIDING = 1e-9  # of the limit of friction
 NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing has it
@@ -320,26 +324,38 @@ def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
 
     The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
     """
-    from bearings.ring.tangents import stiffness
-
+    growth = bearing.static_growth, float(bearing.growth[0])
     high = 0.25 * REACH
     while True:
-        even = np.arange(-round(REACH / SPACING), round(high / SPACING) + 1) * SPACING
-        d = np.unique(np.concatenate([even, SPACING * FINER, -SPACING * FINER]))
-        displacement = np.zeros((len(d), 5))
-        displacement[:, 0] = d
-        state = bearing.model.equilibrium(
-            displacement=displacement,
-            speed=speed,
-            static_growth=bearing.static_growth,
-            growth=bearing.growth[0],
-            **asdict(bearing.law),
-        )
-        load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
-        known = np.isfinite(load) & np.isfinite(slope)
-        if load[known][-1] >= most or high > REACH or not known[-1]:
-            return sloped_table(*(one[known].tolist() for one in (d, load, slope)))
+        law, load, whole = _solved(bearing.model, bearing.law, growth, speed, high)
+        if load >= most or high > REACH or not whole:
+            return law
         high *= 2.0
+
+
+@lru_cache(TABLES)
+def _solved(
+    model: BallBearing, balls: BallLaw, growth: tuple[float, float], speed: float, high: float
+) -> tuple[Law, float, bool]:
+    """The table of a bearing up to a deflection ``high`` [m], its last load [N], and whether there
+    is a state at its end; ``growth`` [m]: static, and all of it at speed."""
+    from bearings.ring.tangents import stiffness
+
+    even = np.arange(-round(REACH / SPACING), round(high / SPACING) + 1) * SPACING
+    d = np.unique(np.concatenate([even, SPACING * FINER, -SPACING * FINER]))
+    displacement = np.zeros((len(d), 5))
+    displacement[:, 0] = d
+    state = model.equilibrium(
+        displacement=displacement,
+        speed=speed,
+        static_growth=growth[0],
+        growth=growth[1],
+        **asdict(balls),
+    )
+    load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
+    known = np.isfinite(load) & np.isfinite(slope)
+    law = sloped_table(*(one[known].tolist() for one in (d, load, slope)))
+    return law, float(load[known][-1]), bool(known[-1])
 
 
 def _where(law: Law, load: float, near: float) -> float:
