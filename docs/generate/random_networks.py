@@ -14,8 +14,13 @@ def random_networks(found: dict[str, Any]) -> str:
     change = {"change of a position, over the largest one, with every step in three": "change"}
     rows = [
         ("networks", f"{found['networks']}"),
-        ("without an answer", f"{len(found['unanswered'])}"),
+        ("without an answer", _named(found["unanswered"])),
+        ("beyond a limit of the survey", _named(found["beyond"])),
         ("steps, events between", f"{found['steps']}, {found['events']}"),
         *((what, f"{found[key]:.0e}") for what, key in (forces | lengths | change).items()),
     ]
     return table(("random networks", "found, or the largest:"), rows)
+
+
+def _named(seeds: list[int]) -> str:
+    return f"{len(seeds)}" + (f" ({', '.join(map(str, seeds))})" if seeds else "")
