@@ -100,7 +100,8 @@ def write_rotor_twins() -> None:
 
 def write_networks() -> None:
     """Random networks with friction, as surveyed last."""
-    fresh = {"random-networks": random_networks(measured()["random_networks"])}
+    found, before = measured()["random_networks"], measured()["random_networks_before"]
+    fresh = {"random-networks": random_networks(found, before)}
     rewrite(THEORY / "network.md", fresh)
 
 

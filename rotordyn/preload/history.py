@@ -13,6 +13,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -20,6 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from bearings.ball.law import Law as BallLaw
+from bearings.bearing import BallBearing
 from rotordyn.allowance import require_history, require_time
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.preload.arrangement import (
@@ -33,7 +36,7 @@ from rotordyn.preload.arrangement import (
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
-from rotordyn.state.along import along, parts
+from rotordyn.state.along import along, parts, passed
 from rotordyn.state.contacts import State
 from rotordyn.state.laws import Law, sloped_table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
@@ -43,6 +46,7 @@ from rotordyn.state.rest import at_rest as mounted
 Array = NDArray[np.float64]
 SPACING = 1e-6  # m, of a table
 FINER = 2.0 ** -np.arange(1.0, 13.0)  # of the spacing, beside the place where a law begins
+TABLES = 256  # kept: variants and analyses of a case share bearings and speeds
 REACH = 250e-6  # m, of deflection: a table begins so far unloaded and hardly ends farther loaded
 SLIDING = 1e-9  # of the limit of friction
 NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing has it
@@ -97,19 +101,23 @@ class History:
     ) -> list[State]:
         """States under axial forces [N] one after the other, at speed ``row`` from ``state``.
 
-        ``start``: what acts in that state; None: no force besides.
+        ``start``: what acts in that state, at this speed; None: no force besides.
 
         Raises
         ------
         NoEquilibrium : nothing balances a body
         """
-        states, at = [], self.loads[row] if start is None else start
-        for value in force:
-            after = self.under(row, value)
-            state = along(Step(self.network, at, after), state)[0]
-            states.append(state)
-            at = after
-        return states
+        base = float(self.loads[row].force[SHAFT])
+        states, at = [state], self.loads[row] if start is None else start
+        for values in _ways(float(at.force[SHAFT]) - base, force):
+            step = Step(self.network, at, self.under(row, values[-1]))
+            here, there = at.force[SHAFT], step.end.force[SHAFT]
+            way = (there - here) or 1.0
+            states += passed(
+                step, states[-1], [*((base + v - here) / way for v in values[:-1]), 1.0]
+            )
+            at = step.end
+        return states[1:]
 
     def held(self, row: int, state: State, force: float, reach: float) -> float:
         """Axial force [N] beyond ``force`` at which a sleeve first slides again, where friction of
@@ -120,7 +128,7 @@ class History:
         if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
             return math.nan
         step = Step(self.network, self.under(row, force), self.under(row, force + reach))
-        met = (event for _, events in parts(step, state) for event in events)
+        met = (event for *_, events in parts(step, state) for event in events)
         try:
             for event in met:
                 if event.kind.startswith("slip"):
@@ -143,6 +151,19 @@ class History:
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
         return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
+
+
+def _ways(start: float, force: Sequence[float]) -> list[list[float]]:
+    """Forces after ``start``, each time it turns a list of its own."""
+    ways: list[list[float]] = []
+    before = 0.0
+    for a, b in pairwise([start, *force]):
+        if not ways or np.sign(b - a) != before:
+            ways.append([b])
+        else:
+            ways[-1].append(b)
+        before = np.sign(b - a)
+    return ways
 
 
 def history(preload: PreloadState, reach: float) -> History:
@@ -332,26 +353,38 @@ def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
 
     The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
     """
-    from bearings.ring.tangents import stiffness
-
+    growth = bearing.static_growth, float(bearing.growth[0])
     high = 0.25 * REACH
     while True:
-        even = np.arange(-round(REACH / SPACING), round(high / SPACING) + 1) * SPACING
-        d = np.unique(np.concatenate([even, SPACING * FINER, -SPACING * FINER]))
-        displacement = np.zeros((len(d), 5))
-        displacement[:, 0] = d
-        state = bearing.model.equilibrium(
-            displacement=displacement,
-            speed=speed,
-            static_growth=bearing.static_growth,
-            growth=bearing.growth[0],
-            **asdict(bearing.law),
-        )
-        load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
-        known = np.isfinite(load) & np.isfinite(slope)
-        if load[known][-1] >= most or high > REACH or not known[-1]:
-            return sloped_table(*(one[known].tolist() for one in (d, load, slope)))
+        law, load, whole = _solved(bearing.model, bearing.law, growth, speed, high)
+        if load >= most or high > REACH or not whole:
+            return law
         high *= 2.0
+
+
+@lru_cache(TABLES)
+def _solved(
+    model: BallBearing, balls: BallLaw, growth: tuple[float, float], speed: float, high: float
+) -> tuple[Law, float, bool]:
+    """The table of a bearing up to a deflection ``high`` [m], its last load [N], and whether there
+    is a state at its end; ``growth`` [m]: static, and all of it at speed."""
+    from bearings.ring.tangents import stiffness
+
+    even = np.arange(-round(REACH / SPACING), round(high / SPACING) + 1) * SPACING
+    d = np.unique(np.concatenate([even, SPACING * FINER, -SPACING * FINER]))
+    displacement = np.zeros((len(d), 5))
+    displacement[:, 0] = d
+    state = model.equilibrium(
+        displacement=displacement,
+        speed=speed,
+        static_growth=growth[0],
+        growth=growth[1],
+        **asdict(balls),
+    )
+    load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
+    known = np.isfinite(load) & np.isfinite(slope)
+    law = sloped_table(*(one[known].tolist() for one in (d, load, slope)))
+    return law, float(load[known][-1]), bool(known[-1])
 
 
 def _where(law: Law, load: float, near: float) -> float:

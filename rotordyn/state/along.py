@@ -8,7 +8,7 @@ equilibrium, or has none.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import NamedTuple, cast
@@ -75,18 +75,36 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
     NoEquilibrium : nothing balances a body, or contacts change without end
     """
     met: list[Event] = []
-    for there, new in parts(step, state):
+    for _, there, new in parts(step, state):
         state = there
         met += new
     return state, met
 
 
-def parts(step: Step, state: State) -> Iterator[tuple[State, list[Event]]]:
-    """State and events at the begin of a step and after each of its smooth parts, as ``along``."""
+def passed(step: Step, state: State, shares: Sequence[float]) -> list[State]:
+    """States at ``shares`` of a step, ascending up to 1; raises as ``along``."""
+    found: list[State] = []
+    begun, known = state, dict[float, State]()
+    for share, there, _ in parts(step, state):
+        known[share] = there
+        while len(found) < len(shares) and shares[len(found)] < share:
+            place = shares[len(found)]
+            at = hold(step, begun, place, _near(known, place)) or hold(step, begun, place)
+            if at is None:
+                raise nothing(step, place, velocity(step, begun))
+            known[place] = at
+            found.append(at)
+        begun, known = there, {share: there}
+    return [*found, *[begun] * (len(shares) - len(found))]
+
+
+def parts(step: Step, state: State) -> Iterator[tuple[float, State, list[Event]]]:
+    """Share, state and events at the begin of a step and after each of its smooth parts; raises as
+    ``along``."""
     share, length, before, at_once = 0.0, 1.0, state, 0
     piece = pieces(step.load(0.0).laws, state.at.deflection, state.piece)
     state = turned(step, _sided(step, replace(state, piece=piece), 0.0), 0.0)
-    yield state, events(before, state, share, None)
+    yield share, state, events(before, state, share, None)
     for _ in range(PARTS):
         if share >= 1.0:
             return
@@ -106,7 +124,7 @@ def parts(step: Step, state: State) -> Iterator[tuple[State, list[Event]]]:
             state = turned(step, after, share, known)
             met = events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
-        yield state, met
+        yield share, state, met
     raise endless(step, share, velocity(step, state))
 
 
@@ -174,6 +192,7 @@ def _ended(step: Step, of: list[Condition], samples: list[Sample]) -> Part | Non
     """The part up to the first violated condition; None where the positions jump there."""
     begin, *_, end = samples
     start = begin.share, begin.state
+    known = {one.share: one.state for one in samples}
     dips = [*_halts(*samples)] if len(samples) > 2 else []
     dips += [share for pair in pairwise(samples) for share in _lowest(step, start[1], of, *pair)]
     there = [(share, hold(step, start[1], share)) for share in dips]
@@ -188,7 +207,7 @@ def _ended(step: Step, of: list[Condition], samples: list[Sample]) -> Part | Non
             break
         _, k, met, past = min(brackets)
         ended = of[k]
-        share, at = _root(step, start, (met, past), ended)
+        share, at = _root(step, known, (met, past), ended)
         values = [one for one in values if one[0] < share]
         values.append((share, measures(step, at, step.load(share), of)))
         values[-1][1][k] = 0.0
@@ -196,7 +215,7 @@ def _ended(step: Step, of: list[Condition], samples: list[Sample]) -> Part | Non
         return Part(share, end.state, None)
     if ended.kind == "halt":
         ended = _kink(of, values[-1][1], end.value) or ended
-    return _continuous(step, start, Part(share, start[1], ended))
+    return _continuous(step, start[0], Part(share, at, ended))
 
 
 def _kink(of: list[Condition], here: Array, later: Array) -> Condition | None:
@@ -254,13 +273,16 @@ def _lowest(
 
 
 def _root(
-    step: Step, start: tuple[float, State], between: tuple[float, float], one: Condition
+    step: Step, known: dict[float, State], between: tuple[float, float], one: Condition
 ) -> tuple[float, State]:
-    """Share at which a condition is no longer met, and the state there."""
-    known = {start[0]: start[1]}
+    """Share at which a condition is no longer met, and the state there.
+
+    ``known``: states of the part at their shares, to which those that are solved are added.
+    """
+    state = known[min(known)]
 
     def value(share: float) -> float:
-        at = hold(step, start[1], share, _near(known, share))
+        at = known.get(share) or hold(step, state, share, _near(known, share))
         if at is None:
             return -1.0
         known[share] = at
@@ -271,7 +293,7 @@ def _root(
         nearer = (met + (past - met) * share for share in WITHIN)
         inside = next((share for share in nearer if value(share) > 0.0), None)
         if inside is None:
-            return met, known.get(met, start[1])
+            return met, known.get(met, state)
         met = inside
     if value(past) >= 0.0:  # violated by rounding alone, solved from elsewhere
         return past, known[past]
@@ -288,16 +310,15 @@ def _near(known: dict[float, State], share: float) -> Array:
     return known[one].x + (share - one) / (more[0] - one) * way
 
 
-def _continuous(step: Step, start: tuple[float, State], part: Part) -> Part | None:
-    """The part with the state at its end; before the jump where there is one."""
-    a, state = start
-    at = hold(step, state, part.share)
-    before, after = (hold(step, state, max(part.share + way, a)) for way in (-SHORTEST, SHORTEST))
+def _continuous(step: Step, a: float, part: Part) -> Part | None:
+    """The part, begun at ``a``; before the jump where positions jump at its end."""
+    state = part.state
+    places = [max(part.share + way, a) for way in (-SHORTEST, SHORTEST)]
+    before, after = (hold(step, state, share, state.x) for share in places)
     if before is None:
         return None
-    jumps = after is None or float(np.abs(after.x - before.x).max()) > SNAPPED
-    if at is not None and not jumps:
-        return replace(part, state=at)
+    if after is not None and np.abs(after.x - before.x).max() <= SNAPPED:
+        return part
     share = part.share - SHORTEST
     return Part(share, before, SNAP) if share > a else None
 

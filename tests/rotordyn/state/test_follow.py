@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from rotordyn.errors import InvalidInput
 from rotordyn.state import NoEquilibrium, follow
@@ -183,33 +184,55 @@ def test_random_networks_are_in_balance_whatever_the_step(seed: int) -> None:
     assert difference(network, answers, 3) <= 1e-6
 
 
-def test_friction_whose_force_turns_at_a_kink_of_a_law_slips_before() -> None:
-    """A sleeve rubs on a housing, both on springs and pressed by the shaft. The friction that holds
-    them together, k x - kb u with u the way of the shaft against both, rises to 2.5 N/um times
-    20 um; from there the bearing of the housing is so steep that it falls."""
-    table = {"kind": "table", "d": [0.0, 120e-6, 240e-6], "F": [0.0, 600.0, 5400.0]}
-    plain: Plain = {
-        "laws": {"a": {"kind": "linear", "k": 10e6}, "b": table},
+def rubbing_pair(law: Plain, preload: float, force: float, limit: float) -> Plain:
+    """A sleeve rubs on a housing, both on springs of 20 N/um and pressed by the shaft, the sleeve
+    through 10 N/um, the housing through ``law``. While both stick together, friction on the sleeve
+    is f = -(10 N/um u - h) / 2 with u the way of the shaft against them and h(u) the rise of the
+    load of the housing: it turns where h gets steeper than 10 N/um, and again where less steep."""
+    return {
+        "laws": {"a": {"kind": "linear", "k": 10e6}, "b": law},
         "bodies": ["shaft", "sleeve", "housing"],
         "bearings": [
             {"inner": "shaft", "outer": "sleeve", "s": 1, "n": 1, "law": "a", "preload": 500.0},
-            {"inner": "shaft", "outer": "housing", "s": 1, "n": 1, "law": "b", "preload": 500.0},
+            {"inner": "shaft", "outer": "housing", "s": 1, "n": 1, "law": "b", "preload": preload},
         ],
         "springs": [
             {"body": "sleeve", "P": 500.0, "e": -1, "K": 20e6},
-            {"body": "housing", "P": 500.0, "e": -1, "K": 20e6},
-            {"body": "shaft", "P": 1000.0, "e": 1, "K": 0.0},
+            {"body": "housing", "P": preload, "e": -1, "K": 20e6},
+            {"body": "shaft", "P": 500.0 + preload, "e": 1, "K": 0.0},
         ],
-        "path": forces(400.0),
+        "frictions": [{"body": "sleeve", "other": "housing", "limit": limit}],
+        "path": forces(force),
     }
-    rubs = {"body": "sleeve", "other": "housing"}
-    (answer,) = follow(plain | {"frictions": [{**rubs, "limit": 49.95}]})
+
+
+KINKS = {"kind": "table", "d": [0.0, 120e-6, 122e-6, 240e-6], "F": [0.0, 600.0, 680.0, 1270.0]}
+ROUND = {"kind": "power", "k": 5e6 / (1.5 * math.sqrt(10e-6)), "p": 1.5}
+TURNS = {  # law, preload and last force [N], largest friction there [N], rise h(u)
+    "between two kinks": (KINKS, 500.0, 415.0, 50.0, lambda u: 5e6 * u),
+    "smoothly": (
+        ROUND,
+        ROUND["k"] * 10e-6**1.5,
+        1200.0,
+        100.0 / 3.0,
+        lambda u: ROUND["k"] * ((10e-6 + u) ** 1.5 - 10e-6**1.5),
+    ),
+}
+
+
+@pytest.mark.parametrize("turns", TURNS)
+def test_friction_whose_force_turns_within_a_step_slips_before(turns: str) -> None:
+    law, preload, force, most, rise = TURNS[turns]
+    plain = rubbing_pair(law, preload, force, 0.999 * most)
+    (answer,) = follow(plain)
     slip, stick = answer["events"]
     assert (slip["kind"], stick["kind"]) == ("slip+", "stick")
-    assert slip["at"] == pytest.approx(15e6 * (49.95 / 2.5e6) / 400.0, rel=1e-9)
-    (answer,) = follow(plain | {"frictions": [{**rubs, "limit": 50.05}]})
+    u = brentq(lambda u: 5e6 * u - 0.5 * rise(u) - 0.999 * most, 0.0, 30e-6)
+    assert slip["at"] == pytest.approx((10e6 * u + rise(u)) / force, rel=1e-9)
+    assert difference(plain, [answer], 7) <= 1e-9
+    (answer,) = follow(rubbing_pair(law, preload, force, 1.001 * most))
     assert answer["events"] == []
-    assert answer["friction"] == pytest.approx([-20.0])
+    assert abs(answer["friction"][0]) < 0.5 * most
 
 
 def test_all_that_slides_comes_to_rest_where_what_drives_it_turns() -> None:
@@ -223,18 +246,21 @@ def test_all_that_slides_comes_to_rest_where_what_drives_it_turns() -> None:
 
 
 def loop() -> Plain:
-    """Three frictions between the shaft, a sleeve and the ground."""
-    network = random_network(np.random.default_rng(214))
-    network["frictions"] += [
-        {"body": "sleeve 0", "other": "shaft", "limit": 80.0},
-        {"body": "sleeve 0", "other": None, "limit": 50.0},
+    """Two frictions between a sleeve and the shaft, one between it and the ground."""
+    network = random_network(np.random.default_rng(11))
+    network["frictions"] = [
+        {"body": "sleeve 0", "limit": 160.0},
+        {"body": "sleeve 0", "other": "shaft", "limit": 110.0},
+        {"body": "sleeve 0", "other": "shaft", "limit": 15.0},
     ]
-    return network
+    return {**network, "path": network["path"][:2]}
 
 
 def test_friction_that_forms_a_loop_is_followed() -> None:
     network = loop()
     answers = follow(network)
+    slips = [[event["index"] for event in answer["events"]] for answer in answers]
+    assert slips == [[1, 2], [1, 2]], "one gives way, then the other that it pressed on"
     assert max(worst(network, answers).values()) <= 1e-8
     assert difference(network, answers, 3) <= 1e-9
 
