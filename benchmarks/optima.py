@@ -2,8 +2,8 @@
 
 Each problem varies two spans (or a span and a choice) of a shipped spindle within random ends,
 under random limits; brute force solves a grid of it. ``behind``: how far the best found lies behind
-that of the grid, relative, negative where it is better. Kept in ``benchmarks/results.json`` after every
-problem; a further run goes on where the last one ended.
+that of the grid, relative, negative where it is better. Kept in ``benchmarks/results.json`` after
+each problem; a further run goes on where the last one ended.
 """
 
 from __future__ import annotations
