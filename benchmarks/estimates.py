@@ -4,8 +4,10 @@ The file has a row for every bearing and the columns d_mm, D_mm, B_mm, C0_kN; fo
 classes L, M and H of a pair back to back, Fv_*_N (preload), Sa_*_N_um (axial rigidity) and, where
 printed, Kae_*_N (unloading force); alpha_deg and hybrid (0 or 1), or else a designation in
 ``code``: C or E for 15° or 25°, H or X in front for hybrid bearings, but HS for steel. Every row is
-fitted on C0 and one class and judged on the others. No figure of the method was chosen on such a
-file: how usual a ball is, is counted in catalogues of other makers (``bearings.catalogue``).
+fitted on C0 and one class and judged on the others; with ``--rating 1`` on C_kN too, with
+``--rating 1.62`` as if that of a pair were given for one bearing. No figure of the method was
+chosen on such a file: how usual a ball is, is counted in catalogues of other makers
+(``bearings.catalogue``).
 """
 
 from __future__ import annotations
@@ -43,23 +45,29 @@ def main() -> None:
     arguments.add_argument("file")
     arguments.add_argument("--fitted", default=CLASSES, help="classes to fit on (default: LMH)")
     arguments.add_argument("--every", type=int, default=1, help="use every n-th row only")
+    arguments.add_argument("--rating", type=float, default=0.0, help="fit on so many times C also")
     given = arguments.parse_args()
     with open(given.file, newline="", encoding="utf-8") as file:
         rows = [*csv.DictReader(file)][:: given.every]
     for fitted in given.fitted:
-        found, refused = [], []
+        found: list[Judged] = []
+        refused, doubted = [], 0
         for row in rows:
             try:
-                found += judged(row, fitted)
+                bearing = fit(row, fitted, given.rating)
             except BearingError as error:
                 refused.append(f"{row['code']}: {error}")
-        head = f"fitted on {fitted}: {len(rows)} rows, {len(refused)} refused"
+                continue
+            found += judged(row, fitted, bearing)
+            doubted += bool(bearing.doubt)
+        head = (
+            f"fitted on {fitted}: {len(rows)} rows, {len(refused)} refused, C of {doubted} doubted"
+        )
         sys.stdout.write("\n".join([head, *refused, *report(found)]) + "\n")
 
 
-def judged(row: dict[str, str], fitted: str) -> Iterator[Judged]:
-    """One row, fitted on one class."""
-    bearing = fit(row, fitted)
+def judged(row: dict[str, str], fitted: str, bearing: EstimatedBearing) -> Iterator[Judged]:
+    """The other classes of one row, by its estimate from one class."""
     code = row.get("code", "")
     for other in CLASSES.replace(fitted, ""):
         rigidity, unloading = bearing.pair(float(row[f"Fv_{other}_N"]))
@@ -74,8 +82,8 @@ def judged(row: dict[str, str], fitted: str) -> Iterator[Judged]:
         )
 
 
-def fit(row: dict[str, str], fitted: str) -> EstimatedBearing:
-    """The estimate from C0 and one class of a row."""
+def fit(row: dict[str, str], fitted: str, rating: float = 0.0) -> EstimatedBearing:
+    """The estimate from C0, one class of a row and ``rating`` times its C."""
     code, unloading = row.get("code", ""), row.get(f"Kae_{fitted}_N")
     letter = re.search(r"\d([CE])\b", code)
     angle = row.get("alpha_deg") or _ANGLES[letter[1] if letter else "C"]
@@ -90,6 +98,7 @@ def fit(row: dict[str, str], fitted: str) -> EstimatedBearing:
         rigidities=[float(row[f"Sa_{fitted}_N_um"]) * 1e6],
         unloading=[float(unloading)] if unloading else [],
         static_rating=float(row["C0_kN"]) * 1e3 if row.get("C0_kN") else None,
+        dynamic_rating=float(row["C_kN"]) * 1e3 * rating if rating else None,
     )
 
 

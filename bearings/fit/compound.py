@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -164,32 +164,11 @@ def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
     return each[each > 0.0]
 
 
-def thermal_growth(
-    pitch_diameter: float,
-    ball_diameter: float,
-    contact_angle: float,
-    *,
-    inner_rise: ArrayLike,
-    outer_rise: ArrayLike,
-    expansion: float,
-    ball_rise: ArrayLike = 0.0,
-    ball_expansion: float = 0.0,
-) -> Array:
-    """Δu that temperature alone gives the groove centres of a bearing [m].
-
-    ½ α ((Ti − To) dm − D cos α (Ti + To)) + α_b D cos α T_b, rises above mounting [K] in the inner
-    ring, the outer ring and the balls. To first order exact for rings that expand freely in all
-    directions: a bearing of one material heated uniformly keeps its contact angle.
-    """
-    inner, outer, ball = (np.asarray(t, float) for t in (inner_rise, outer_rise, ball_rise))
-    chord = ball_diameter * math.cos(contact_angle)
-    rings = 0.5 * expansion * ((inner - outer) * pitch_diameter - chord * (inner + outer))
-    return rings + ball_expansion * chord * ball
-
-
 def _checked(
-    bodies: Sequence[Cylinder], interference: ArrayLike, axial: str
+    bodies: object, interference: ArrayLike, axial: str
 ) -> tuple[tuple[Cylinder, ...], Array]:
+    if not isinstance(bodies, Iterable) or not all(isinstance(b, Cylinder) for b in bodies):
+        raise InvalidBearing(f"bodies must be a list, each a Cylinder, got {shown(bodies)}")
     stack, given = tuple(bodies), real_numbers(interference)
     overlap = np.full(1, np.nan) if given is None else np.atleast_1d(given)
     if axial not in AXIAL_CONDITIONS:

@@ -96,9 +96,11 @@ def skf_moment(
     Raises
     ------
     InvalidBearing : n·dm above 0.8 million, an unknown supply, sizes, viscosity or friction that
-        no bearing has, a speed that is no finite number
+        no bearing has, a load or a speed that is no finite number
     """
-    _refuse(speed, viscosity, bore, outside, ehl_friction)
+    _refuse(
+        {"speed": speed, "radial": radial, "axial": axial}, viscosity, bore, outside, ehl_friction
+    )
     n, pitch = _rpm(speed), 0.5 * (bore + outside) * 1e3
     fastest = float(np.max(n)) * pitch
     if fastest > FASTEST:
@@ -122,11 +124,16 @@ def skf_moment(
 
 
 def _refuse(
-    speed: ArrayLike, viscosity: ArrayLike, bore: float, outside: float, friction: float
+    numbers: dict[str, ArrayLike],
+    viscosity: ArrayLike,
+    bore: float,
+    outside: float,
+    friction: float,
 ) -> None:
     """Refuse what no bearing and no oil has."""
-    if not np.isfinite(np.asarray(speed, float)).all():
-        raise InvalidBearing(f"speed must be finite, got {shown(speed)}")
+    for name, value in numbers.items():
+        if not np.isfinite(np.asarray(value, float)).all():
+            raise InvalidBearing(f"{name} must be finite, got {shown(value)}")
     nu = np.asarray(viscosity, float)
     if not ((nu >= 0.0) & (nu < THICKEST)).all():
         raise InvalidBearing(

@@ -181,9 +181,12 @@ def parts(lost: Losses) -> Array:
 
 @checked
 def thermal_growth(bearing: BallBearing, temperature: Array) -> Array:
-    """Radial growth (…) of inner against outer groove [m] at ``temperature`` (…, 3) of balls, inner
-    and outer ring [°C], the balls' own in it: a bearing of one material that warms evenly keeps its
-    angle."""
+    """Growth (…) of the inner against the outer groove, on the radius [m], of rings that expand
+    freely at ``temperature`` (…, 3) of balls, inner and outer ring [°C].
+
+    Δu = ½ α ((Ti − To) dm − D cos α0 (Ti + To)) + αb D cos α0 Tb of rises above 20 °C, exact to
+    first order: a bearing of one material that warms evenly keeps its angle.
+    """
     balls, inner, outer = np.moveaxis(np.asarray(temperature, float), -1, 0) - REFERENCE
     ball = bearing.ball_diameter * np.cos(bearing.free_angle)
     rings = 0.5 * bearing.ring_material.thermal_expansion

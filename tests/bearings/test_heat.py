@@ -246,6 +246,24 @@ def test_growth_raises_a_rigid_preload(growth: float, load: float) -> None:
     assert found.load[0] == pytest.approx(load, rel=2e-3)
 
 
+@pytest.mark.parametrize("angle", [0.02, 0.26, 0.44])
+def test_warmth_moves_the_groove_centres(angle: float) -> None:
+    """The heated lengths themselves: groove circles, groove radii, ball, free angle; to first order
+    in α T."""
+    b = replace(VEX70, contact_angle=angle)
+    rise = 1e-4 * np.array([33.0, 40.0, 15.0])
+    d, fi, fo = b.ball_diameter, b.inner_conformity, b.outer_conformity
+    ring, ball = b.ring_material.thermal_expansion, b.ball_material.thermal_expansion
+    cold = (fi + fo - 1) * d
+    shrunk = 0.5 * b.pitch_diameter * np.array([1, -1]) + np.array([fi - 0.5, fo - 0.5]) * (
+        d * math.cos(angle)
+    )
+    apart = (shrunk * (1 + ring * rise[1:])).sum()
+    free = d * (fi * (1 + ring * rise[1]) + fo * (1 + ring * rise[2]) - (1 + ball * rise[0]))
+    expected = cold * (apart / free - math.cos(angle))
+    assert heat.thermal_growth(b, 20.0 + rise) == pytest.approx(expected, rel=1e-5)
+
+
 def test_even_warmth_keeps_the_angle() -> None:
     """A bearing of one material at one temperature: no growth of its own."""
     warm, steel = np.full(3, 80.0), replace(VEX70, ball_material=STEEL)

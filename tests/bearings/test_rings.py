@@ -10,13 +10,7 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
-from bearings.fit.compound import (
-    AXIAL_CONDITIONS,
-    Cylinder,
-    compound,
-    release_speed,
-    thermal_growth,
-)
+from bearings.fit.compound import AXIAL_CONDITIONS, Cylinder, compound, release_speed
 
 SHAFT_STEEL = Material("shaft steel", 210e9, 0.3, 7850.0)
 CERAMIC = Material("ceramic", 315e9, 0.26, 3190.0)
@@ -376,48 +370,3 @@ def test_impossible_questions() -> None:
 def test_impossible_cylinders(wrong: dict[str, float]) -> None:
     with pytest.raises(InvalidBearing):
         Cylinder(material=STEEL, **wrong)
-
-
-def centre_shift(angle: float, *, ti: float, to: float, tb: float, ball: float) -> float:
-    """Δu from the heated lengths themselves: groove circles, groove radii, ball, free angle."""
-    d, dm, fi, fo, alpha = 9.525e-3, 0.09, 0.56, 0.54, 12e-6
-    c = math.cos(angle)
-    inner = (dm / 2 + (fi - 0.5) * d * c) * (1 + alpha * ti)
-    outer = (dm / 2 - (fo - 0.5) * d * c) * (1 + alpha * to)
-    free = fi * d * (1 + alpha * ti) + fo * d * (1 + alpha * to) - d * (1 + ball * tb)
-    cold = (fi + fo - 1) * d
-    return cold * (inner - outer) / free - cold * c
-
-
-@pytest.mark.parametrize("angle", [0.0, 0.26, 0.44])
-def test_thermal_growth_from_the_heated_lengths(angle: float) -> None:
-    """cos of the free angle after heating, as growth of a cold bearing: to first order in α T."""
-    small = 1e-4
-    heat = dict(ti=40.0 * small, to=15.0 * small, tb=33.0 * small)
-    found = thermal_growth(
-        0.09,
-        9.525e-3,
-        angle,
-        inner_rise=heat["ti"],
-        outer_rise=heat["to"],
-        ball_rise=heat["tb"],
-        expansion=12e-6,
-        ball_expansion=3.2e-6,
-    )
-    assert found == pytest.approx(centre_shift(angle, **heat, ball=3.2e-6), rel=1e-5)
-
-
-def test_one_material_heated_uniformly_keeps_its_contact_angle() -> None:
-    same = dict(inner_rise=30.0, outer_rise=30.0, ball_rise=30.0)
-    found = thermal_growth(0.09, 9.5e-3, 0.44, **same, expansion=12e-6, ball_expansion=12e-6)
-    assert found == pytest.approx(0.0, abs=1e-18)
-    assert centre_shift(0.44, ti=30.0, to=30.0, tb=30.0, ball=12e-6) == pytest.approx(0, abs=1e-17)
-
-
-def test_thermal_growth_of_the_rings_alone() -> None:
-    """½ α ((Ti − To) dm − D cos α (Ti + To − 2 T0)): T0 = 20, Ti = 60, To = 40 °C."""
-    found = thermal_growth(
-        0.09, 9.525e-3, math.radians(25), inner_rise=[40.0, 20.0], outer_rise=20.0, expansion=12e-6
-    )
-    chord = 9.525e-3 * math.cos(math.radians(25))
-    assert found == pytest.approx([6e-6 * (20 * 0.09 - 60 * chord), -6e-6 * 40 * chord], rel=1e-12)

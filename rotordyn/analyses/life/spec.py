@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
@@ -17,6 +18,7 @@ from rotordyn.quantity import (
     Share,
     Speed,
 )
+from rotordyn.results.display import RPM
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Setting, Spec, placed
@@ -84,6 +86,13 @@ class LifeSpec(Spec):
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
             yield from self._loads(setting, index, step)
+            if step.speed > max(setting.speeds, default=math.inf):
+                yield (
+                    ("spectrum", index, "speed"),
+                    "beyond the speeds of the case, up to which warnings look: given "
+                    f"{step.speed * RPM.factor:.6g} rpm; allowed: up to "
+                    f"{max(setting.speeds) * RPM.factor:.6g} rpm, or add speeds to the case",
+                )
         for path in places:
             if path[-1] not in names:
                 yield (

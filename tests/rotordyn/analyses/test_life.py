@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -283,6 +284,10 @@ def test_impossible_questions(make: Any, sentence: str) -> None:
             "unknown bearing: given 'x'",
         ),
         (
+            "spectrum: [{share: 100 %, speed: 60000 rpm}]",
+            r"spectrum[0].speed: beyond the speeds of the case, .* allowed: up to 100 rpm",
+        ),
+        (
             "spectrum: [{share: 100 %, speed: 100 rpm, loads: [{at: tip, Fy: 1 N}]}]",
             "unknown point: given 'tip'; allowed: nose",
         ),
@@ -305,7 +310,7 @@ def test_files_with_faults(changes: str, sentence: str, tmp_path: Any) -> None:
     file.write_text(
         f"spindle: grinding_spindle\nspeeds: [100 rpm]\nanalyses:\n  life:\n    {changes}\n"
     )
-    with pytest.raises(InvalidInput, match=sentence.replace("(", r"\(")):
+    with pytest.raises(InvalidInput, match=re.sub(r"[\[(]", r"\\\g<0>", sentence)):
         rotordyn.load(file)
 
 
