@@ -141,6 +141,10 @@ def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
         page.evaluate("getComputedStyle(document.querySelector('.xtick text')).fill")
         == "rgb(0, 0, 0)"
     )
+    canvases = "[...document.querySelectorAll('.gl-container canvas')]"
+    widths = page.evaluate(f"{canvases}.map((each) => each.getBoundingClientRect().width)")
+    assert widths
+    assert max(widths) < 681  # of A4 within its margins
     page.emulate_media(media="screen")
     pdf = page.pdf(path=tmp_path / "page.pdf")
     assert pdf.startswith(b"%PDF")
