@@ -130,7 +130,7 @@ def test_nothing_runs_over_the_edge(looked: Any, request: pytest.FixtureRequest)
     assert tick == ink
 
 
-@pytest.mark.parametrize("looked", ["dark"], indirect=True, scope="module")
+@pytest.mark.parametrize("looked", ["wide", "dark"], indirect=True, scope="module")
 def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
     page, said = looked
     page.emulate_media(media="print")
