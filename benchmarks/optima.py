@@ -1,22 +1,25 @@
-"""Optima against brute force on random design problems:  python -m benchmarks.optima
+"""Optima against brute force on random design problems:  python -m benchmarks.optima [--anew]
 
 Each problem varies two spans (or a span and a choice) of a shipped spindle within random ends,
 under random limits; brute force solves a grid of it. ``behind``: how far the best found lies behind
-that of the grid, relative, negative where it is better.
+that of the grid, relative, negative where it is better. Kept in ``benchmarks/results.json`` after
+each problem; a further run goes on where the last one ended.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import math
 import time
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
 import rotordyn
-from benchmarks.kept import keep
+from benchmarks.kept import RESULTS, keep
 from rotordyn import Goal, Limit, Span, optimise
 from rotordyn.case.case import Case
 from rotordyn.study.optimum.problem import as_it_stands
@@ -99,10 +102,12 @@ def main() -> None:
     """Judge the problems and keep what they come to."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--problems", type=int, default=20)
+    parser.add_argument("--anew", action="store_true", help="begin with the first one")
     given = parser.parse_args()
     case = rotordyn.vary(rotordyn.load("grinding_spindle"), {"speeds": (0.0, 400.0 * math.pi)})
-    rows = []
-    for problem in problems(given.problems):
+    kept = json.loads(RESULTS.read_text(encoding="utf-8")).get("optima", {})
+    rows = [] if given.anew else kept.get("problems", [])
+    for problem in islice(problems(given.problems), len(rows), None):
         rows.append(judged(case, *problem))
         keep("optima", problems=rows, worst=max(row["behind"] for row in rows))
 

@@ -67,6 +67,7 @@ GENERATED = OUTPUTS | {
             *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
             "study",
+            "optima",
             "scaling-sections",
             "scaling",
             *(f"peer-{n}" for n in ("versions", "times", "errors", "starts")),

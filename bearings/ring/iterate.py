@@ -168,6 +168,7 @@ class Settled:
 
     parts: Parts
     shape: tuple[int, ...]
+    displacement: Array
     ball: Array
     load: Array
     stiffness: Array
@@ -175,7 +176,7 @@ class Settled:
 
     def moved(self, displacement: Array) -> Settled:
         """Rings at ``displacement`` (…, 5), balls sought from where they are."""
-        return _settled(self.parts, self.shape, displacement, self.ball)
+        return _settled(self.parts, self.shape, displacement, self)
 
     def follows(self, before: Settled) -> Flags:
         """Where there is a state: each is found by itself if its neighbour leads astray (…)."""
@@ -189,20 +190,27 @@ def settled(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> S
 
 
 def _settled(
-    parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array | None
+    parts: Parts, shape: tuple[int, ...], displacement: Array, before: Settled | None
 ) -> Settled:
     count, balls = sum(len(k) for k, _ in parts), parts[0][1].assembly.balls
     d, x = displacement.reshape(count, 5), np.zeros((2, count, balls))
     load, stiffness, error = np.empty((count, 5)), np.empty((count, 5, 5)), np.zeros(count)
-    near = None if ball is None else ball.reshape(2, count, balls)
+    if before is not None:
+        known = before.ball.reshape(2, count, balls)
+        stayed = (before.displacement.reshape(count, 5) == d).all(axis=1)
+        load[:], stiffness[:] = before.load.reshape(count, 5), before.stiffness.reshape(count, 5, 5)
+        x[:], error[:] = known, before.error.reshape(count)
     for k, problem in parts:
+        if before is not None and stayed[k].all():
+            continue
         (_, x[:, k], load[k], stiffness[k], exists), _ = one_by_one(
-            problem, d[k], None if near is None else near[:, k]
+            problem, d[k], None if before is None else known[:, k]
         )
-        error[k[~exists]] = np.nan
+        error[k] = np.where(exists, 0.0, np.nan)
     return Settled(
         parts,
         shape,
+        displacement,
         x.reshape(2, *shape, balls),
         load.reshape(*shape, 5),
         stiffness.reshape(*shape, 5, 5),

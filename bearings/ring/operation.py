@@ -100,7 +100,9 @@ def operation(
     move = five_numbers("displacement", displacement, some=True)
     if load is None or displacement is None:
         _check_whole(*(("load", force) if displacement is None else ("displacement", move)))
-    free = _free(force, move)
+        free = np.full(5, displacement is None)
+    else:
+        free = _free(force, move)
     omega, static = finite_numbers("speed", speed), finite_numbers("static_growth", static_growth)
     total = static if growth is None else finite_numbers("growth", growth)
     shapes = (force.shape[:-1], move.shape[:-1], omega.shape, static.shape, total.shape)
@@ -110,8 +112,8 @@ def operation(
         words = ", ".join(f"{name} {each}" for name, each in zip(LARGEST, shapes, strict=True))
         raise InvalidBearing(f"leading shapes do not fit together: {words}") from error
     omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in (omega, static, total))
-    force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
     force, move = (np.where(np.isnan(a), 0.0, a) for a in (force, move))
+    force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
     return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +19,7 @@ from bearings.ring.operation import Operation
 from bearings.ring.tolerances import SLOW
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Problem:
     """States to find: all at rest or all turning.
 
@@ -65,6 +67,24 @@ class Problem:
     def squared(self) -> Array:
         """ω² (s,), 0 for states at rest."""
         return self.speed**2 if self.turning else 0.0 * self.speed
+
+    @cached_property
+    def plain(self) -> tuple[tuple[Any, ...], tuple[Array, ...]]:
+        """What compiled code takes: what the states have in common, ``One`` from ``geometry`` on;
+        (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)), arrays of one type for one compilation."""
+        common = (
+            self.geometry,
+            self.law.numbers,
+            self.assembly.azimuth,
+            self.assembly.products,
+            self.free.nonzero()[0],
+            self.turning,
+            self.law.one_branch,
+            self.placed,
+            self.full,
+        )
+        given = (self.origin.T, self.squared, self.load, self.scale)
+        return common, tuple(np.array(part, order="C") for part in given)
 
     def take(self, index: Index) -> Problem:
         """The same problem for some of its states."""

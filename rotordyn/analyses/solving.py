@@ -29,7 +29,8 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """Results by analysis name; seconds by stage, and who ``asked`` for it first; residuals.
+    """Results by analysis name; seconds by stage, and who ``asked`` for it first; residuals where
+    errors are looked for.
 
     ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
     saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
@@ -103,7 +104,7 @@ def answer_spindle(
             asked=scene.clock.asked,
             skipped=reasons(scene),
             spared=spared(scene),
-            tolerances=scene.tolerances,
+            tolerances=scene.tolerances if scene.checks.wanted else {},
             warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
             notes=scene.notes,
             interrupted=interrupted,

@@ -116,8 +116,8 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
     least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
-    damped = [*(c.damping for c in linear.components), *(c.damping for c in connections)]
-    if linear.loss is not None or any(each.any() for each in damped):
+    damped = any(c.damping.any() for c in linear.components) or any(c.damped for c in connections)
+    if linear.loss is not None or damped:
         least = np.inf  # motions of damped systems would lose digits instead
     stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]

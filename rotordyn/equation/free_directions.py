@@ -20,6 +20,8 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
     They strain no body, and no link answers them, whatever its stiffness, unless that is
     ``NOTHING`` beside the largest; the axial force does not count.
     """
+    if not (rows := list(rows)):
+        return []
     still, moved, sizes = _unstrained(linear), [], []
     for each in linear.connections:
         relative, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)

@@ -62,8 +62,8 @@ def mode_errors(
         return max(_largest(each, branches, band) for each in (errors.frequency, damping))
 
     scene, (computed, errors) = solve_accurately(scene, solve, lambda each: RESPONSES * worst(each))
-    given = scene.conditions.element_length is not None
-    unconverged = "" if given else _unconverged(scene, band, computed[0], errors)
+    judged = scene.conditions.element_length is None and scene.checks.wanted
+    unconverged = _unconverged(scene, band, computed[0], errors) if judged else ""
     frequency, damping = (
         np.maximum(each + errors.rounding, ROUNDING) if not scene.rigid else each
         for each in (errors.frequency, errors.damping)

@@ -51,11 +51,7 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
         _trace(place, curve, series, [variant.title for variant in variants])
         for place, curve in held
     ]
-    seen: set[str] = set()
-    for trace in traces:
-        trace["showlegend"] = trace.get("showlegend", True) and trace["name"] not in seen
-        seen.add(trace["name"])
-    traces += known_marks(held, variants)
+    traces = once_named(traces) + once_named(known_marks(held, variants))
     down, up = first.limits
     ordinate = logarithmic if first.log else axis
     layout: dict[str, Any] = {
@@ -71,6 +67,18 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
         layout["showlegend"] = False
     title = first.title or (f"{first.panel}: {first.label}" if first.panel else first.label)
     return Chart(title, traces, layout)
+
+
+def once_named(traces: list[Any]) -> list[Any]:
+    """Traces of which each name stands in the legend once, and hides all that bear it."""
+    seen: set[str] = set()
+    names = [trace["name"] for trace in traces]
+    for trace in traces:
+        trace["showlegend"] = trace.get("showlegend", True) and trace["name"] not in seen
+        seen.add(trace["name"])
+        if names.count(trace["name"]) > 1:
+            trace.setdefault("legendgroup", trace["name"])
+    return traces
 
 
 def _trace(place: int, curve: Curve, series: Sequence[str], titles: Sequence[str]) -> Any:

@@ -29,6 +29,7 @@ from rotordyn.page.blocks import (
 from rotordyn.page.packed import compressed, packed
 from rotordyn.whole import whole_files
 
+TO = "\u00a0→ "
 LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
 STARTS = "0123456789-+−<>. "
@@ -206,7 +207,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
         cells = [
             f'<th scope="row">{escape(cell)}</th>'
             if k == 0
-            else f"<td{kinds[k]}>{escape(cell)}</td>"
+            else f"<td{kinds[k]}>{escape(cell).replace(' → ', TO)}</td>"
             for k, cell in enumerate(row)
         ]
         yield f"<tr>{''.join(cells)}</tr>"

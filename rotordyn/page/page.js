@@ -50,11 +50,11 @@
   const narrow = matchMedia("screen and (max-width: 34rem)"), printed = matchMedia("print");
   const layoutOf = (layout) => {
     const own = revived(layout);
-    const scene = { gridcolor: colours["@rule"], color: colours["@ink"], showbackground: false };
+    const scene = { gridcolor: colours["@rule"], color: colours["@ink"], showbackground: false, exponentformat: "none" };
     const base = {
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { color: colours["@ink"], family: "system-ui, sans-serif", size: narrow.matches || printed.matches ? 11 : 13 },
-      margin: { l: 60, r: 15, t: 12, b: 50 }, hovermode: "closest", autosize: true,
+      margin: { l: 60, r: 15, t: 12, b: 50 }, hovermode: "closest", autosize: true, separators: ".\u2009",
       hoverlabel: { bgcolor: colours["@paper"], font: { color: colours["@ink"] } },
       legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0 },
     };
@@ -64,7 +64,7 @@
     }
     if (result.scene) {
       for (const key of ["xaxis", "yaxis", "zaxis"]) result.scene[key] = { ...scene, ...result.scene[key] };
-      if (narrow.matches) result.scene.camera = fartherBack(result.scene.camera);
+      if (narrow.matches || printed.matches) result.scene.camera = fartherBack(result.scene.camera);
     }
     return result;
   };
@@ -215,10 +215,13 @@
     }
   };
   const redraw = () => { look(); all.filter((chart) => chart.drawn).forEach(draw); };
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  dark.addEventListener("change", redraw);
   printed.addEventListener("change", (event) => {
     look();
     for (const chart of all) {
+      // What is in space would not be drawn in time: its picture shrinks, unless its colours change.
+      if (inSpace(chart.spec) && !dark.matches) continue;
       const alone = chart.figure.matches(".wide, :only-child");
       const width = alone ? 680 : 335; // of A4 within its margins
       draw(chart, event.matches ? { width, autosize: false } : {});

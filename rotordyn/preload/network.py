@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -42,22 +43,27 @@ class Springs:
     fixed: Flags
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Response:
     """Axial loads and slopes (speeds, bearings) [N, N/m], and the bearing states behind them.
 
-    ``states``: empty where balls were moved together with the bodies; ``bearings``: one ball of
-    each bearing; ``imbalance`` (speeds,) of the balls.
+    ``states``: empty where balls were ``moved`` together with the bodies.
     """
 
     load: Array
     slope: Array
     states: States
-    bearings: BearingIterates
-    imbalance: Array
+    moved: BearingIterates | None = None
+
+    @cached_property
+    def bearings(self) -> BearingIterates:
+        """The balls of each bearing, to move on from: one where all are alike."""
+        from bearings.ring.assembly import axial_assembly
+
+        return self.moved or BearingIterates.solved(self.states, axial_assembly)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Network:
     """An arrangement with its springs; ``friction`` on bodies (speeds or 1, bodies or 1) [N]."""
 
@@ -75,12 +81,12 @@ class Network:
         """True where no ball is loaded or lost at the same place: neighbours may be a start."""
         return all(bearing.law.one_branch for bearing in self.arrangement.bearings)
 
-    @property
+    @cached_property
     def tandem(self) -> Array:
         """How many seats each bearing of the arrangement stands for (bearings,)."""
         return np.array([float(len(bearing.seats)) for bearing in self.arrangement.bearings])
 
-    @property
+    @cached_property
     def incidence(self) -> Array:
         """B (bearings, bodies): δ = B x + s·shortening; bodies are pushed by −Bᵀ (tandem·F)."""
         b = np.zeros((len(self.arrangement.bearings), len(self.arrangement.bodies)))
@@ -90,25 +96,30 @@ class Network:
                 b[k, bearing.outer] = -bearing.thrust
         return b
 
-    @property
+    @cached_property
     def both_ways(self) -> Flags:
         """Bearings that carry axial loads of either sign, none within their play (bearings,)."""
         return np.array([bearing.model.both_ways for bearing in self.arrangement.bearings])
 
     def deflection(self, x: Array) -> Array:
         """Axial deflection of every bearing (speeds, bearings) [m]."""
-        shift = np.stack([b.thrust * b.shortening for b in self.arrangement.bearings], axis=1)
-        return x @ self.incidence.T + shift
+        return x @ self.incidence.T + self._shift
+
+    @cached_property
+    def _shift(self) -> Array:
+        return np.stack([b.thrust * b.shortening for b in self.arrangement.bearings], axis=1)
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
         """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
-        from bearings.ring.assembly import axial_assembly
-
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None
         every = range(displacement.shape[1])
         states = self.solve_bearings(every, near_by, displacement=displacement)
-        return self._response(BearingIterates.solved(states, axial_assembly), states)
+        load, slope = np.empty((2, *displacement.shape[:2]))
+        for each in states.values():
+            load[:, each.places] = each.state.load[..., 0]
+            slope[:, each.places] = each.state.complete_stiffness[..., 0, 0]
+        return Response(load, slope, states)
 
     def begin(self, x: Array) -> Response:
         """The same to ``move`` on from, without states where the compiled solver does it."""
@@ -127,11 +138,11 @@ class Network:
             (model, law): (where, settled(operation(model.grooves, law, **each), axial_assembly))
             for (model, law), (where, each) in asked.items()
         }
-        return self._response(BearingIterates(found), {})
+        return self._response(BearingIterates(found))
 
     def move(self, x: Array, near: Response) -> Response:
         """Loads and slopes at positions ``x``, balls sought from where they were."""
-        return self._response(near.bearings.moved(self._displacement(x)), {})
+        return self._response(near.bearings.moved(self._displacement(x)))
 
     def _displacement(self, x: Array) -> Array:
         deflection = self.deflection(x)
@@ -139,13 +150,12 @@ class Network:
         displacement[..., 0] = deflection
         return displacement
 
-    def _response(self, bearings: BearingIterates, states: States) -> Response:
-        shape = (len(self.arrangement.speed), len(self.arrangement.bearings))
-        load, slope = np.empty(shape), np.empty(shape)
+    def _response(self, bearings: BearingIterates) -> Response:
+        load, slope = np.empty((2, len(self.arrangement.speed), len(self.arrangement.bearings)))
         for places, balls in bearings:
             load[:, places] = balls.load[..., 0]
             slope[:, places] = balls.stiffness[..., 0, 0]
-        return Response(load, slope, states, bearings, bearings.imbalance)
+        return Response(load, slope, {}, bearings)
 
     def solve_bearings(
         self,
@@ -261,18 +271,21 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
         near_by = response.bearings.follows(near.bearings)
     for _ in range(TOGETHER):
         miss, error = network.error(x, response, fixed)
-        moving = np.isfinite(error) & ~((error < TOLERANCE) & (response.imbalance < BALLS))
+        balanced = response.bearings.imbalance < BALLS
+        moving = np.isfinite(error) & ~((error < TOLERANCE) & balanced)
         if not moving.any():
             break
         x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         before, response = response, network.move(x, response)
         near_by &= response.bearings.follows(before.bearings)
     miss, error = network.error(x, response, fixed)
-    if (error[np.isfinite(error)] > DIGITS).any():  # answers do not say how balls were found
-        x = x + np.where(np.isfinite(error)[:, None], _newton(network, response, miss, fixed), 0.0)
+    with np.errstate(invalid="ignore"):
+        rough = np.isfinite(error) & (error > DIGITS)
+    if rough.any():  # answers do not say how balls were found
+        x = x + np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0)
         response = network.move(x, response)
         error = network.error(x, response, fixed)[1]
-    converged = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
+    converged = (error < TOLERANCE) & (response.bearings.imbalance < BALLS) & near_by
     return NetworkState(x, held, response, error, converged)
 
 
@@ -304,14 +317,14 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
     """Step that balances the linearised forces; what nothing holds gets a soft spring."""
     b, stiffness = network.incidence, network.springs.stiffness
-    slope = network.tandem * np.nan_to_num(np.maximum(response.slope, 0.0))
+    slope = network.tandem * np.where(response.slope > 0.0, response.slope, 0.0)
     k = np.einsum("jn,sj,jm->snm", b, slope, b)
     diagonal = np.arange(k.shape[-1])
     soft = 1e-9 * np.abs(k).max(axis=(1, 2)) + 1e3
     k[:, diagonal, diagonal] += stiffness + soft[:, None] * (stiffness == 0.0)
     k = np.where(fixed[:, :, None] | fixed[:, None, :], 0.0, k)
     k[:, diagonal, diagonal] += fixed
-    step = np.linalg.solve(k, np.nan_to_num(miss)[..., None])[..., 0]
+    step = np.linalg.solve(k, np.where(np.isfinite(miss), miss, 0.0)[..., None])[..., 0]
     longest = np.abs(step).max(axis=1, keepdims=True)
     return step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, 1e-300))
 

@@ -151,6 +151,8 @@ class PreloadState:
 
         sentences = []
         for seat, (state, column) in zip(self.spindle.seats, self.seat_states(), strict=True):
+            if np.isnan(seat.bearing.grooves.middle_angles).all():
+                continue
             across = truncation(state).across_middle[:, column].any(axis=(-1, -2))
             if (rows := np.flatnonzero(across & self.usable)).size:
                 sentences.append(

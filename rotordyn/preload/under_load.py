@@ -156,7 +156,7 @@ def _as_state(
     load, slope = np.empty(shape), np.empty(shape)
     for places, each in there.bearings:
         load[:, places], slope[:, places] = each.load[..., 0], each.stiffness[..., 0, 0]
-    response = Response(load, slope, there.states, there.bearings, there.imbalance)
+    response = Response(load, slope, there.states, there.bearings)
     network = Network(joined, state.network.springs, balance.friction(there))
     position = there.coordinates[:, p:]
     converged = np.array([word == "" for word in words])

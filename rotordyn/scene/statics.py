@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from rotordyn.preload.heat_balance import HeatBalance
 
 Array = NDArray[np.float64]
-ANY_SPRING = Spring(preload=1.0, stiffness=1e6)
+ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 
 class Statics(Staged):
@@ -163,11 +164,12 @@ class Statics(Staged):
     def bodies(self) -> Spindle:
         """The machine without what its bodies do not depend on: springs and stops of sleeves,
         words."""
-        sleeves = tuple(
-            replace(each, spring=replace(ANY_SPRING, stiffness=_kind(each)), stop_travel=math.inf)
-            for each in self.spindle.sleeves
-        )
-        return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
+        with unchecked():  # of a machine that is checked
+            sleeves = tuple(
+                replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
+                for sleeve in self.spindle.sleeves
+            )
+            return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
 
     @stage_of(lambda self: (self.bodies, self.conditions.element_length))
     def mesh(self) -> Mesh:
@@ -353,9 +355,9 @@ class Statics(Staged):
         return self.tangents[self.bearing_row[self.usable]]
 
 
-def _kind(sleeve: Sleeve) -> float:
-    """Stiffness that stands for any: a sleeve moves along the axis, or it does not."""
-    return math.inf if math.isinf(sleeve.spring.stiffness) else ANY_SPRING.stiffness
+def _kind(sleeve: Sleeve) -> Spring:
+    """One that stands for any: a sleeve moves along the axis, or it does not."""
+    return LOCKED if math.isinf(sleeve.spring.stiffness) else ANY_SPRING
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:

@@ -82,19 +82,7 @@ def compiled_states(
     arrays = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
         _loaded.add(_type(g))
-    shared = (
-        g,
-        problem.law.numbers,
-        problem.assembly.azimuth,
-        problem.assembly.products,
-        problem.free.nonzero()[0],
-        problem.turning,
-        problem.law.one_branch,
-        problem.placed,
-        problem.full,
-    )
-    given = (problem.origin.T, problem.squared, problem.load, problem.scale)
-    whole = tuple(np.array(part, order="C") for part in given)  # one type of array: one compilation
+    shared, whole = problem.plain
     near = np.arange(states) < (0 if guess is None else guess.shape[1])
     for first in range(0, states, AT_ONCE):  # Ctrl-C waits for one call
         _entry()(shared, whole, arrays, near, chained, first, min(first + AT_ONCE, states))

@@ -18,7 +18,7 @@ from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.mode_lines import KNOWN, LONE, jumps, look_of
 from rotordyn.machine.spindle import Spindle
 from rotordyn.page.blocks import Block, Chart, Control, Shapes, Shown, Table, Text
-from rotordyn.page.curves import broken, curve_charts
+from rotordyn.page.curves import broken, curve_charts, once_named
 from rotordyn.page.looks import COLOURS, FAINT, FEW_POINTS, INK, axis
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
@@ -75,7 +75,7 @@ def _diagram(spec: Any, variant: Shown) -> Chart:
     traces += [_mode(result, k) for k in np.flatnonzero(~result.mostly_overdamped).tolist()]
     if result.unstable.any():
         traces.append(_unstable(result))
-    traces += [*_critical_marks(result), *([] if turning(result) else _known(variant))]
+    traces += [*_critical_marks(result), *([] if turning(result) else once_named(_known(variant)))]
     layout: dict[str, Any] = {
         "xaxis": axis("speed", "rpm", range=[0.0, max(float(rpm[-1]), 1.0) * 1.01]),
         "yaxis": axis("damped frequency", "Hz", range=[0.0, top]),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rotordyn.page.blocks import Chart, Control, Markup, Shapes, Table, Text, sections
+from rotordyn.page.curves import once_named
 from rotordyn.page.html import Page, html
 from rotordyn.page.packed import packed, rounded
 from tests.rotordyn.page.conftest import array, held
@@ -95,3 +96,15 @@ def test_shapes_are_packed_whole() -> None:
     found = array(content["c0"]["motion"], numbers)
     assert found.shape == (2, 1, 3, 6, 2)
     assert (found[..., 0] + 1j * found[..., 1] == motion).all()
+
+
+def test_a_name_stands_in_the_legend_once_and_hides_all_that_bear_it() -> None:
+    named = once_named([{"name": "published"}, {"name": "a"}, {"name": "published"}])
+    assert [each["showlegend"] for each in named] == [True, True, False]
+    assert [each.get("legendgroup") for each in named] == ["published", None, "published"]
+
+
+def test_a_range_of_numbers_breaks_behind_its_arrow_alone() -> None:
+    table = Table("T", ("bearing", "load"), [("a", "551 → 1251")])
+    text = html(Page("t", [], "fine", False, sections([("S", table)])))
+    assert '<td class="n">551\u00a0→ 1251</td>' in text

@@ -129,7 +129,6 @@ def test_nothing_runs_over_the_edge(looked: Any, request: pytest.FixtureRequest)
     assert tick == ink
 
 
-@pytest.mark.parametrize("looked", ["narrow and dark"], indirect=True, scope="module")
 def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
     page, said = looked
     page.emulate_media(media="print")
@@ -140,6 +139,10 @@ def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
         page.evaluate("getComputedStyle(document.querySelector('.xtick text')).fill")
         == "rgb(0, 0, 0)"
     )
+    canvases = "[...document.querySelectorAll('.gl-container canvas')]"
+    widths = page.evaluate(f"{canvases}.map((each) => each.getBoundingClientRect().width)")
+    assert widths
+    assert max(widths) < 681  # of A4 within its margins
     page.emulate_media(media="screen")
     pdf = page.pdf(path=tmp_path / "page.pdf")
     assert pdf.startswith(b"%PDF")

@@ -105,7 +105,7 @@ def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
     for head in ("model", "axial load [N]", "peak pressure [GPa]", "n·dm [mm/min]"):
         assert head in section
     result = rotordyn.open(evil_folder)["preload"]
-    ends = " → ".join(f"{result['axial_load'].values[k, 0]:.0f}" for k in (0, -1))
+    ends = "\u00a0→ ".join(f"{result['axial_load'].values[k, 0]:.0f}" for k in (0, -1))
     assert ends in section
 
 
