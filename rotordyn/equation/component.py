@@ -39,6 +39,7 @@ class Component:
     whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
     ``coarse``: the same of a coarser model; ``nested``: gives DOF here and there of one shape.
     ``pressed``: weighted slopes where an axial force may come near to buckling, None elsewhere.
+    ``inertial``: static modes answer the inertia forces of those at ports as well.
     """
 
     lines: tuple[Line, ...]
@@ -144,6 +145,7 @@ class Component:
     ratio: float = 1.0
     polar: list[Part] = field(default_factory=list)
     band: float = 0.0
+    inertial: bool = False
     pressed: tuple[int, list[Rows]] | None = None
     coarse: Component | None = None
     nested: Callable[[], tuple[Indices, ...]] = tuple
@@ -197,6 +199,8 @@ class Component:
             known[self.local(here)] = vectors[self.coarse.local(there)]
             basis = enriched(mass, stiffness, rigid, known, couplings)
         else:
+            if self.inertial:
+                couplings.append(Coupling(mass, 0.0, statics=True))
             basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
         # nearly massless coordinates get a fictitious mass, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
