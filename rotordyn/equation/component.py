@@ -47,7 +47,8 @@ class Component:
     reduction. ``polar``: gyroscopic parts in one plane whose forces on modes up to ``band`` [rad/s]
     static modes answer; none where they need not. ``pressed``: weighted slopes where an axial force
     may come near to buckling, None elsewhere. ``coarse``: where there is a coarser model, whose
-    vectors begin the reduction of a large component.
+    vectors begin the reduction of a large component. ``inertial``: static modes answer the inertia
+    forces of those at ports as well.
     """
 
     lines: tuple[Line, ...]
@@ -64,6 +65,7 @@ class Component:
     band: float
     pressed: tuple[int, list[Rows]] | None
     coarse: Coarse | None
+    inertial: bool
 
     @property
     def way(self) -> str:
@@ -204,6 +206,8 @@ class Component:
             known[self.local(here)] = vectors[coarser.local(there)]
             basis = enriched(mass, stiffness, rigid, known, couplings)
         else:
+            if self.inertial:
+                couplings.append(Coupling(mass, 0.0, statics=True))
             basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
         # nearly massless coordinates get a fictitious mass, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)

@@ -31,6 +31,7 @@ MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
 ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
 NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
+NOTHING = 1e-16  # of the flexibility at a port: modes that lack so little lack rounding
 RIGIDLY = 1e-13  # of a load: with less beside inertia it moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
@@ -306,9 +307,11 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
-    energy = motions.T @ loads
-    flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
+    motions -= elastic @ (pushed.T @ motions)
+    lacking = (motions * loads).sum(axis=0)
+    flexibility = np.maximum(lacking, NOTHING * (answer**2 / values[:, None]).sum(axis=0))
     scale = (flexibility + TINY) ** -0.5
+    energy = motions.T @ loads
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))

@@ -222,6 +222,7 @@ class Structure:
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
+            inertial=self.fine.finer > 0,
             pressed=self._pressed(lines[0]),
             coarse=self._coarser(lines),
         )

@@ -53,9 +53,13 @@ def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
     )
 
 
-@pytest.mark.parametrize("seed", [*range(4), 69, 210, 217, 458, 460, 853, 881])
+@pytest.mark.parametrize("seed", [*range(2), 69, 210, 217, 458, 460, 585, 817, 853, 881])
 def test_random_rotors(seed: int) -> None:
-    """No mode missing, every frequency within the accuracy, errors as estimated."""
+    """No mode missing, every frequency within the accuracy, every error as estimated.
+
+    In 585 a disc beside a very stiff support moves by what modes above two cut-offs lack alike; in
+    817 an error lies barely above the accuracy.
+    """
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng)
     still = whirl_frequencies(exact_rotor(spindle, 0.0, NO_SEATS), 6)
@@ -77,7 +81,8 @@ def test_random_rotors(seed: int) -> None:
             if count[way]:
                 error = np.abs(ours[inside] / truth[way] - 1.0)
                 assert error.max() <= accuracy
-                judge(result.frequency_error[0, order][inside], error)
+                estimated, known = result.frequency_error[0, order][inside], error > ROUNDING
+                assert estimated[known] == pytest.approx(error[known], rel=0.2)
 
 
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])

@@ -73,3 +73,28 @@ def test_a_cone_of_ever_more_cylinders() -> None:
     found = poles(conical)
     expected = dense_poles(conical, SPIN, 1e3, 1e-12)[: len(found)]
     assert np.abs(found / expected - 1.0).max() < 1e-9
+
+
+def test_a_support_far_stiffer_than_the_shafts_leaves_its_rounding() -> None:
+    """10¹⁶ N/m beside 10⁷ N/m: poles to what rounding leaves, those of 10¹² N/m to 10⁻⁵."""
+    found = []
+    for stiff in (1e12, 1e16):
+        joined = bearing("b3", 0.406, stiff, stiff, "spindle", "outer")
+        rotor = replace(COAXIAL, supports=(*COAXIAL.supports[:2], joined, COAXIAL.supports[3]))
+        near = dense_poles(rotor, SPIN, 1e3, 1e-3)
+        found.append(np.sort(np.abs(coaxial_poles(rotor, SPIN, near, HIGHEST)[0])))
+    assert found[1] == pytest.approx(found[0], rel=1e-5)
+
+
+def test_almost_equal_planes_have_two_modes_each() -> None:
+    """Pairs far nearer to one another than to what leads to them, each found twice."""
+    planes = ((26e6, 26e6), (18e6, 18e6), (9e6, 9e6 * (1.0 + 1e-8)), (18e6, 18e6))
+    alike = [
+        replace(own, stiffness={("y", "y"): y, ("z", "z"): z})
+        for own, (y, z) in zip(COAXIAL.supports, planes, strict=True)
+    ]
+    found = poles(replace(COAXIAL, supports=tuple(alike)), 0.0)
+    assert len(found) % 2 == 0
+    apart = np.abs(found[1::2] / found[::2] - 1.0)
+    assert (apart < 1e-8).all()
+    assert np.abs(found[2::2] / found[1:-1:2] - 1.0).min() > 0.01

@@ -153,7 +153,7 @@ def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
     for more in ({"accuracy": 1e-3}, {"accuracy": 1e-5}, {"element_length": 0.04}):
         found = response(spindle, 20000.0, **more)
         true = np.abs(values(found) - exact).max(axis=1) / np.abs(exact).max(axis=1)
-        assert true.max() > 1e-8
+        assert true.max() > 1e-9  # well above rounding
         assert np.abs(np.log(found.error / true)).max() < math.log(3.0)
 
 

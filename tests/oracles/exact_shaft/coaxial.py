@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
 
 from rotordyn.equation.elements.shear import shear_coefficient
 from rotordyn.equation.support import node_matrix
@@ -26,15 +27,15 @@ from tests.oracles.exact_shaft.bending import box_around
 from tests.oracles.exact_shaft.box import Box
 from tests.oracles.exact_shaft.circular import PLANES, TURNING
 from tests.oracles.exact_shaft.nodes import NodeTerms
-from tests.oracles.exact_shaft.poles import reached
 from tests.oracles.exact_shaft.rotor import ExactRotor
 from tests.oracles.exact_shaft.segment import Segments, transfer
 from tests.oracles.exact_shaft.shooting import Shooting
-from tests.oracles.exact_shaft.spectrum import modes_inside
+from tests.oracles.exact_shaft.spectrum import modes_inside, modes_near
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 SAME = 1e-9  # of the machine: stations nearer to one another are one
+EDGE = 0.05  # of the band, by which poles of coarse cones may lie beyond it
 WAYS = ("radial", "tilt")
 
 
@@ -233,14 +234,18 @@ def coaxial_poles(
 
 
 def _found(equations: Shooting, box: Box, starts: Complex, before: list[Complex]) -> Complex:
-    """The poles of a rotor: those of a coarser one led on, or all of the ``box``, counted."""
-    if before:
-        omega = np.array([mode.omega for mode in reached(equations, starts) if mode])
-        apart = np.abs(omega[:, None] / omega - 1.0) + np.eye(len(omega))
-        if len(omega) == len(starts) and apart.min(initial=1.0) > SAME:
-            return omega
-    inside = np.array([w for w in starts if w in box])
-    return np.array([mode.omega for mode in modes_inside(equations, box, inside)])
+    """The poles of a rotor: those of a coarser one led on, in their order, or all of the ``box``,
+    counted."""
+    if not before:
+        inside = np.array([w for w in starts if w in box])
+        return np.array([mode.omega for mode in modes_inside(equations, box, inside)])
+    margin = EDGE * box.size
+    wider = Box(box.low - margin, box.high + margin)
+    omega = np.array([mode.omega for mode in modes_near(equations, wider, starts)])
+    if len(omega) < len(starts):
+        return omega
+    _, chosen = linear_sum_assignment(np.abs(starts[:, None] - omega))
+    return omega[chosen]
 
 
 def _starts(found: list[Complex]) -> Complex:

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from rotordyn.errors import NoSolution
 from tests.oracles.exact_shaft.box import Box, poles_inside
 from tests.oracles.exact_shaft.count import countable, modes_below
-from tests.oracles.exact_shaft.poles import ExactMode, null_space, reached
+from tests.oracles.exact_shaft.poles import ExactMode, neighbours, reached
 from tests.oracles.exact_shaft.shooting import Shooting
 
 Complex = NDArray[np.complex128]
-SAME = 1e-8  # of |ω|: nearer roots are one
+SAME = 1e-6  # of |ω|: nearer roots are one until their vectors are told apart
 DEPTH = 60  # halvings of the rectangle
 
 
@@ -33,6 +33,16 @@ def modes_inside(equations: Shooting, box: Box, starts: Complex) -> list[ExactMo
     return sorted(found.modes, key=lambda mode: mode.omega.real)
 
 
+def modes_near(equations: Shooting, box: Box, starts: Complex) -> list[ExactMode]:
+    """The modes in ``box`` that are reached from ``starts`` (k,) [rad/s], and those beside them;
+    not counted."""
+    found = _Found(equations, box)
+    found.take(starts)
+    if len(found.modes) < len(starts):
+        found.part(box)
+    return found.modes
+
+
 def _number(equations: Shooting, box: Box) -> int:
     """Poles in ``box``, by signs of the dynamic stiffness where these tell, else by argument."""
     if countable(equations.rotor) and box.low.real * box.high.real > 0.0:
@@ -50,9 +60,9 @@ class _Found:
         self.equations, self.box = equations, box
         self.modes: list[ExactMode] = []
 
-    def take(self, starts: Complex) -> None:
+    def take(self, starts: Complex, vectors: Complex | None = None) -> None:
         """Add what is reached from ``starts`` and is new."""
-        for mode in reached(self.equations, starts) if len(starts) else []:
+        for mode in reached(self.equations, starts, vectors) if len(starts) else []:
             if mode is not None and mode.omega in self.box and not self._known(mode.omega):
                 self.modes.append(mode)
 
@@ -60,7 +70,7 @@ class _Found:
         """Find what is still missing in ``box``."""
         number = _number(self.equations, box)
         if self._inside(box) < number and self._inside(box):
-            self._part_twins(box)
+            self.part(box)
         if self._inside(box) < number:
             self.take(np.array([box.middle]))
         if self._inside(box) == number:
@@ -73,17 +83,25 @@ class _Found:
         for half in box.cut([mode.omega for mode in self.modes if mode.omega in box]):
             self.complete(half, depth - 1)
 
-    def _part_twins(self, box: Box) -> None:
-        """Give every mode of a shared root its own vector."""
+    def part(self, box: Box) -> None:
+        """Find what lies beside the known modes of ``box``; give every mode of a shared root its
+        own vector."""
         for mode in [m for m in self.modes if m.omega in box]:
-            twins = [m for m in self.modes if abs(m.omega - mode.omega) <= SAME * abs(mode.omega)]
-            vectors = null_space(self.equations, mode.omega) if len(twins) == 1 else []
-            if len(vectors) > 1:
+            near = neighbours(self.equations, mode.omega)
+            twins = [m for m in near if _same(m.omega, mode.omega)]
+            if len(twins) > 1 and sum(_same(m.omega, mode.omega) for m in self.modes) == 1:
                 self.modes.remove(mode)
-                self.modes += [ExactMode(mode.omega, vector) for vector in vectors]
+                self.modes += twins
+            for other in near:
+                if other.omega in box and not self._known(other.omega):
+                    self.take(np.array([other.omega]), other.unknowns[None])
 
     def _inside(self, box: Box) -> int:
         return sum(mode.omega in box for mode in self.modes)
 
     def _known(self, omega: complex) -> bool:
-        return any(abs(mode.omega - omega) <= SAME * abs(omega) for mode in self.modes)
+        return any(_same(mode.omega, omega) for mode in self.modes)
+
+
+def _same(one: complex, other: complex) -> bool:
+    return abs(one - other) <= SAME * abs(other)
