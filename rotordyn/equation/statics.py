@@ -121,7 +121,7 @@ def _falling(linear: Linear, way: str) -> Array:
         if component.way != way or component.spindle is None:
             continue
         shaft = linear.structure.shafts[component.lines[0].body]
-        nodes = np.array([row[position(way)] for row in shaft.node])
+        nodes = shaft.node[:, position(way)]
         rigid = np.flatnonzero(component.is_rigid)
         sign = linear.structure.dofs.sign[nodes]
         motion = sign[:, None] * component.vectors[component.local(nodes)][:, rigid]

@@ -217,7 +217,7 @@ class Structure:
             ports=self._ports[mine[self._ports]],
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
-            bends=lines[0].motion == "bending",
+            bends=lines[0].kind == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
@@ -238,7 +238,7 @@ class Structure:
         """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""
         bar = self.spindle.drawbar
         barred = bar is not None and bool(bar.contacts)
-        if line.body != SPINDLE or line.motion != "bending" or not (barred or self.pressed):
+        if line.body != SPINDLE or line.kind != "bending" or not (barred or self.pressed):
             return None
         rows, element = slope_rows(self.shafts[SPINDLE], self.shown, line.way)
         if bar is None or self.pressed:

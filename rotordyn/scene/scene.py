@@ -118,7 +118,7 @@ class Scene(Statics):
                 np.nanmax(state.net.error[state.usable], initial=0.0)
             )
         for k, motions in self.systems.items():
-            if "bending" in motions.linear.motions:
+            if "bending" in motions.linear.kinds:
                 name = self.name_of(k)
                 reached[f"{name} modes: residual of the eigenpairs"] = motions.residual
         return reached
@@ -260,7 +260,7 @@ class Scene(Statics):
                 return self.timed(name, partial(responding, linear))
             require_modes(
                 name,
-                len(linear.speed) if "bending" in linear.motions else 1,
+                len(linear.speed) if "bending" in linear.kinds else 1,
                 linear.size // 2 if linear.isotropic else linear.size,
             )
             solve = partial(free_motions, linear, self._ceiling)
@@ -276,7 +276,7 @@ class Scene(Statics):
     def name_of(self, k: int) -> str:
         """The motions of a subsystem, "bending", "bending and axial"."""
         order = ("bending", "axial", "torsion")
-        motions = {line.motion for c in self.subsystems[k] for line in c.lines}
+        motions = {line.kind for c in self.subsystems[k] for line in c.lines}
         return " and ".join(name for name in order if name in motions) or "housing"
 
     def with_motions(self, motions: Iterable[str]) -> list[int]:
@@ -285,7 +285,7 @@ class Scene(Statics):
         return [
             k
             for k, parts in enumerate(self.subsystems)
-            if wanted & {line.motion for component in parts for line in component.lines}
+            if wanted & {line.kind for component in parts for line in component.lines}
         ]
 
     def owner(self, at: str | float | Place, direction: str) -> int:
