@@ -149,7 +149,7 @@ def withstands(
     """
     first = structure.node(SPINDLE, structure.spindle.shaft.start)[position("y")]
     bent = structure.components[structure.owner[first]]
-    every = subsystems(structure, state, strings=True)
+    every = subsystems(structure, state, drawbar=True)
     components = next(components_of for components_of in every if bent in components_of)
     both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
     loaded, free = (each.allowed_stiffness for each in both)

@@ -86,8 +86,8 @@ class Structure:
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
         self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
-        self.springs = list(self.sleeves.links())
-        self.strings = list(drawbar_links(self.shafts[SPINDLE]))
+        self.sleeve_springs = list(self.sleeves.links())
+        self.drawbar = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
         self._gyroscopic: dict[tuple[int, int], Array] = {}
         self._slopes: dict[int, Slopes] = {}

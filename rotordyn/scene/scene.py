@@ -224,8 +224,8 @@ class Scene(Statics):
     @stage
     def subsystems(self) -> list[tuple[Component, ...]]:
         """Components that move together."""
-        strings = self.conditions.axial_stiffening
-        return subsystems(self.rotor, self.state, strings=strings)
+        drawbar = self.conditions.axial_stiffening
+        return subsystems(self.rotor, self.state, drawbar=drawbar)
 
     def linear(self, k: int, rows: NDArray[np.intp] | None = None) -> Linear:
         """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of

@@ -58,7 +58,7 @@ def unreduced(structure: Structure, state: State, motion: str | None = None) -> 
         return np.asarray(summed((size, size), [p[1:] for p in own], large=False))
 
     held, dampers = np.zeros((2, size, size))
-    for link in (*structure.connections, *structure.springs):
+    for link in (*structure.connections, *structure.sleeve_springs):
         matrices, at = link.matrices(state), np.ix_(link.dofs, link.dofs)
         held[at] += link.motions.T @ matrices.stiffness[0] @ link.motions
         dampers[at] += link.motions.T @ matrices.damping[0] @ link.motions
