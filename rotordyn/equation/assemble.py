@@ -23,14 +23,15 @@ from rotordyn.equation.groups import Groups
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.term import Array, Link, LinkMatrices, State
+from rotordyn.equation.term import Array, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
 STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
 
 
-def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
-    """Components that links join at any of the states, or that turn with one another."""
+def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tuple[Component, ...]]:
+    """Components that links join at any of the states, or that turn with one another; ``drawbar``:
+    it is one of these links."""
     every = structure.components
     groups = Groups(len(every))
     for k, one in enumerate(every):
@@ -39,7 +40,7 @@ def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tup
             planes = {one.way, every[other].way} == {"y", "z"}
             if same and planes and one.spindle is not None:
                 groups.join(k, other)
-    links = [*structure.connections, *(structure.strings if strings else ())]
+    links = [*structure.connections, *(structure.drawbar if drawbar else ())]
     for link in links:
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
         size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
@@ -90,17 +91,17 @@ def assemble(
         turning = components[y].turning
         stiffness[:, in_y, in_z] += spin * turning
         stiffness[:, in_z, in_y] -= spin * turning.T
-    links = [(link, 1.0) for link in (*structure.connections, *structure.springs)]
-    links += [(link, pull) for link in structure.strings] if force is not None else []
+    links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
+    links += [(link, pull) for link in structure.drawbar] if force is not None else []
     connections, bodies = list[Connection](), stiffness.copy()
     for link, share in links:
-        motions = _motions(whole, link)
-        if motions is not None:
-            held, damped = link.matrices(state)
-            connections.append(Connection(link, motions, LinkMatrices(share * held, damped)))
-            stiffness += connections[-1].stiffness
-            if damped.any():
-                damping += connections[-1].damping
+        if not any(component.has(link.dofs).any() for component in components):
+            continue  # of other subsystems
+        motions, (held, damped) = link.motions @ whole.moved(link.dofs), link.matrices(state)
+        connections.append(Connection(link, motions, LinkMatrices(share * held, damped)))
+        stiffness += connections[-1].stiffness
+        if damped.any():
+            damping += connections[-1].damping
     whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
     allowed = _allowed(whole, connections)
     if allowed is None:
@@ -144,13 +145,6 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
         block[at, np.arange(len(at))] = 1.0
         blocks.append(block @ allowed)
     return np.hstack(blocks)
-
-
-def _motions(linear: Linear, link: Link) -> Array | None:
-    """Relative motions of a link by the coordinates (k, n); None if it is of other subsystems."""
-    if not any(component.has(link.dofs).any() for component in linear.components):
-        return None
-    return np.asarray(link.motions @ linear.moved(link.dofs))
 
 
 def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | None:

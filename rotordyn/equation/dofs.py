@@ -27,7 +27,7 @@ class Line(NamedTuple):
     way: str
 
     @property
-    def motion(self) -> str:
+    def kind(self) -> str:
         """ "axial", "torsion", "bending", or "" of coordinates without a direction."""
         return {"x": "axial", "thx": "torsion", "y": "bending", "z": "bending"}.get(self.way, "")
 

@@ -102,10 +102,10 @@ class Fineness:
         return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
-def least_degree(phase: Array, tolerance: float, ratio: Array | float = 1.0) -> Degrees:
+def least_degree(phase: Array, tolerance: float, ratio: Array) -> Degrees:
     """The lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0 where none
     up to ``HIGHEST`` is."""
-    errors = _FACTOR * _derivatives(np.asarray(phase), np.asarray(ratio)) ** 2
+    errors = _FACTOR * _derivatives(phase, ratio) ** 2
     good = errors <= tolerance
     return np.where(good.any(axis=-1), good.argmax(axis=-1) + 1, 0).astype(np.intp)
 
@@ -127,13 +127,11 @@ def cut(ratio: Array, parts: Degrees) -> Array:
     return np.asarray(1.0 + (ratio - 1.0) / parts)
 
 
-def parts_and_degree(
-    phase: Array, tolerance: float, ratio: Array | None = None
-) -> tuple[Degrees, Degrees]:
+def parts_and_degree(phase: Array, tolerance: float, ratio: Array) -> tuple[Degrees, Degrees]:
     """Into how many equal parts lengths of ``phase`` are cut, cones with a ``ratio`` of the
     diameters at their ends, and their degree."""
-    parts, whole = np.ones(len(phase), dtype=np.intp), np.ones(1) if ratio is None else ratio
-    while not (degree := least_degree(phase / parts, tolerance / SAFETY, cut(whole, parts))).all():
+    parts = np.ones(len(phase), dtype=np.intp)
+    while not (degree := least_degree(phase / parts, tolerance / SAFETY, cut(ratio, parts))).all():
         parts = np.where(degree == 0, parts + 1 + parts // 4, parts)
     return parts, degree
 

@@ -75,7 +75,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
         if component.spindle is None:
             at = [place[dof] for dof in component.dofs.tolist()]
             across[:, np.array(at)[:, None], at] += component.assembled("stiffness")
-    for link in structure.springs:
+    for link in structure.sleeve_springs:
         at = [place[dof] for dof in link.dofs.tolist()]
         across[:, np.array(at)[:, None], at] += link.matrices(state).stiffness
     inner = rows.T @ flat @ rows + across

@@ -112,16 +112,16 @@ class Linear:
         return [slice(a, b) for a, b in pairwise(ends)]
 
     @property
-    def motions(self) -> frozenset[str]:
+    def kinds(self) -> frozenset[str]:
         """Those of "bending", "axial" and "torsion" that take part."""
-        names = {line.motion for component in self.components for line in component.lines}
+        names = {line.kind for component in self.components for line in component.lines}
         return frozenset(names - {""})
 
-    def energy_of(self, motion: str) -> NDArray[np.bool_]:
-        """Coordinates (n,) of shafts that are of a motion."""
+    def energy_of(self, kind: str) -> NDArray[np.bool_]:
+        """Coordinates (n,) of shafts that are of a kind of motion."""
         chosen = np.zeros(self.size, dtype=bool)
         for component, part in zip(self.components, self.slices, strict=True):
-            chosen[part] = component.spindle is not None and component.lines[0].motion == motion
+            chosen[part] = component.spindle is not None and component.lines[0].kind == kind
         return chosen
 
     @cached_property

@@ -111,12 +111,6 @@ class Mesh:
         return self.inner_diameter, self.rear_inner_diameter
 
     @property
-    def tapers(self) -> NDArray[np.bool_]:
-        """Elements that are cones (elements,)."""
-        (do, ro), (di, ri) = self.outer, self.inner
-        return np.asarray((do != ro) | (di != ri))
-
-    @property
     def steepness(self) -> Array:
         """Ratio of the outer diameters, or of the walls if that is more, at the ends of each
         element, the larger over the smaller."""

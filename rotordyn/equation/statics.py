@@ -121,7 +121,7 @@ def _falling(linear: Linear, way: str) -> Array:
         if component.way != way or component.spindle is None:
             continue
         shaft = linear.structure.shafts[component.lines[0].body]
-        nodes = np.array([row[position(way)] for row in shaft.node])
+        nodes = shaft.node[:, position(way)]
         rigid = np.flatnonzero(component.is_rigid)
         sign = linear.structure.dofs.sign[nodes]
         motion = sign[:, None] * component.vectors[component.local(nodes)][:, rigid]
@@ -149,7 +149,7 @@ def withstands(
     """
     first = structure.node(SPINDLE, structure.spindle.shaft.start)[position("y")]
     bent = structure.components[structure.owner[first]]
-    every = subsystems(structure, state, strings=True)
+    every = subsystems(structure, state, drawbar=True)
     components = next(components_of for components_of in every if bent in components_of)
     both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
     loaded, free = (each.allowed_stiffness for each in both)

@@ -86,8 +86,8 @@ class Structure:
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
         self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
-        self.springs = list(self.sleeves.links())
-        self.strings = list(drawbar_links(self.shafts[SPINDLE]))
+        self.sleeve_springs = list(self.sleeves.links())
+        self.drawbar = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
         self._gyroscopic: dict[tuple[int, int], Array] = {}
         self._slopes: dict[int, Slopes] = {}
@@ -217,7 +217,7 @@ class Structure:
             ports=self._ports[mine[self._ports]],
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
-            bends=lines[0].motion == "bending",
+            bends=lines[0].kind == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
@@ -239,7 +239,7 @@ class Structure:
         """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""
         bar = self.spindle.drawbar
         barred = bar is not None and bool(bar.contacts)
-        if line.body != SPINDLE or line.motion != "bending" or not (barred or self.pressed):
+        if line.body != SPINDLE or line.kind != "bending" or not (barred or self.pressed):
             return None
         rows, element = slope_rows(self.shafts[SPINDLE], self.shown, line.way)
         if bar is None or self.pressed:

@@ -255,7 +255,7 @@ def _kind(linear: Linear, vector: Complex) -> str:
     """The motion with the largest share of the kinetic energy."""
     squares = np.abs(vector) ** 2
     squares = squares / squares.sum(axis=1, keepdims=True)
-    energy = {m: float(squares[:, linear.energy_of(m)].sum()) for m in sorted(linear.motions)}
+    energy = {m: float(squares[:, linear.energy_of(m)].sum()) for m in sorted(linear.kinds)}
     return max(energy, key=lambda motion: energy[motion])
 
 

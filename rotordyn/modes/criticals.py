@@ -118,7 +118,7 @@ def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]
 def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
     """Those of one subsystem."""
     linear = scene.system(subsystem).linear
-    if linear.motions != {"bending"} or not _piecewise(scene):
+    if linear.kinds != {"bending"} or not _piecewise(scene):
         return []
     place = next(
         k for k, b in enumerate(branches) if (b.kind, b.subsystem) == ("bending", subsystem)

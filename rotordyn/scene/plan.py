@@ -53,7 +53,7 @@ def _bearings(scene: Scene) -> Iterator[str]:
 
 def _vibration(scene: Scene) -> Iterator[str]:
     for system in scene.systems.values():
-        linear, name = system.linear, " and ".join(sorted(system.linear.motions))
+        linear, name = system.linear, " and ".join(sorted(system.linear.kinds))
         if system.whirling:
             yield (
                 "every bearing and support answers alike in all directions: both planes of bending "
@@ -61,6 +61,6 @@ def _vibration(scene: Scene) -> Iterator[str]:
             )
         if system.solved_once and len(linear.speed) > 1:
             yield f"nothing in {name} follows the speed: solved once for all"
-        if "bending" in linear.motions:
+        if "bending" in linear.kinds:
             dofs = sum(len(component.dofs) for component in linear.components)
             yield f"{name}: {linear.size} coordinates for {dofs} degrees of freedom"

@@ -118,7 +118,7 @@ class Scene(Statics):
                 np.nanmax(state.net.error[state.usable], initial=0.0)
             )
         for k, motions in self.systems.items():
-            if "bending" in motions.linear.motions:
+            if "bending" in motions.linear.kinds:
                 name = self.name_of(k)
                 reached[f"{name} modes: residual of the eigenpairs"] = motions.residual
         return reached
@@ -231,8 +231,8 @@ class Scene(Statics):
     @stage
     def subsystems(self) -> list[tuple[Component, ...]]:
         """Components that move together."""
-        strings = self.conditions.axial_stiffening
-        return subsystems(self.rotor, self.state, strings=strings)
+        drawbar = self.conditions.axial_stiffening
+        return subsystems(self.rotor, self.state, drawbar=drawbar)
 
     def linear(self, k: int, rows: NDArray[np.intp] | None = None) -> Linear:
         """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
@@ -267,7 +267,7 @@ class Scene(Statics):
                 return self.timed(name, partial(responding, linear))
             require_modes(
                 name,
-                len(linear.speed) if "bending" in linear.motions else 1,
+                len(linear.speed) if "bending" in linear.kinds else 1,
                 linear.size // 2 if linear.isotropic else linear.size,
             )
             solve = partial(free_motions, linear, self._ceiling)
@@ -283,7 +283,7 @@ class Scene(Statics):
     def name_of(self, k: int) -> str:
         """The motions of a subsystem, "bending", "bending and axial"."""
         order = ("bending", "axial", "torsion")
-        motions = {line.motion for c in self.subsystems[k] for line in c.lines}
+        motions = {line.kind for c in self.subsystems[k] for line in c.lines}
         return " and ".join(name for name in order if name in motions) or "housing"
 
     def with_motions(self, motions: Iterable[str]) -> list[int]:
@@ -292,7 +292,7 @@ class Scene(Statics):
         return [
             k
             for k, parts in enumerate(self.subsystems)
-            if wanted & {line.motion for component in parts for line in component.lines}
+            if wanted & {line.kind for component in parts for line in component.lines}
         ]
 
     def owner(self, at: str | float | Place, direction: str) -> int:

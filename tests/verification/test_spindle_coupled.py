@@ -43,14 +43,14 @@ def test_other_couplings_leave_the_preload_state_alone(
     plain, ours = scene(mfw2310(), (0, 24000)), scene(with_support(entries), (0, 24000))
     assert ours.outcome == ("", "")
     assert ours.preload.net.position.tolist() == plain.preload.net.position.tolist()
-    assert any(len(system_of(ours, way).linear.motions) == 2 for way in ("axial", "torsion"))
+    assert any(len(system_of(ours, way).linear.kinds) == 2 for way in ("axial", "torsion"))
 
 
 def test_damper_that_couples_moves_nothing_at_rest() -> None:
     seal = with_support({}, damping={("y", "x"): 500.0, ("x", "y"): 500.0})
     ours = scene(seal, (0, 24000))
     assert ours.outcome == ("", "")
-    assert system_of(ours).linear.motions == {"bending", "axial"}
+    assert system_of(ours).linear.kinds == {"bending", "axial"}
 
 
 def test_modes_are_followed_through_the_joint_system() -> None:

@@ -416,7 +416,7 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
     top, band, places = 4000.0 * RPM, 200.0, tuple(spindle.places.values())
     whole = Scene(spindle, Conditions(), np.array([0.0, 0.5 * top, top]), band, places)
     found = unbalance.answer(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
-    touched = set().union(*(own.linear.motions for own in whole.systems.values()))
+    touched = set().union(*(own.linear.kinds for own in whole.systems.values()))
     assert touched == ({"bending", "axial"} if along else {"bending"})
     other = Scene(spindle, Conditions(), whole.speed, band, places)
     spec = CampbellSpec(1.2 * top / (2.0 * math.pi), shapes=False)

@@ -97,7 +97,7 @@ def add_at_nodes(matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
 
 
 def _matrix(spindle: Spindle, mesh: Mesh, name: str, rows: Selection, columns: Selection) -> Array:
-    if mesh.tapers.any():
+    if (mesh.steepness > 1.0).any():
         raise ValueError("standard elements of the dense rotor are cylinders")
     element = shaft_element(
         mesh.length,

@@ -58,12 +58,12 @@ def unreduced(structure: Structure, state: State, motion: str | None = None) -> 
         return np.asarray(summed((size, size), [p[1:] for p in own], large=False))
 
     held, dampers = np.zeros((2, size, size))
-    for link in (*structure.connections, *structure.springs):
+    for link in (*structure.connections, *structure.sleeve_springs):
         matrices, at = link.matrices(state), np.ix_(link.dofs, link.dofs)
         held[at] += link.motions.T @ matrices.stiffness[0] @ link.motions
         dampers[at] += link.motions.T @ matrices.damping[0] @ link.motions
     across = assembled("gyroscopic")
-    ways = np.array([line.motion for line in structure.dofs.lines])[structure.dofs.line]
+    ways = np.array([line.kind for line in structure.dofs.lines])[structure.dofs.line]
     chosen = np.flatnonzero((ways == motion) | (motion is None))
     every = (
         assembled("mass"),
@@ -111,7 +111,7 @@ def _from_first_node(structure: Structure, whole: Unreduced) -> tuple[Array, Ind
     """Coordinates that are rigid motions of each plane at the first DOF, and which these are."""
     turn, rigid = np.eye(len(whole.dofs)), []
     for component in structure.components:
-        if component.lines[0].motion != "bending":
+        if component.lines[0].kind != "bending":
             continue
         motions = np.zeros((len(whole.dofs), 2))
         for dofs, motion in component.rigid:

@@ -82,7 +82,7 @@ def exact_rotor(
 
 
 def _segments(spindle: Spindle, mesh: Mesh, tension: Array) -> Segments:
-    if mesh.tapers.any():
+    if (mesh.steepness > 1.0).any():
         raise InvalidInput("the exact shaft is made of cylinders")
     ratio = mesh.inner_diameter / mesh.outer_diameter
     ring = area(mesh.outer_diameter, mesh.inner_diameter)

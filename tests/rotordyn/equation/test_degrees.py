@@ -22,6 +22,8 @@ from tests.oracles.cylinder_elements import hierarchic_rod
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.verification.test_rotor_hierarchic import at_rest
 
+STRAIGHT = np.ones(1)  # ratio of diameters of cylinders
+
 
 def expected_error(phase: np.ndarray, degree: np.ndarray) -> np.ndarray:
     """Relative error of a frequency by elements crossed with a ``phase`` k h (Ainsworth 2004)."""
@@ -64,12 +66,12 @@ def test_rod_shapes_meet_at_the_nodes() -> None:
 
 def test_least_degree_is_the_least() -> None:
     phase = np.array([1e-4, 0.1, 0.5, 1.0, 2.0, 4.0])
-    degree = least_degree(phase, 1e-5)
+    degree = least_degree(phase, 1e-5, STRAIGHT)
     assert (np.diff(degree) >= 0).all()
     assert (expected_error(phase, degree) <= 1e-5).all()
     above = degree > 1
     assert (expected_error(phase[above], degree[above] - 1) > 1e-5).all()
-    assert least_degree(np.array([100.0]), 1e-8)[0] == 0
+    assert least_degree(np.array([100.0]), 1e-8, STRAIGHT)[0] == 0
 
 
 def test_a_degree_serves_up_to_the_phase_of_its_bound() -> None:
@@ -77,12 +79,12 @@ def test_a_degree_serves_up_to_the_phase_of_its_bound() -> None:
     n, tolerance = np.arange(1, HIGHEST + 1), 1e-4
     growth = np.array([math.factorial(2 * k) / math.factorial(k) for k in n])
     last = (growth * np.sqrt(2.0 * tolerance * (2 * n + 1))) ** (1.0 / n)
-    assert least_degree(last * (1.0 - 1e-9), tolerance).tolist() == n.tolist()
-    assert least_degree(last * (1.0 + 1e-9), tolerance).tolist() == [*n[1:], 0]
+    assert least_degree(last * (1.0 - 1e-9), tolerance, STRAIGHT).tolist() == n.tolist()
+    assert least_degree(last * (1.0 + 1e-9), tolerance, STRAIGHT).tolist() == [*n[1:], 0]
 
 
 def test_long_waves_are_cut_into_parts() -> None:
-    parts, degree = parts_and_degree(np.array([0.01, 3.0, 300.0]), 1e-6)
+    parts, degree = parts_and_degree(np.array([0.01, 3.0, 300.0]), 1e-6, STRAIGHT)
     assert list(parts[:2]) == [1, 1]
     assert parts[2] > 20
     assert degree.max() <= HIGHEST
