@@ -102,12 +102,34 @@ def doubts(
     show. No step becomes smaller than ``narrowest``.
     """
     wanted = []
-    for k in np.flatnonzero(np.diff(at) > 2.0 * narrowest).tolist():
+    for k in np.flatnonzero(_may_doubt(vectors, values, within) & (np.diff(at) > 2.0 * narrowest)):
         share = _doubt(vectors[k : k + 2], values[k : k + 2], within)
         if share is not None:
             room = narrowest / (at[k + 1] - at[k])
             wanted.append(float(at[k] + (at[k + 1] - at[k]) * np.clip(share, room, 1.0 - room)))
     return wanted
+
+
+def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> NDArray[np.bool_]:
+    """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
+    most, steps = max(len(frequency) for frequency in values), len(values)
+    if not most:
+        return np.zeros(steps - 1, dtype=bool)
+    whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
+    value = np.full((steps, most), np.nan)
+    for k, (vector, frequency) in enumerate(zip(vectors, values, strict=True)):
+        whole[k, :, : len(frequency)], value[k, : len(frequency)] = vector, frequency
+    size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
+    whole /= np.where(size > 0.0, size, 1.0)
+    assurance = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
+    repeated = np.abs(value[:, :, None] - value[:, None]) <= REPEATED * np.abs(value)[:, None]
+    shared = np.minimum(repeated[:-1] @ assurance @ repeated[1:], 1.0)
+    doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
+    doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
+    after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)
+    before = np.where(value[:-1] < within, value[:-1], np.nan)
+    swapped = (before[:, :, None] - before[:, None]) * (after[:, :, None] - after[:, None]) < 0.0
+    return np.asarray(doubt | swapped.any(axis=(1, 2)))
 
 
 def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float | None:

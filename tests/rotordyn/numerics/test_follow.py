@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from rotordyn.numerics import follow as module
 from rotordyn.numerics.follow import LEAST_MAC, doubts, follow, mac
 
 
@@ -78,6 +79,29 @@ def test_equally_alike_goes_to_the_nearer_value() -> None:
     both = np.ones((1, 2), dtype=complex)
     path = follow([both[:, :1], both], [np.array([1.0]), np.array([5.0, 1.1])])
     assert path[1, 0] == 1
+
+
+@settings(max_examples=60)
+@example(7285, 5, 0.0, True)
+@given(st.integers(0, 10**6), st.integers(1, 6), st.floats(0.0, 1.0), st.booleans())
+def test_pairs_of_steps_that_are_not_looked_at_hold_no_doubt(
+    seed: int, size: int, turned: float, twins: bool
+) -> None:
+    """Steps of other counts, of shapes that turn more or less, with values that cross or repeat."""
+    draw = np.random.default_rng(seed)
+    vectors, values = [], []
+    whole = np.linalg.qr(draw.normal(size=(size, size)) + 1j * draw.normal(size=(size, size)))[0]
+    for _ in range(6):
+        whole = np.linalg.qr(whole + 0.5 * turned * draw.normal(size=(size, size)))[0]
+        count = int(draw.integers(0, size + 1))
+        vectors.append(whole[:, draw.permutation(size)[:count]] * draw.uniform(0.1, 9.0))
+        value = 1.0 + 0.3 * draw.normal(size=count)
+        values.append(np.sort(np.round(value, 0 if twins else 9)))
+    flagged = module._may_doubt(vectors, values, 1.2)
+    asked = [module._doubt(vectors[k : k + 2], values[k : k + 2], 1.2) for k in range(5)]
+    assert all(flag for flag, share in zip(flagged, asked, strict=True) if share is not None)
+    quiet = module._may_doubt([np.eye(3)] * 4, [np.arange(1.0, 4.0)] * 4, 9.0)
+    assert not quiet.any()
 
 
 def test_a_basis_of_repeated_values_is_any_basis() -> None:
