@@ -222,9 +222,10 @@ def test_killed_three_times_none_is_lost_none_computed_twice(tmp_path: Path) -> 
 
 def test_an_interrupted_study_says_that_it_goes_on(tmp_path: Path) -> None:
     (tmp_path / "springs.yaml").write_text(STUDY.replace("points: 40", "points: 4000"))
-    running = _command("sweep", "springs.yaml", "--workers", "1", cwd=tmp_path)
+    running = _command("sweep", "springs.yaml", "--workers", "1", "--yes", cwd=tmp_path)
     journal = tmp_path / "out" / "springs" / "points.jsonl"
     while not journal.exists() or journal.read_bytes().count(b"\n") < 3:
+        assert running.poll() is None
         time.sleep(0.01)
     running.send_signal(signal.SIGTERM)
     _, complaints = running.communicate()
