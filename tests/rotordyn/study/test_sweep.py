@@ -225,6 +225,7 @@ def test_an_interrupted_study_says_that_it_goes_on(tmp_path: Path) -> None:
     running = _command("sweep", "springs.yaml", "--workers", "1", "--yes", cwd=tmp_path)
     journal = tmp_path / "out" / "springs" / "points.jsonl"
     while not journal.exists() or journal.read_bytes().count(b"\n") < 3:
+        assert running.poll() is None
         time.sleep(0.01)
     running.send_signal(signal.SIGTERM)
     _, complaints = running.communicate()
