@@ -22,6 +22,7 @@ GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
 ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
 MATRICES = 6  # stiffness, damping, and what their sums take
 VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one frequency
+CORRECTION = 1.5e-9  # s of a mode with loss factors, for each cubed row
 TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
 STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-3 s where they slide
 FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
@@ -78,6 +79,13 @@ def require_matrices(name: str, speeds: int, size: int) -> None:
     """The same of matrices of ``size`` rows at so many speeds."""
     what = f"{name}: matrices of {size} rows at {speeds} speeds"
     _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
+
+
+def require_corrections(modes: int, at_once: int, size: int) -> None:
+    """The same of so many modes with loss factors of ``size`` DOF, some ``at_once``."""
+    what = f"loss factors: corrections of {modes} modes of {size} DOF"
+    seconds = CORRECTION * modes * float(size) ** 3
+    _require(what, seconds, 64.0 * at_once * float(size) ** 2)
 
 
 def require_responses(name: str, speeds: int, pairs: int, frequencies: int) -> None:

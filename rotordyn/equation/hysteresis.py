@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_corrections
 from rotordyn.equation.connection import at_rows
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
@@ -130,6 +131,8 @@ class Hysteretic:
         turning = np.where(swings(plain.pole), np.abs(plain.pole.imag), size)
         near = (turning < self.ceiling) & ~plain.at_rest()
         near &= (plain.pole.imag >= 0.0) | self.whirling
+        count = near.sum(axis=1)
+        require_corrections(int(count.sum()), int(count.max()), plain.vector.shape[1])
         rows = range(len(self.spin))
         doubtful = [row for row in rows if not self._correct(solved, row, near[row])]
         if not doubtful:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 import rotordyn
 from bearings import Material
+from rotordyn.allowance import within
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec
@@ -119,6 +120,12 @@ def test_the_threshold_is_the_critical_speed(formulation: str) -> None:
         back = found.critical_whirl.index("backward")
         expected = math.sin(0.5 * math.atan(eta))
         assert found.critical_damping[back] == pytest.approx(expected, rel=1e-3)
+
+
+def test_modes_that_take_longer_than_allowed_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rotordyn.allowance.CORRECTION", 1e9)
+    with within(100.0), pytest.raises(InvalidInput, match=r"loss factors: .* \d+ modes"):
+        modes(disc(), [0.0])
 
 
 @pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 2.37])
