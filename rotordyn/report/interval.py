@@ -90,9 +90,9 @@ def interval_doubts(held: Interval) -> Iterator[str]:
     if far.size:
         worst = max(far, key=lambda k: held.interaction[k])
         yield (
-            "note       tolerances act on one another: where all are off at once, "
-            f"{held.number[worst]} differs from the sum of their effects by "
-            f"{held.interaction[worst]:.0%} of its range; give samples to be sure"
+            "note       tolerances act on one another: with all off at once, "
+            f"{held.number[worst]} is {held.interaction[worst]:.0%} of its range from the sum of "
+            "their effects; samples tell"
         )
     if held.lost:
         yield f"note       left out, without a solution: {shortened(held.lost, 300)}"
