@@ -100,8 +100,7 @@ def write_rotor_twins() -> None:
 
 def write_networks() -> None:
     """Random networks with friction, as surveyed last."""
-    found, before = measured()["random_networks"], measured()["random_networks_before"]
-    fresh = {"random-networks": random_networks(found, before)}
+    fresh = {"random-networks": random_networks(measured()["random_networks"])}
     rewrite(THEORY / "network.md", fresh)
 
 
