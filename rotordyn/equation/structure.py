@@ -28,6 +28,7 @@ from rotordyn.equation.sleeve import Sleeves
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Array, Link, Part
+from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -222,10 +223,17 @@ class Structure:
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
-            inertial=self.fine.finer > 0,
+            inertial=self.fine.finer > 0 and not self._nearly_free,
             pressed=self._pressed(lines[0]),
             coarse=self._coarser(lines),
         )
+
+    @cached_property
+    def _nearly_free(self) -> bool:
+        """Whether a support is meant as none: rounding of more static modes hides slow modes."""
+        given = (value for each in self.spindle.supports for value in each.stiffness.values())
+        sizes = (np.abs(np.asarray(value, float)) for value in given)
+        return any(((size > 0.0) & (size < SOFT[0])).any() for size in sizes)
 
     def _coarser(self, lines: tuple[Line, ...]) -> Coarse | None:
         """The component of the same lines of the coarser model, where that is a shaft's line."""

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from rotordyn.errors import InvalidInput
+
+if TYPE_CHECKING:
+    from rotordyn.scene.scene import Scene
+
 INERTIAL = "inertial"
 ROTATING = "rotating"
 SOFTENED = "fixed-frame softening"
@@ -30,3 +37,26 @@ def turned(quantity: str) -> str:
         f"{quantity} in a frame that turns with the shaft is what no sensor measures: take "
         "receptance, or formulation: inertial"
     )
+
+
+def require_isotropic(scene: Scene) -> None:
+    """Go on only where bending may be seen from the turning frame.
+
+    Raises
+    ------
+    InvalidInput : supports do not answer alike in all directions, or couple bending to more
+    """
+    for k in scene.with_motions(("bending",)):
+        linear = scene.system(k).linear
+        if linear.kinds != {"bending"} or any(
+            c.spindle is None and not c.way for c in linear.components
+        ):
+            raise InvalidInput(
+                "the rotating formulation cannot describe supports that couple bending with "
+                "another motion, nor housings: use the inertial one"
+            )
+        if not linear.isotropic:
+            raise InvalidInput(
+                "the rotating formulation needs supports that answer alike in all directions, and "
+                "those of this machine do not: use the inertial one"
+            )

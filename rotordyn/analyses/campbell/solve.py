@@ -20,7 +20,7 @@ from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
 from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
-from rotordyn.scene.formulation import ROTATING
+from rotordyn.scene.formulation import ROTATING, require_isotropic
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -30,8 +30,14 @@ Complex = NDArray[np.complex128]
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined until they
     are as accurate as asked for (``refinement``).
+
+    Raises
+    ------
+    InvalidInput : the turning frame, and supports that do not answer alike in all directions
     """
     turned = scene.conditions.formulation == ROTATING
+    if turned:
+        require_isotropic(scene)
     band = Band(spec.max_frequency, spec.engine_orders)
     wide = band._replace(max_frequency=scene.fineness.frequency) if turned else band
 

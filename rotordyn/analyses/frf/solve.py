@@ -31,7 +31,7 @@ from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch, branches_of
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
-from rotordyn.scene.formulation import ROTATING, turned
+from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
 from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
@@ -64,8 +64,10 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         allowed; a frequency at which nothing limits the response
     """
     turning = scene.conditions.formulation == ROTATING
-    if turning and spec.quantity != QUANTITIES[0]:
-        raise InvalidInput(turned(spec.quantity))
+    if turning:
+        require_isotropic(scene)
+        if spec.quantity != QUANTITIES[0]:
+            raise InvalidInput(turned(spec.quantity))
     if turning and spec.engine_orders:
         raise InvalidInput(f"frf: engine_orders: {ORDERS_TURNED}")
     frequency = np.array(spec.frequencies, dtype=float)
