@@ -69,14 +69,14 @@ def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
 def test_our_side_equals_a_dense_solve_where_that_is_asked() -> None:
     kind = "anisotropic, damped"
     modes = of_ours(spindle(kind), FINE.accuracy, machine.BAND, machine.SPEEDS[-1])
-    found = our_modes(kind, FINE, SPEEDS[-1:])
-    dense = [modes.poles(spin)[:8] for spin in SPEEDS[-1:]]
+    found = our_modes(kind, FINE, SPEEDS[::4])
+    dense = [modes.poles(spin)[:8] for spin in SPEEDS[::4]]
     errors = [
         abs(a - b) / abs(a)
         for own, whole in zip(found, dense, strict=True)
         for a, b in partners(whole, own)
     ]
-    assert len(errors) == 8 * len(found) == 8
+    assert len(errors) == 8 * len(found) == 16
     assert max(errors) < 1e-9
     response = our_response(RESPONSE, kind, FINE)
     whole = of_ours(spindle(kind), FINE.accuracy, TOP, machine.SPEED)

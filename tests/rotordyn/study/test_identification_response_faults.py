@@ -20,17 +20,11 @@ from tests.rotordyn.study.rotor_twin import (
     OUTER,
     blank,
     case,
-    measured,
     spindle,
     unknowns,
 )
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
-
-
-@pytest.fixture(scope="module")
-def taps() -> Responses:
-    return measured(spindle())
 
 
 def changed(of: Responses, **how: object) -> Responses:

@@ -32,11 +32,6 @@ from tests.rotordyn.study.rotor_twin import (
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 
 
-@pytest.fixture(scope="module")
-def taps() -> Responses:
-    return measured(spindle())
-
-
 def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Path) -> None:
     """Frequencies of a speed that was not measured within 0.5 %; every true value in its interval
     of four deviations; χ² as the noise stated."""

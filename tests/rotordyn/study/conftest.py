@@ -1,0 +1,14 @@
+"""What tests of identifications share."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotordyn.study.identification.responses import Responses
+from tests.rotordyn.study.rotor_twin import measured, spindle
+
+
+@pytest.fixture(scope="session")
+def taps() -> Responses:
+    """Responses of the twin, measured by taps."""
+    return measured(spindle())
