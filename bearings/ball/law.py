@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
@@ -19,12 +22,12 @@ DYNAMICS = ("resultant", "frozen", "centrifugal", "gyroscopic")
 class LawNumbers(NamedTuple):
     """What is assumed of a ball, by numbers.
 
-    Indices in ``KINEMATICS`` and ``MOMENT_SHARING``; ``friction``: μ, 0 for no limit. ``dynamics``
-    acts through the blend of the balance.
+    Indices in ``KINEMATICS`` and ``MOMENT_SHARING``, of a batch of states (s, 1);
+    ``friction``: μ, 0 for no limit. ``dynamics`` acts through the blend of the balance.
     """
 
-    kinematics: int
-    sharing: int
+    kinematics: Any
+    sharing: Any
     friction: float
 
 
@@ -79,6 +82,55 @@ class Law:
         Inner control and the geometric hypothesis end their loaded branch with a jump.
         """
         return self.kinematics in ("hybrid", "outer") or self.dynamics == "frozen"
+
+    def take(self, index: Iterable[Any]) -> Law:
+        """The law of some states of a batch: this one."""
+        return self
+
+    def each(self, change: Callable[[Law], Law]) -> Law:
+        """Another law instead."""
+        return change(self)
+
+
+@dataclass(frozen=True)
+class Laws:
+    """The law of every state of a batch, alike in friction and dynamics.
+
+    ``known``: those there are; ``place`` (s,): which of them holds.
+    """
+
+    known: tuple[Law, ...]
+    place: tuple[int, ...]
+
+    @property
+    def friction(self) -> float | None:
+        """Coefficient that limits the moment a race can hold."""
+        return self.known[0].friction
+
+    @property
+    def dynamics(self) -> str:
+        """Which of Fc and Mg act."""
+        return self.known[0].dynamics
+
+    @cached_property
+    def numbers(self) -> LawNumbers:
+        """Plain numbers for the balance of balls, (s, 1)."""
+        each = np.array([law.numbers[:2] for law in self.known])[list(self.place), :, None]
+        return LawNumbers(each[:, 0], each[:, 1], self.known[0].numbers.friction)
+
+    @cached_property
+    def one_branch(self) -> Any:
+        """Where a neighbour may be a start (s,)."""
+        return np.array([law.one_branch for law in self.known])[list(self.place)]
+
+    def take(self, index: Iterable[Any]) -> Law | Laws:
+        """The laws of some states; a single one where they have one."""
+        place = tuple(self.place[k] for k in index)
+        return self.known[place[0]] if len({*place}) == 1 else Laws(self.known, place)
+
+    def each(self, change: Callable[[Law], Law]) -> Law | Laws:
+        """Other laws instead."""
+        return Laws(tuple(map(change, self.known)), self.place)
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:

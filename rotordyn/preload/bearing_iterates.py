@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
+from bearings.ball.law import Law, Laws
 from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
 
@@ -32,7 +32,7 @@ class Solved:
     state: BearingState
 
 
-Alike = tuple[BallBearing, Law]  # bearings that can be solved in one call
+Alike = tuple[BallBearing, Law | Laws]  # bearings that can be solved in one call
 States = dict[Alike, Solved]
 
 

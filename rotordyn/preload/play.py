@@ -20,7 +20,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
+from bearings.ball.law import Law, Laws
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -81,7 +81,7 @@ class Tables:
         for key in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
             if not any(key in row for row in keys):
                 del self.known[key]
-        alike: dict[tuple[object, Law], list[tuple[object, ...]]] = {}
+        alike: dict[tuple[object, Law | Laws], list[tuple[object, ...]]] = {}
         for key, (bearing, _) in missing.items():
             alike.setdefault((bearing.model, bearing.law), []).append(key)
         for group in alike.values():

@@ -163,7 +163,15 @@ def _as_state(
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
     still = _by_seat(state.still, balance.bearings)
-    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+    return replace(
+        state,
+        network=network,
+        still=still,
+        net=net,
+        outcome=words,
+        lateral=lateral,
+        family=None,
+    )
 
 
 def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:

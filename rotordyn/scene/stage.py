@@ -18,9 +18,11 @@ Inputs = tuple[Any, ...]
 class Memo:
     """Values of stages by name, each with the inputs that it follows from.
 
-    Machines that differ little (variants, other speeds, a finer model) share one memo.
+    Machines that differ little (variants, other speeds, a finer model) share one memo. ``laws``:
+    hypotheses under which its machines will be solved.
     """
 
+    laws: tuple[Any, ...] = ()
     values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
+from bearings.ball.law import Law, Laws
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
@@ -21,8 +21,8 @@ from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
-from rotordyn.preload.friction import operating_state
-from rotordyn.preload.state import PreloadState
+from rotordyn.preload.friction import operating_state, remembered
+from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -31,6 +31,7 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
+    from rotordyn.preload.family import Family
     from rotordyn.preload.heat_balance import HeatBalance
 
 Array = NDArray[np.float64]
@@ -188,19 +189,32 @@ class Statics(Staged):
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
-        given = (
-            self.grounded,
-            self.bearing_speed,
-            self.law,
-            self.axial_force,
-            self.temperatures,
-            self.past,
-        )
+        acting = self.axial_force, self.temperatures, self.past
+        if self.law in self.memo.laws and not self._by_law:
+            return remembered(self.family.state(self.law))
+        given = self.grounded, self.bearing_speed, self.law, *acting
         if (oiled := self.conditions.films) is None:
             return operating_state(*given)
         from rotordyn.preload.on_films import on_films
 
         return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
+
+    @property
+    def _by_law(self) -> bool:
+        """Whether something else follows from the hypotheses of balls: heat, films."""
+        conditions = self.conditions
+        return conditions.heat_flow is not None or conditions.films is not None
+
+    @stage_of(lambda self: (self.memo.laws, *self._standing))
+    def family(self) -> Family:
+        """The same under all laws of which states will be asked for."""
+        from rotordyn.preload.family import Family
+
+        def solve(speed: Array, law: Laws) -> PreloadState:
+            acting = self.axial_force, self.temperatures
+            return replace(dynamic_preload(self.grounded, speed, law, *acting), past=self.past)
+
+        return Family.solved(self.memo.laws, self.bearing_speed, solve)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -317,7 +331,12 @@ class Statics(Staged):
 
     @property
     def _seated(self) -> tuple[Any, ...]:
-        """What the preload state without loads across the axis follows from: of the shaft only
+        """What the preload state without loads across the axis follows from."""
+        return (self.law, *self._standing)
+
+    @property
+    def _standing(self) -> tuple[Any, ...]:
+        """The same beside the hypotheses of balls: of the shaft only
         sections from the foremost seat on, and those between seats and what they shift from."""
         own, shaft = self.grounded, self.spindle.shaft
         reference = getattr(own.shortening, "reference", math.inf)
@@ -330,7 +349,7 @@ class Statics(Staged):
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
         conditions = self.conditions
         oiled = conditions.temperatures, conditions.films
-        acting = self.law, self.axial_force, self.past, *oiled
+        acting = self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

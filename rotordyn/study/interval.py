@@ -93,11 +93,10 @@ def interval(
     NoSolution : the nominal machine has none
     """
     asked = asked_of(case)
+    progress(f"interval, {_count(asked, case.uncertain)} machines")
     machines = Machines(lean(case))
+    combined = machines.all([*asked.combinations])  # that of the case among them
     nominal = Nominal(values_of(case, results), machines.values({}))
-    total = _count(asked, case.uncertain)
-    progress(f"interval, {total} machines")
-    combined = nominal.of(machines.all(list(asked.combinations)))
     toleranced = _toleranced(case, asked, machines, nominal)
     found = derivatives(asked, machines, nominal.values.numbers)
     return _joined(asked, nominal, combined, toleranced, found, machines, results)
@@ -234,7 +233,7 @@ def _least(values: Array) -> Array:
 def _joined(
     asked: Asked,
     nominal: Nominal,
-    combined: Differences,
+    combined: Sequence[Values],
     toleranced: Toleranced,
     found: Derivatives,
     machines: Machines,
@@ -245,8 +244,8 @@ def _joined(
     length = [len(curve.x) for curve in curves.values()]
     y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
     log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)
-    over = _ends(combined.points)
-    by_combination = _each(nominal, combined, machines.all(list(asked.combinations)))
+    over = _ends(nominal.of(combined).points)
+    by_combination = _each(nominal, combined)
     return Interval(
         number=tuple(numbers),
         source=tuple(each.path for each in asked.tolerances),
@@ -279,12 +278,13 @@ def _joined(
     )
 
 
-def _each(nominal: Nominal, combined: Differences, machines: Sequence[Values]) -> Array:
+def _each(nominal: Nominal, machines: Sequence[Values]) -> Array:
     """Numbers by combination; as they are where the machine of the case has none."""
     value = nominal.numbers[:, None]
     keys, none = [*nominal.values.numbers], np.nan
     own = [[m.numbers[k].value if k in m.numbers else none for m in machines] for k in keys]
-    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), value + combined.numbers.T)
+    moved = value + nominal.of(machines).numbers.T
+    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), moved)
 
 
 def _limits(values: Array) -> Array:

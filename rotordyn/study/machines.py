@@ -7,6 +7,7 @@ kept, and these vary slowly. What machines have in common is solved once.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -70,5 +71,13 @@ class Machines:
             return Values(sentence=str(error))
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
-        """The same of many."""
-        return [self.values(each) for each in changes]
+        """The same of many; bearings under all laws of one machine are solved together."""
+        memo, laws = self._neighbours.memo, set()
+        for each in changes:
+            with suppress(InvalidInput):
+                laws.add(changed(self.case, each).conditions.law)
+        memo.laws = tuple(sorted(laws, key=str)) if len(laws) > 1 else ()
+        try:
+            return [self.values(each) for each in changes]
+        finally:
+            memo.laws = ()
