@@ -112,6 +112,15 @@ class Staged:
         """Run ``work`` and note its seconds."""
         return self.clock.timed(name, work)
 
+    def shared(self, name: str, inputs: Inputs, work: Callable[[], T]) -> T:
+        """What follows from ``inputs`` alone and is no stage, as most machines have none."""
+        known = self.memo.known(name, inputs)
+        if known is None:
+            known = (self.timed(name, work),)
+            self.memo.keep(name, inputs, known[0])
+        found: T = known[0]
+        return found
+
     @property
     def skipped(self) -> tuple[str, ...]:
         """Stages that no analysis asked for."""

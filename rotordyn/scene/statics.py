@@ -205,9 +205,12 @@ class Statics(Staged):
         conditions = self.conditions
         return conditions.heat_flow is not None or conditions.films is not None
 
-    @stage_of(lambda self: (self.memo.laws, *self._standing))
+    @property
     def family(self) -> Family:
         """The same under all laws of which states will be asked for."""
+        return self.shared("family", (self.memo.laws, *self._standing), self._under_all_laws)
+
+    def _under_all_laws(self) -> Family:
         from rotordyn.preload.family import Family
 
         def solve(speed: Array, law: Laws) -> PreloadState:
@@ -226,12 +229,7 @@ class Statics(Staged):
     @cached_property
     def heat_balance(self) -> HeatBalance:
         """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
-        known = self.memo.known("heat balance", self._axial_inputs)
-        if known is None:
-            known = (self.timed("heat balance", self._balanced),)
-            self.memo.keep("heat balance", self._axial_inputs, known[0])
-        found: HeatBalance = known[0]
-        return found
+        return self.shared("heat balance", self._axial_inputs, self._balanced)
 
     def _balanced(self) -> HeatBalance:
         from rotordyn.preload.heat_balance import heat_balance
