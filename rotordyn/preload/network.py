@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
+CONFIRMED = 1e-8  # of the largest force, of an equilibrium whose bearings are solved once more
 DIGITS = 1e-13  # of the largest force: more is less with another step
 BALLS = 1e-9  # of the largest ball load: what is left of it acts on the rings squared
 TOGETHER = 12  # iterations
@@ -275,17 +276,19 @@ def solve(
     if network.one_branch and quick.converged.all():
         return quick
     x, response = _apart(network, x, quick, fixed)
+    balanced = quick.converged & (x == quick.position).all(axis=1)
+    enough = np.where(balanced, CONFIRMED, TOLERANCE)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
-        moving = np.isfinite(error) & (error >= TOLERANCE) & ~stuck
+        moving = np.isfinite(error) & (error >= enough) & ~stuck
         if not moving.any():
             break
         step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         x, response, helped = _advance(network, x, step, response, fixed, error)
         stuck |= moving & ~helped
     error = network.error(x, response, fixed)[1]
-    return NetworkState(x, held, response, error, error < TOLERANCE)
+    return NetworkState(x, held, response, error, error < enough)
 
 
 def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
@@ -322,7 +325,7 @@ def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tup
     there = np.where(quick.converged[:, None], quick.position, x)
     response = network.respond(there)
     error = network.error(there, response, fixed)[1]
-    astray = quick.converged & ~(error < 1e3 * TOLERANCE)
+    astray = quick.converged & ~(error < CONFIRMED)
     if not astray.any():
         return there, response
     x = np.where(astray[:, None], x, there)
@@ -335,10 +338,10 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
     What was found by following neighbours stands only if no neighbour is needed to find it again.
     """
     if not any(np.any(bearing.law.one_branch) for bearing in network.arrangement.bearings):
-        return replace(net, converged=net.error < 1e3 * TOLERANCE)  # none was followed at the end
+        return replace(net, converged=net.error < CONFIRMED)  # none was followed at the end
     response = network.respond(net.position)
     error = network.error(net.position, response, net.held | network.springs.fixed)[1]
-    return NetworkState(net.position, net.held, response, error, error < 1e3 * TOLERANCE)
+    return NetworkState(net.position, net.held, response, error, error < CONFIRMED)
 
 
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
