@@ -190,7 +190,7 @@ class Statics(Staged):
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
         acting = self.axial_force, self.temperatures, self.past
-        if self.law in self.memo.laws and not self._by_law:
+        if len(self._laws) > 1:
             return remembered(self.family.state(self.law))
         given = self.grounded, self.bearing_speed, self.law, *acting
         if (oiled := self.conditions.films) is None:
@@ -200,15 +200,18 @@ class Statics(Staged):
         return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
 
     @property
-    def _by_law(self) -> bool:
-        """Whether something else follows from the hypotheses of balls: heat, films."""
-        conditions = self.conditions
-        return conditions.heat_flow is not None or conditions.films is not None
+    def _laws(self) -> tuple[Law, ...]:
+        """Those that will be asked for and can be solved with the own one; none where heat or films
+        follow from the states."""
+        if self.conditions.heat_flow is not None or self.conditions.films is not None:
+            return ()
+        own, every = self.law, self.memo.laws
+        return tuple(a for a in every if (a.friction, a.dynamics) == (own.friction, own.dynamics))
 
     @property
     def family(self) -> Family:
         """The same under all laws of which states will be asked for."""
-        return self.shared("family", (self.memo.laws, *self._standing), self._under_all_laws)
+        return self.shared("family", (self._laws, *self._standing), self._under_all_laws)
 
     def _under_all_laws(self) -> Family:
         from rotordyn.preload.family import Family
@@ -217,7 +220,7 @@ class Statics(Staged):
             acting = self.axial_force, self.temperatures
             return replace(dynamic_preload(self.grounded, speed, law, *acting), past=self.past)
 
-        return Family.solved(self.memo.laws, self.bearing_speed, solve)
+        return Family.solved(self._laws, self.bearing_speed, solve)
 
     @property
     def temperatures(self) -> Temperatures | None:

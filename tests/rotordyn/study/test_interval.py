@@ -68,6 +68,21 @@ def test_combinations_are_what_single_runs_give() -> None:
     assert moved.max() > 0.2  # the choice matters
 
 
+def test_combinations_with_other_dynamics_are_what_single_runs_give() -> None:
+    asked = {"kinematics": ("outer", "inner"), "dynamics": ("resultant", "centrifugal")}
+    case = _case(("preload",), (0.0, 24000.0), hypotheses=asked)
+    found = rotordyn.run(case, interval=True).interval.by_combination
+    plain = replace(case, uncertain=None)
+    for law, dynamics in itertools.product(*asked.values()):
+        other = rotordyn.vary(
+            plain, {"conditions.kinematics": law, "conditions.dynamics": dynamics}
+        )
+        numbers = values_of(other, rotordyn.run(other).parts[""].results).numbers
+        column = found.sel(combination=f"kinematics {law}, dynamics {dynamics}")
+        for name, value in zip(column.number.values, column.values, strict=True):
+            assert value == pytest.approx(numbers[str(name)].value, rel=1e-9, nan_ok=True)
+
+
 def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
     asked = {"moment_sharing": ("inner", "outer")}
     widths = {SPRING: "± 10 %"}
