@@ -203,9 +203,9 @@ class Statics(Staged):
     def _laws(self) -> tuple[Law, ...]:
         """Those that will be asked for and can be solved with the own one; none where heat or films
         follow from the states."""
-        if self.conditions.heat_flow is not None or self.conditions.films is not None:
+        own, every, conditions = self.law, self.memo.laws, self.conditions
+        if conditions.heat_flow or conditions.films or own not in every:
             return ()
-        own, every = self.law, self.memo.laws
         return tuple(a for a in every if (a.friction, a.dynamics) == (own.friction, own.dynamics))
 
     @property
