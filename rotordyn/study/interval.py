@@ -77,8 +77,9 @@ def interval(
     NoSolution : the nominal machine has none
     """
     asked = asked_of(case)
-    progress(f"interval, {_count(asked, case.uncertain)} machines")
-    machines = Machines(lean(case))
+    total = _count(asked, case.uncertain)
+    progress(f"interval, {total} machines")
+    machines = Machines(lean(case), total)
     combined = machines.all([*asked.combinations])  # that of the case among them
     nominal = Nominal(values_of(case, results), machines.values({}))
     toleranced = _toleranced(case, asked, machines, nominal)

@@ -39,9 +39,11 @@ def lean(case: Case) -> Case:
 
 @dataclass
 class Machines:
-    """Machines that differ from ``case`` by some values; ``lost``: why some have no solution."""
+    """Machines that differ from ``case`` by some values, so many as are ``expected``; ``lost``: why
+    some have no solution."""
 
     case: Case
+    expected: int = 0
     solved: int = 0
     lost: list[str] = field(default_factory=list)
     _neighbours: Neighbours = field(default_factory=Neighbours)
@@ -65,7 +67,8 @@ class Machines:
         self.solved += 1
         try:
             case = changed(self.case, changes)
-            return values_of(case, self._neighbours.solve(case)[0].results)
+            further = max(self.expected - self.solved, 0)
+            return values_of(case, self._neighbours.solve(case, further=further)[0].results)
         except (InvalidInput, BearingError, NoSolution) as error:
             self.lost.append(str(error))
             return Values(sentence=str(error))
