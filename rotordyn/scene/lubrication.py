@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 SUPPLIES = ("oil-air", "mist", "grease", "bath", "jet")  # f0 in bearings.heat.OIL_FACTORS
 THICKEST = 0.1  # m²/s, kinematic
-LOSS_MODELS = ("ellipse", "palmgren")
+ELLIPSE = "ellipse"
+LOSS_MODELS = (ELLIPSE, "palmgren")
 
 
 @dataclass(frozen=True, slots=True)

@@ -282,6 +282,7 @@ def test_stress_of_a_fit_by_hand() -> None:
     ("make", "sentence"),
     [
         (lambda: LifeSpec(spectrum=STEPS[:2]), r"shares add up to 90 %"),
+        (lambda: LifeSpec(heat="palmgren"), "heat needs an oil"),
         (lambda: LifeSpec(reliability=0.93), "not one of its choices"),
         (lambda: Lubrication(32e-6, 68e-6, 40.0), "not below viscosity_40"),
         (lambda: Lubrication(32e-6, 5e-6, 400.0), "temperature out of range"),

@@ -198,6 +198,7 @@ def test_frozen_dynamics_of_a_third_contact() -> None:
         ({"moments": (1.0,), "tilt": "blocked"}, "takes no moment"),
         ({"moments": (2.0, 1.0)}, r"moments\[1\]: not in ascending order"),
         ({"loads": (1.0,), "films": True}, "films needs an oil: give lubricant"),
+        ({"loads": (1.0,), "heat": "palmgren"}, "heat: heat needs an oil: give lubricant"),
         ({"loads": (1.0,), "heat_flow": FLOW}, "heat_flow needs an oil: give lubricant"),
         ({"loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL, "films": True}, "one of the two"),
         ({"radial_loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL}, "axial loads alone"),
