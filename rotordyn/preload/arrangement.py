@@ -63,6 +63,17 @@ class Arrangement:
     speed: Array
     force: float
 
+    @property
+    def bearing_of_seat(self) -> list[int]:
+        """For every seat the bearing that stands for it, index among ``bearings`` (seats,)."""
+        owner = {seat: k for k, bearing in enumerate(self.bearings) for seat in bearing.seats}
+        return [owner[seat] for seat in sorted(owner)]
+
+    @property
+    def direction(self) -> Array:
+        """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
+        return np.array([0.0, *(push.direction for push in self.pushes)])
+
     def at(self, index: NDArray[np.intp]) -> Arrangement:
         """The arrangement at some of its speeds."""
         bearings = tuple(

@@ -79,7 +79,7 @@ class Balance:
     dof: tuple[int, ...]
     network: Network
     rotor: StaticRotor
-    bearings: tuple[int, ...]
+    bearings: list[int]
     rows: Array
     offset: Array
     rest: Array
@@ -96,7 +96,7 @@ class Balance:
             dof=rotor.dof,
             network=part,
             rotor=rotor.at(index),
-            bearings=_bearing_of_seats(part),
+            bearings=part.arrangement.bearing_of_seat,
             rows=_rows(part, rotor),
             offset=_offset(state.spindle, rotor.dof),
             rest=state.rest,
@@ -364,20 +364,7 @@ class Balance:
     def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
         moved = coordinates[:, len(self.rotor.point) :] - self.rest
-        direction = np.zeros(len(self.rest))
-        for push in self.network.arrangement.pushes:
-            direction[push.body] = push.direction
-        return -direction * moved
-
-
-def _bearing_of_seats(network: Network) -> tuple[int, ...]:
-    """The bearing that stands for every seat."""
-    owner = {
-        seat: index
-        for index, bearing in enumerate(network.arrangement.bearings)
-        for seat in bearing.seats
-    }
-    return tuple(owner[seat] for seat in sorted(owner))
+        return -self.network.arrangement.direction * moved
 
 
 def _offset(spindle: Spindle, dof: tuple[int, ...]) -> Array:

@@ -40,18 +40,18 @@ class PreloadState:
     """Axial equilibrium at every speed.
 
     ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
-    ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
-    the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
-    or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
-    across the axis, None without any; ``temperatures``: None where all are those of assembly;
-    ``films``: those that balls ride on, or None; ``past``: what the spindle went through before.
+    ``mounted``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop
+    ends the travel (NaN without one) [m]; ``net``: the network at every speed; ``outcome`` per
+    speed: empty, or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor
+    under loads across the axis, None without any; ``temperatures``: None where all are those of
+    assembly; ``films``: those that balls ride on, or None; ``past``: what came before.
     """
 
     spindle: Spindle
     force: float
     law: Law
     network: Network
-    still: NetworkState
+    mounted: NetworkState
     limit: Array
     net: NetworkState
     outcome: tuple[str, ...]
@@ -69,8 +69,8 @@ class PreloadState:
 
     @property
     def rest(self) -> Array:
-        """Positions at rest (bodies,)."""
-        return self.still.position[0]
+        """Positions as mounted (bodies,) [m]."""
+        return self.mounted.position[0]
 
     @property
     def speed(self) -> Array:
@@ -170,9 +170,7 @@ class PreloadState:
     def mounted_load(self) -> Array:
         """Axial load of every bearing at rest under the stated preloads, as assembled (seats,)
         [N]."""
-        bearings = self.network.arrangement.bearings
-        place = {seat: k for k, bearing in enumerate(bearings) for seat in bearing.seats}
-        return np.array([self.still.response.load[0, place[seat]] for seat in sorted(place)])
+        return self.mounted.response.load[0, self.network.arrangement.bearing_of_seat]
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
@@ -191,13 +189,13 @@ class PreloadState:
 
     def seat_growth(self) -> Array:
         """Total radial growth of every inner groove centre (speeds, seats) [m]."""
-        bearings = self.network.arrangement.bearings
-        place = {seat: bearing.growth for bearing in bearings for seat in bearing.seats}
-        return np.stack([place[seat] for seat in sorted(place)], axis=1)
+        joined = self.network.arrangement
+        growth = np.stack([bearing.growth for bearing in joined.bearings], axis=1)
+        return growth[:, joined.bearing_of_seat]
 
     def rest_loads(self) -> Array:
         """Axial load of every bearing at rest, external force included (bearings,) [N], or NaN."""
-        net = self.still
+        net = self.mounted
         if self.force:
             still = replace(at_rest(self.network.arrangement), force=self.force)
             net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
@@ -260,11 +258,20 @@ def dynamic_preload(
     from there springs act with their stiffness and stops stand at their travel.
     """
     joined = arrangement(spindle, speed, axial_force, law, temperatures, films)
-    still = _rest(joined)
-    network = Network(joined, _springs(spindle, joined, still.position[0]))
-    limit = _limits(joined, still.position[0])
+    mounted = _mounted(joined)
+    rest = mounted.position[0]
+    network = Network(joined, _springs(spindle, joined, rest))
     start = PreloadState(
-        spindle, axial_force, law, network, still, limit, still, (), None, temperatures, films
+        spindle,
+        axial_force,
+        law,
+        network,
+        mounted,
+        limit=_limits(joined, rest),
+        net=mounted,  # until it is settled
+        outcome=(),
+        temperatures=temperatures,
+        films=films,
     )
     return settled(start, network)
 
@@ -272,15 +279,14 @@ def dynamic_preload(
 def settled(state: PreloadState, network: Network, start: Array | None = None) -> PreloadState:
     """Another ``network`` of the same spindle at its speeds, sought from rest or from ``start``
     (speeds, bodies)."""
-    rest, still = state.rest, state.still
-    limit = _limits(network.arrangement, rest)
-    net = confirmed(network, with_stops(network, rest, limit, start))
+    limit = _limits(network.arrangement, state.rest)
+    net = confirmed(network, with_stops(network, state.rest, limit, start))
     warm = state.temperatures is not None
-    words = outcomes(state.spindle, network, still, net, warm=warm)
+    words = outcomes(state.spindle, network, state.mounted, net, warm=warm)
     return replace(state, network=network, limit=limit, net=net, outcome=words)
 
 
-def _rest(joined: Arrangement) -> NetworkState:
+def _mounted(joined: Arrangement) -> NetworkState:
     """Equilibrium at rest under the stated preloads alone (one speed)."""
     still = at_rest(joined)
     count = len(still.bodies)
@@ -293,10 +299,8 @@ def _rest(joined: Arrangement) -> NetworkState:
 
 
 def _preloads(joined: Arrangement) -> Array:
-    force = np.zeros(len(joined.bodies))
-    for push in joined.pushes:
-        force[push.body] = push.direction * push.preload
-    return force
+    """Forces of the springs at rest, towards +x (bodies,) [N]."""
+    return joined.direction * [0.0, *(push.preload for push in joined.pushes)]
 
 
 def _seated(network: Network) -> Array:

@@ -162,15 +162,16 @@ def _as_state(
     converged = np.array([word == "" for word in words])
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
-    still = _by_seat(state.still, balance.bearings)
-    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+    mounted = _by_seat(state.mounted, balance.bearings)
+    state = replace(state, network=network, mounted=mounted, net=net)
+    return replace(state, outcome=words, lateral=lateral)
 
 
-def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:
+def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:
     """The network at rest with a column for every seat, of ``bearings`` that stand for each."""
-    one = still.response
-    each = replace(one, load=one.load[:, list(bearings)], slope=one.slope[:, list(bearings)])
-    return replace(still, response=each)
+    one = mounted.response
+    each = replace(one, load=one.load[:, bearings], slope=one.slope[:, bearings])
+    return replace(mounted, response=each)
 
 
 def _apart(joined: Arrangement) -> Arrangement:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.state.laws import Blend, Law
+from rotordyn.state.laws import AxialLaw, Blend
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -100,10 +100,10 @@ class Load:
     force: Array
     shift: Array
     gap: Array
-    laws: tuple[Law, ...]
+    laws: tuple[AxialLaw, ...]
 
 
-def limits(laws: Sequence[Law], piece: Pieces) -> tuple[Array, Array]:
+def limits(laws: Sequence[AxialLaw], piece: Pieces) -> tuple[Array, Array]:
     """Deflections (bearings,) [m] between which every law is on its ``piece``."""
     ends = [(-np.inf, *law.kinks, np.inf) for law in laws]
     low = [one[k] for one, k in zip(ends, piece.tolist(), strict=True)]
@@ -111,7 +111,7 @@ def limits(laws: Sequence[Law], piece: Pieces) -> tuple[Array, Array]:
     return np.array(low), np.array(high)
 
 
-def pieces(laws: Sequence[Law], deflection: Array, near: Pieces | None = None) -> Pieces:
+def pieces(laws: Sequence[AxialLaw], deflection: Array, near: Pieces | None = None) -> Pieces:
     """How many kinks of every law lie below its ``deflection`` (bearings,) [m].
 
     ``near``: the pieces before; they stay where the deflection is at a kink.

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from bearings.errors import shown
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion
-from rotordyn.state.laws import Law, Power, RestBall, deflection, table
+from rotordyn.state.laws import AxialLaw, Power, RestBall, deflection, table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
 
 Array = NDArray[np.float64]
@@ -48,7 +48,7 @@ LAWS = {
 }
 
 
-def network(plain: Plain) -> tuple[Network, Load, dict[str, Law]]:
+def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
     """The network, what acts on it at rest, and its laws by name.
 
     Raises
@@ -73,7 +73,7 @@ def network(plain: Plain) -> tuple[Network, Load, dict[str, Law]]:
     return parts, rest, laws
 
 
-def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, Law]) -> Iterator[Step]:
+def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, AxialLaw]) -> Iterator[Step]:
     """The steps of the path, each from where the one before ended."""
     for k, way in enumerate(_list(plain, "path"), start=1):
         end = _load(way, f"step {k} of the path", parts, rest, laws)
@@ -81,7 +81,7 @@ def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, Law]) -> 
         rest = end
 
 
-def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, Law]) -> Load:
+def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, AxialLaw]) -> Load:
     _keys(way, KEYS["path"], at)
     force, shift, gap, chosen = (
         before.force.copy(),
@@ -104,7 +104,7 @@ def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, 
     return Load(force, shift, gap, tuple(chosen))
 
 
-def _law(given: Plain, at: str) -> Law:
+def _law(given: Plain, at: str) -> AxialLaw:
     kind = _known(given.get("kind"), LAWS, at, "kind of law")
     _keys(given, LAWS[kind], at)
     if kind == "table":
@@ -123,7 +123,7 @@ def _law(given: Plain, at: str) -> Law:
     )
 
 
-def _table(given: Plain, at: str) -> Law:
+def _table(given: Plain, at: str) -> AxialLaw:
     d = [_number(value, f"{at}, d") for value in _list(given, "d")]
     force = [_number(value, f"{at}, F", least=0.0) for value in _list(given, "F")]
     cubic = _known(given.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
@@ -134,8 +134,8 @@ def _table(given: Plain, at: str) -> Law:
 
 
 def _bearings(
-    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, Law]
-) -> tuple[Bearings, tuple[Law, ...]]:
+    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, AxialLaw]
+) -> tuple[Bearings, tuple[AxialLaw, ...]]:
     row, side, count, rest, first = [], [], [], [], []
     for k, one in enumerate(given):
         at = f"bearing {k}"
@@ -151,7 +151,7 @@ def _bearings(
     return bearings, tuple(first)
 
 
-def _rest(one: Plain, law: Law, at: str) -> float:
+def _rest(one: Plain, law: AxialLaw, at: str) -> float:
     if one.get("d0") is not None:
         return _number(one["d0"], f"{at}, d0")
     if one.get("preload") is None:

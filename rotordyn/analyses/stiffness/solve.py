@@ -16,7 +16,6 @@ from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
-from rotordyn.errors import InvalidInput
 from rotordyn.preload.balance import Balance
 from rotordyn.preload.friction import remembered
 from rotordyn.preload.outcome import LEAST_LOAD
@@ -44,20 +43,7 @@ class Variant:
 
 
 def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
-    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …).
-
-    Raises
-    ------
-    InvalidInput : a support couples plane y or the axis to other motions
-    """
-    for support in scene.spindle.supports:
-        if support.out_of_plane:
-            raise InvalidInput(
-                f"support '{support.name}' couples plane y or the axis to other motions: the "
-                "radial stiffness is solved in plane y alone"
-            )
-    if scene.spindle.housings:
-        raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
+    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant] = {}
@@ -181,7 +167,7 @@ def _linear(
     if name == "constant_preload":
         rest = scene.preload.rest_loads()
         stiffness, outcome = _constant_preload(scene, rest)
-        load = _by_seat(scene.preload, rest)
+        load = rest[None, scene.preload.network.arrangement.bearing_of_seat]
         rotor = _rotor(scene, spec, load)
         load = np.repeat(load, len(outcome), axis=0)
         buckled = scene.buckled(load, stiffness, scene.state_speed)
@@ -223,13 +209,6 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             lost = (held.state.outcome[:, column] != "") & (outcome == "")
             outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
     return blocks, outcome
-
-
-def _by_seat(state: PreloadState, load: Array) -> Array:
-    """A load of every bearing as that of every seat (1, seats)."""
-    bearings = state.network.arrangement.bearings
-    seats = {seat: load[k] for k, bearing in enumerate(bearings) for seat in bearing.seats}
-    return np.array([[seats[seat] for seat in sorted(seats)]])
 
 
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
