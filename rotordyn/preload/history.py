@@ -40,7 +40,7 @@ from rotordyn.state.along import along, parts, passed
 from rotordyn.state.contacts import State
 from rotordyn.state.laws import AxialLaw, sloped_table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
-from rotordyn.state.rates import compliance, turned
+from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
 Array = NDArray[np.float64]
@@ -150,7 +150,7 @@ class History:
         """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
-        return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
+        return way * float(compliance(step, updated_contacts(step, state, 0.0))[SHAFT])
 
 
 def _ways(start: float, force: Sequence[float]) -> list[list[float]]:

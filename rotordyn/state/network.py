@@ -25,8 +25,8 @@ SMALL = 1.0  # N: rounding is measured by at least that
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bearings:
-    """``row`` (bearings, bodies): inner against outer ring; ``side`` ±1; ``count`` in tandem;
-    ``rest``: deflection of each at rest [m]."""
+    """``row`` (bearings, bodies): inner against outer ring; all others (bearings,): ``side`` ±1 by
+    the thrust; ``count`` in tandem; ``rest``: deflection of each at rest [m]."""
 
     row: Array
     side: Array
@@ -36,7 +36,8 @@ class Bearings:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """``force`` on the body at rest, towards +x [N]; ``stiffness`` [N/m], infinite where rigid.
+    """``row`` (springs, bodies); ``force`` (springs,) on the first body at rest, towards +x [N];
+    ``stiffness`` (springs,) [N/m], infinite where rigid.
 
     ``rigid``: springs whose gap keeps its size; without those: ``soft`` [N/m], what they ``push``
     with at rest [N], all together a ``matrix`` (bodies, bodies) [N/m].
@@ -65,7 +66,8 @@ class Springs:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stops:
-    """One-sided: side·(row·x − limit) ≥ 0 [m], ``side`` +1 of a lower, −1 of an upper limit."""
+    """One-sided: side·(row·x − limit) ≥ 0 [m]; ``row`` (stops, bodies), ``side`` (stops,) +1 of a
+    lower, −1 of an upper limit."""
 
     row: Array
     side: Array
@@ -74,7 +76,7 @@ class Stops:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Frictions:
-    """Coulomb: forces on the body within ±``limit`` [N]; ``start``: those at rest."""
+    """Coulomb: forces on the first body within ±``limit`` (frictions,) [N]; ``start``: at rest."""
 
     row: Array
     limit: Array
@@ -94,8 +96,8 @@ class Network:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Load:
-    """What acts on a network: ``force`` on the bodies [N], ``shift`` of inner seats of bearings,
-    ``gap`` of springs [m], the law of every bearing."""
+    """What acts on a network: ``force`` (bodies,) [N], ``shift`` (bearings,) of the seats of inner
+    rings, ``gap`` (springs,) by which springs are displaced [m], the law of every bearing."""
 
     force: Array
     shift: Array
@@ -154,7 +156,8 @@ class Step:
 
     @property
     def single(self) -> bool:
-        """Only one force changes: every body then moves one way (K is an M-matrix)."""
+        """Only one force changes: every body then moves one way (K is an M-matrix: its inverse has
+        no negative entry)."""
         start, end = self.start, self.end
         same = np.array_equal(start.shift, end.shift) and np.array_equal(start.gap, end.gap)
         forces = np.count_nonzero(end.force - start.force)

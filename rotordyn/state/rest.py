@@ -57,6 +57,7 @@ def mounted_state(parts: Network, load: Load) -> State:
 
 
 def _held(parts: Network) -> None:
+    """Raise InvalidInput where bearings and springs do not hold a body."""
     springs = parts.springs
     holding = np.concatenate([parts.bearings.row, springs.row[springs.stiffness > 0.0]])
     held = _reached(holding, len(parts.bodies))

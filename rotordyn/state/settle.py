@@ -22,8 +22,8 @@ from rotordyn.state.contacts import (
     contact_forces,
     held,
     hold,
-    released,
     solve,
+    without_joint_forces,
 )
 from rotordyn.state.network import Network, Step
 
@@ -40,7 +40,7 @@ def settle(step: Step, state: State, share: float) -> State | None:
     here = _stuck(network, state)
     for _ in range(ROUNDS):
         joints = held(network, here, load.gap)
-        fixed = contact_forces(network, released(network, here, joints))
+        fixed = contact_forces(network, without_joint_forces(network, here, joints))
         at = step.balance(here.x, load)
         miss = joints.target - joints.row @ here.x
         dx, mu = solve(at.stiffness, at.force + fixed, joints.row, miss)
