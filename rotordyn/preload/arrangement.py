@@ -44,7 +44,9 @@ class AxialBearing:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Push:
-    """Spring and stop of a sleeve: ``direction`` ±1, ``preload`` [N], ``stiffness`` [N/m]."""
+    """Spring and stop of the sleeve ``body``: ``direction`` ±1 in which the spring pushes it with
+    its ``preload`` [N] at rest, ``stiffness`` [N/m], ``travel`` against the spring [m]; infinite: a
+    rigid preload, no stop."""
 
     body: int
     direction: int
@@ -119,7 +121,7 @@ def arrangement(
         if same is None:
             bearings.append(bearing)
         else:
-            bearings[same] = _joined(bearings[same], bearing)
+            bearings[same] = replace(bearings[same], seats=bearings[same].seats + bearing.seats)
     return Arrangement(
         bodies=("shaft", *sleeves),
         bearings=tuple(bearings),
@@ -135,10 +137,6 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     return same == (b.model, b.law, b.thrust, b.outer, b.static_growth) and bool(
         np.array_equal(a.growth, b.growth) and np.array_equal(a.shortening, b.shortening)
     )
-
-
-def _joined(a: AxialBearing, b: AxialBearing) -> AxialBearing:
-    return replace(a, seats=a.seats + b.seats)
 
 
 def _push(spindle: Spindle, k: int) -> Push:

@@ -140,7 +140,7 @@ class Balance:
 
     def balls_along(self, here: Point, change: Array) -> list[Array]:
         """What the balls of each bearing model do with a ``change`` of the coordinates."""
-        moved = self._own(change)
+        moved = self._bearing_motion(change)
         return [each.along(moved[:, places]) for places, each in here.bearings]
 
     def _point(
@@ -175,7 +175,7 @@ class Balance:
         turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
         return turned[:, list(self.dof)]
 
-    def _own(self, coordinates: Array) -> Array:
+    def _bearing_motion(self, coordinates: Array) -> Array:
         """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
         moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
         motion = np.zeros((*moved.shape[:2], 5))
@@ -185,7 +185,7 @@ class Balance:
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
         shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
-        displacement = self._own(coordinates)
+        displacement = self._bearing_motion(coordinates)
         displacement[..., list(self.dof)] += self.offset * self._sign
         displacement[..., 0] += shift
         return displacement
@@ -350,7 +350,7 @@ class Balance:
         """
         matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
-        moved = np.abs(self._own(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
+        moved = np.abs(self._bearing_motion(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
         length = moving * np.minimum(1.0, LONGEST_STEP / np.maximum(moved, 1e-300))
         there, worse = here, moving
         for _ in range(tries):

@@ -38,10 +38,10 @@ def operating_state(
     """The preload state at every ``speed`` [rad/s], with the friction that is left at the end of
     the history ``past``; as ``dynamic_preload`` where no sleeve rubs."""
     state = dynamic_preload(spindle, speed, law, axial_force, temperatures, films)
-    return remembered(replace(state, past=past))
+    return with_friction(replace(state, past=past))
 
 
-def remembered(state: PreloadState) -> PreloadState:
+def with_friction(state: PreloadState) -> PreloadState:
     """The state with the friction that its history has left on the sleeves."""
     if not state.rubs.any():
         return state

@@ -206,12 +206,12 @@ def history(preload: PreloadState, reach: float) -> History:
     start = Moment(0.0, False, 0.0)
     return History(
         network,
-        load(start),
-        tuple(load(path[-1]) for path in after),
-        tuple(load(at) for at in before),
-        tuple(load(at) for at in through),
-        tuple(tuple(load(at) for at in path[1:]) for path in after),
-        bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
+        rest=load(start),
+        loads=tuple(load(path[-1]) for path in after),
+        before=tuple(load(at) for at in before),
+        through=tuple(load(at) for at in through),
+        after=tuple(tuple(load(at) for at in path[1:]) for path in after),
+        lower=bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
     )
 
 
@@ -316,37 +316,28 @@ class BearingLaws:
 
 
 def _network(preload: PreloadState, deflection: Array) -> Network:
-    joined = preload.network.arrangement
-    names = list(joined.bodies)
-    rows = np.eye(len(names))
-    pushes, sleeves = joined.pushes, preload.spindle.sleeves
+    """Bodies of a preload state and all between them; ``deflection`` (bearings,) as mounted [m]."""
+    joined, springs, rubs = preload.network.arrangement, preload.network.springs, preload.rubs
+    rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]
-    along_x = sum(support.along for support in preload.spindle.supports)
-    stops = [push for push in pushes if math.isfinite(push.travel) and not rigid(push)]
-    rubbing = [k for k, sleeve in enumerate(sleeves) if sleeve.friction > 0.0]
+    stiffness = [springs.stiffness[SHAFT], *(push.stiffness for push in joined.pushes)]
+    stops = [push for push in joined.pushes if math.isfinite(push.travel) and not rigid(push)]
+    rubbing = np.flatnonzero(rubs)
     return Network(
         bodies=joined.bodies,
         bearings=Bearings(
-            rows[SHAFT] - np.array(ends),
-            np.array([float(bearing.thrust) for bearing in joined.bearings]),
-            np.array([float(len(bearing.seats)) for bearing in joined.bearings]),
-            deflection,
+            row=rows[SHAFT] - np.array(ends),
+            side=np.array([float(bearing.thrust) for bearing in joined.bearings]),
+            count=preload.network.tandem,
+            rest=deflection,
         ),
-        springs=Springs(
-            np.array([rows[SHAFT], *(rows[push.body] for push in pushes)]),
-            np.array([0.0, *(push.direction * push.preload for push in pushes)]),
-            np.array([along_x, *(push.stiffness for push in pushes)]),
-        ),
+        springs=Springs(rows, springs.force, np.array(stiffness)),
         stops=Stops(
             rows[[push.body for push in stops]],
             np.array([float(push.direction) for push in stops]),
             np.array([-push.direction * push.travel for push in stops]),
         ),
-        frictions=Frictions(
-            rows[[k + 1 for k in rubbing]],
-            np.array([sleeves[k].friction for k in rubbing]),
-            np.zeros(len(rubbing)),
-        ),
+        frictions=Frictions(rows[rubbing], limit=rubs[rubbing], start=np.zeros(len(rubbing))),
     )
 
 
@@ -390,7 +381,8 @@ def _solved(
 
 
 def _where(law: AxialLaw, load: float, near: float) -> float:
-    """Deflection [m] at which the table has a load at rest."""
+    """Deflection [m] at which the table has a ``load`` [N], about where the bearing has it: with
+    another one the preloads of the tables would not balance."""
     if law(near)[0] == load:
         return near
     return float(brentq(lambda d: law(d)[0] - load, near - NEAR, near + NEAR, xtol=1e-18))

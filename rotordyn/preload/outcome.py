@@ -60,6 +60,7 @@ def _sideways(
 
 
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
+    """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load = net.response.load[row]
     names = [
@@ -100,6 +101,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
 
 
 def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:
+    """A bearing pressed beyond what results still mean anything for."""
     for solved in net.response.states.values():
         peak = np.fmax(solved.state.inner_pressure, solved.state.outer_pressure)[row].max(axis=-1)
         over = np.flatnonzero(peak > HIGHEST_PRESSURE)

@@ -97,8 +97,9 @@ class Statics(Staged):
 
     @property
     def axial_force(self) -> float:
-        """External force and weight along the axis [N]."""
-        return self.conditions.pushed + self.past.weight
+        """All that acts on the shaft along the axis: forces of the conditions, those of loads
+        included, and weight, towards +x [N]."""
+        return self.conditions.total_axial_force + self.past.weight
 
     @property
     def past(self) -> Past:

@@ -17,7 +17,7 @@ from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
 from rotordyn.preload.balance import Balance
-from rotordyn.preload.friction import remembered
+from rotordyn.preload.friction import with_friction
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.display import RPM
@@ -144,7 +144,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
             differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
     anew = np.flatnonzero(differs)
     if anew.size:
-        state = remembered(scene.preload.with_travels(spec.second_stop, rows[anew]))
+        state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
