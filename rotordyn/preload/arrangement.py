@@ -153,6 +153,11 @@ def rigid(push: Push) -> bool:
     return math.isinf(push.stiffness)
 
 
+def has_stop(push: Push) -> bool:
+    """True where a stop ends the travel of the sleeve."""
+    return math.isfinite(push.travel) and not rigid(push)
+
+
 def at_rest(joined: Arrangement) -> Arrangement:
     """The arrangement standing still, without external force: what defines the preload."""
     bearings = tuple(

@@ -31,7 +31,7 @@ from rotordyn.preload.arrangement import (
     AxialBearing,
     arrangement,
     at_rest,
-    rigid,
+    has_stop,
 )
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
@@ -321,7 +321,7 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
     rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]
     stiffness = [springs.stiffness[SHAFT], *(push.stiffness for push in joined.pushes)]
-    stops = [push for push in joined.pushes if math.isfinite(push.travel) and not rigid(push)]
+    stops = [push for push in joined.pushes if has_stop(push)]
     rubbing = np.flatnonzero(rubs)
     return Network(
         bodies=joined.bodies,

@@ -20,6 +20,7 @@ from rotordyn.preload.arrangement import (
     Push,
     arrangement,
     at_rest,
+    has_stop,
     rigid,
 )
 from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
@@ -93,34 +94,26 @@ class PreloadState:
 
         A rigid preload carries what its bearings ask for.
         """
-        springs, pushes = self.network.springs, self.network.arrangement.pushes
+        springs = self.network.springs
         elastic = springs.force - springs.stiffness * self.shift
-        forces = [
-            push.direction * (elastic[:, push.body] - (rigid(push) * self._unbalanced(push.body)))
-            for push in pushes
-        ]
-        return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
+        forces = elastic - springs.fixed * self._unbalanced
+        return (self.network.arrangement.direction * forces)[:, SHAFT + 1 :]
 
     @property
     def stop_force(self) -> Array:
         """Force of each end stop on its sleeve, 0 while open (speeds, sleeves) [N]."""
-        pushes = self.network.arrangement.pushes
-        forces = [
-            np.where(self.net.held[:, p.body], np.abs(self._unbalanced(p.body)), 0.0)
-            for p in pushes
-        ]
-        return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
+        return np.where(self.net.held, np.abs(self._unbalanced), 0.0)[:, SHAFT + 1 :]
 
     def stop_gaps(self) -> Array:
-        """Gap of every end stop (speeds, sleeves) [m]: negative where it is closed, by what its
-        force would press ``SOFT``; ``FAR`` where there is no state."""
-        pushes = self.network.arrangement.pushes
-        body = [push.body for push in pushes]
-        direction = np.array([push.direction for push in pushes])
-        gap = direction * (self.net.position - self.limit)[:, body]
-        gap = np.where(np.isfinite(gap), gap, FAR)
+        """Gap of every end stop (speeds, sleeves) [m]; ``FAR`` where there is no state.
+
+        Negative where it is closed, by what its force would press a spring ``SOFT`` together: so it
+        goes on beyond the stop, and the speed at which that is met is a root.
+        """
+        gap = self.network.arrangement.direction * (self.net.position - self.limit)
+        gap = np.where(np.isfinite(gap), gap, FAR)[:, SHAFT + 1 :]
         pressed = np.maximum(self.stop_force, LEAST) / SOFT
-        return np.where(self.net.held[:, body], -pressed, gap)
+        return np.where(self.net.held[:, SHAFT + 1 :], -pressed, gap)
 
     @property
     def friction_force(self) -> Array:
@@ -132,8 +125,10 @@ class PreloadState:
         """Limit of the friction on every body (bodies,) [N]."""
         return np.array([0.0, *(sleeve.friction for sleeve in self.spindle.sleeves)])
 
-    def _unbalanced(self, body: int) -> Array:
-        return self.network.forces(self.net.position, self.net.response)[:, body]
+    @property
+    def _unbalanced(self) -> Array:
+        """What stops and rigid preloads carry (speeds, bodies) [N]."""
+        return self.network.forces(self.net.position, self.net.response)
 
     def seat_states(self) -> list[tuple[BearingState, int]]:
         """For every seat, its bearing model's batched state and its column there."""
@@ -324,18 +319,13 @@ def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
 
     Linear supports hold the shaft along the axis without force at rest.
     """
-    stiffness, fixed = np.zeros_like(rest), np.zeros(len(rest), dtype=bool)
-    stiffness[SHAFT] = sum(s.along for s in spindle.supports)
-    for push in joined.pushes:
-        fixed[push.body] = rigid(push)
-        stiffness[push.body] = 0.0 if rigid(push) else push.stiffness
-    return Springs(_preloads(joined), stiffness, rest, fixed)
+    fixed = np.array([False, *map(rigid, joined.pushes)])
+    along = sum(support.along for support in spindle.supports)
+    stiffness = np.array([along, *(push.stiffness for push in joined.pushes)])
+    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
 
 
 def _limits(joined: Arrangement, rest: Array) -> Array:
     """Where each stop ends the travel (bodies,); NaN without one."""
-    limit = np.full_like(rest, np.nan)
-    for push in joined.pushes:
-        if np.isfinite(push.travel) and not rigid(push):
-            limit[push.body] = rest[push.body] - push.direction * push.travel
-    return limit
+    travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
+    return rest - joined.direction * [np.nan, *travel]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgesv
 
-from rotordyn.state.network import Balance, Load, Network, Step
+from rotordyn.state.network import Forces, Load, Network, Step
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -49,7 +49,7 @@ class State:
     press: Array
     rigid: Array
     piece: NDArray[np.int_]
-    at: Balance
+    at: Forces
 
     @property
     def sticks(self) -> Flags:
@@ -145,7 +145,7 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
     loose = without_joint_forces(step.network, state, joints)
     fixed = contact_forces(step.network, loose)
     x = state.x if near is None else near
-    at = step.balance(x, load)
+    at = step.forces(x, load)
     best = np.inf
     for _ in range(ITERATIONS):
         force, miss = at.force + fixed, joints.target - joints.row @ x
@@ -161,8 +161,8 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
 
 
 def advance(
-    step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Balance
-) -> tuple[Array, Balance]:
+    step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Forces
+) -> tuple[Array, Forces]:
     """Go along ``dx`` until the forces along it have lost at least half of what they were.
 
     ``fixed``: forces of the contacts. The forces fall along the way, as the energy is convex; where
@@ -180,8 +180,8 @@ def advance(
     return trial, there
 
 
-def _moved(step: Step, load: Load, x: Array, dx: Array) -> tuple[Array, Balance]:
-    return x + dx, step.balance(x + dx, load)
+def _moved(step: Step, load: Load, x: Array, dx: Array) -> tuple[Array, Forces]:
+    return x + dx, step.forces(x + dx, load)
 
 
 def without_joint_forces(network: Network, state: State, joints: Held) -> State:
@@ -194,7 +194,7 @@ def without_joint_forces(network: Network, state: State, joints: Held) -> State:
 
 
 def with_joint_forces(
-    network: Network, loose: State, joints: Held, x: Array, at: Balance, mu: Array
+    network: Network, loose: State, joints: Held, x: Array, at: Forces, mu: Array
 ) -> State:
     """The state at ``x`` with the forces ``mu`` of the held joints, put into those of ``loose``."""
     rigid, press, friction = joints.forces(mu)

@@ -130,7 +130,7 @@ def pieces(laws: Sequence[AxialLaw], deflection: Array, near: Pieces | None = No
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Balance:
+class Forces:
     """Forces without those of stops, friction and rigid springs.
 
     ``force`` on the bodies (bodies,) [N]; ``stiffness`` (bodies, bodies) [N/m]; ``size``: the sum
@@ -177,7 +177,7 @@ class Step:
             laws,
         )
 
-    def balance(self, x: Array, load: Load) -> Balance:
+    def forces(self, x: Array, load: Load) -> Forces:
         """Forces and stiffness at positions ``x`` (bodies,)."""
         bearings, springs = self.network.bearings, self.network.springs
         deflection = bearings.side * (bearings.row @ x + load.shift) + bearings.rest
@@ -185,7 +185,7 @@ class Step:
         each, slope = np.array(pairs).reshape(-1, 2).T
         push = bearings.count * bearings.side * each
         pull = springs.push - springs.soft * (springs.row @ x - load.gap)
-        return Balance(
+        return Forces(
             force=load.force + pull @ springs.row - push @ bearings.row,
             stiffness=springs.matrix + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
             size=SMALL + float(np.abs(load.force).sum() + np.abs(pull).sum() + np.abs(push).sum()),
@@ -194,7 +194,7 @@ class Step:
             slope=bearings.count * slope,
         )
 
-    def beside(self, at: Balance, load: Load, piece: Pieces) -> Balance:
+    def beside(self, at: Forces, load: Load, piece: Pieces) -> Forces:
         """The same forces; at a kink the slope of a law is that of its ``piece`` (bearings,)."""
         low, high = limits(load.laws, piece)
         inside = np.clip(at.deflection, low + EDGE, high - EDGE)
@@ -207,7 +207,7 @@ class Step:
         more = (bearings.row.T * (slope - at.slope)) @ bearings.row
         return replace(at, stiffness=at.stiffness + more, slope=slope)
 
-    def rate(self, at: Balance) -> tuple[Array, Array, float]:
+    def rate(self, at: Forces) -> tuple[Array, Array, float]:
         """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],
         over the whole step; the sum of the magnitudes of force that are added [N]."""
         a, b = self.start, self.end

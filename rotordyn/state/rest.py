@@ -26,7 +26,7 @@ def mounted_state(parts: Network, load: Load) -> State:
     step = Step(parts, load, load)
     springs, stops, frictions = parts.springs, parts.stops, parts.frictions
     x = np.zeros(len(parts.bodies))
-    at = step.balance(x, load)
+    at = step.forces(x, load)
     closed = stops.limit == 0.0
     rigid = springs.rigid
     rows = np.concatenate([springs.row[rigid], (stops.side[:, None] * stops.row)[closed]])

@@ -41,7 +41,7 @@ def settle(step: Step, state: State, share: float) -> State | None:
     for _ in range(ROUNDS):
         joints = held(network, here, load.gap)
         fixed = contact_forces(network, without_joint_forces(network, here, joints))
-        at = step.balance(here.x, load)
+        at = step.forces(here.x, load)
         miss = joints.target - joints.row @ here.x
         dx, mu = solve(at.stiffness, at.force + fixed, joints.row, miss)
         size = at.size + float(np.abs(fixed).sum()) + TINY
