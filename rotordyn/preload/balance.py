@@ -115,7 +115,7 @@ class Balance:
         )
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
-    def begun(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
+    def first_point(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
         """The point of the preload state it was made of, with bearings as solved there."""
         if state.lateral is not None or self.offset.any() or not state.usable[index].all():
             return self.evaluate(self.start, None)
@@ -267,10 +267,8 @@ class Balance:
         solved by itself on the way.
         """
         begun = replace(self.rubbing, begun=near.coordinates[:, len(self.rotor.point) :])
-        problem, start = (
-            replace(self, rubbing=begun),
-            np.where(alive[:, None], guess[0], near.coordinates),
-        )
+        problem = replace(self, rubbing=begun)
+        start = np.where(alive[:, None], guess[0], near.coordinates)
         if self.network.one_branch:
             first = problem._at([start, *guess[1:]], near)
             problem, there, converged = self._searched(first, force, alive, Balance.advance, 1)
@@ -287,8 +285,9 @@ class Balance:
     ) -> tuple[Balance, Point, Flags]:
         """Newton steps with at most so many ``tries`` of their length, and where they end well.
 
-        Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
-        close and open as they must.
+        ``place``: how bearings follow, ``advance`` in whole steps or ``evaluate``. Only speeds
+        still ``alive`` are sought; where no step helps any more the search ends. Stops close and
+        open as they must.
         """
         problem, converged = self, np.zeros(len(alive), dtype=bool)
         for _ in range(ITERATIONS if tries == 1 else SEARCH):

@@ -212,7 +212,10 @@ class Statics(Staged):
 
     @cached_property
     def heat_balance(self) -> HeatBalance:
-        """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
+        """Temperatures at ``bearing_speed`` where the conditions have a heat flow.
+
+        Not a stage, which would be reported as skipped of every machine without a heat flow.
+        """
         known = self.memo.known("heat balance", self._axial_inputs)
         if known is None:
             known = (self.timed("heat balance", self._balanced),)

@@ -121,7 +121,7 @@ def _nonlinear(
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
-    return radial_curve(problem, problem.begun(state, distinct), force).at(place)
+    return radial_curve(problem, problem.first_point(state, distinct), force).at(place)
 
 
 def _as_variant(curve: RadialCurve) -> Variant:
