@@ -303,6 +303,7 @@ def _seated(network: Network) -> Array:
     b, tandem, force = network.incidence, network.tandem, network.springs.force
     share = np.linalg.lstsq((tandem[:, None] * b).T, force, rcond=None)[0]
     largest = np.abs(force).max()
+    # a bearing that takes thrust one way begins pressed, however the springs may share their force
     likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
     likely = np.where(network.both_ways, np.copysign(likely, share), likely)
     carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)

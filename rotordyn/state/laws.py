@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Protocol, cast
 
+from scipy.optimize import brentq
+
 FURTHEST = 1.0  # m: no bearing is pressed so far
 
 
@@ -154,8 +156,6 @@ class Blend:
 
 def deflection(law: AxialLaw, load: float) -> float:
     """Deflection [m] under ``load`` [N]; NaN where the law has no such load."""
-    from scipy.optimize import brentq
-
     if isinstance(law, Power):
         return cast(float, (load / law.k) ** (1.0 / law.p))
     low = max(law.kinks[0], -FURTHEST)

@@ -32,7 +32,7 @@ from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, 
 
 Array = NDArray[np.float64]
 Plain = Mapping[str, Any]
-KEYS = {
+KEYS = {  # from name on, those of a network belong to files of known answers, and are not read
     "network": "bodies laws bearings springs stops frictions path name why real answers events",
     "bearings": "inner outer s n law preload d0 name",
     "springs": "body other P K e rigid name",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
 
 from rotordyn.errors import InvalidInput
 from rotordyn.state.contacts import State, contact_forces, independent
@@ -20,8 +21,6 @@ def mounted_state(parts: Network, load: Load) -> State:
     ------
     InvalidInput : a body is held by nothing or by friction alone, or not in balance
     """
-    from scipy.optimize import lsq_linear
-
     _held(parts)
     step = Step(parts, load, load)
     springs, stops, frictions = parts.springs, parts.stops, parts.frictions
