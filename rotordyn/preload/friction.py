@@ -8,6 +8,7 @@ Theory: docs/theory/network.md#friction-in-all-analyses.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -52,7 +53,8 @@ def with_friction(state: PreloadState) -> PreloadState:
     words = [""] * len(force)
     for row, there in enumerate(path.run_up()):
         if isinstance(there, str):
-            words[row] = f"no history leads there: {there}"
+            rpm = state.speed[row] * 30.0 / math.pi
+            words[row] = f"the history leads to no state at {rpm:.0f} rpm: {there}"
             continue
         force[row] = there.friction @ path.network.frictions.row
         position[row] = state.rest + there.x

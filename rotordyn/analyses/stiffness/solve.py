@@ -16,6 +16,7 @@ from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
+from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.balance import Balance
 from rotordyn.preload.friction import with_friction
 from rotordyn.preload.outcome import LEAST_LOAD
@@ -134,15 +135,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
     other = _as_variant(usual)
     deflection, tangent = other.deflection.copy(), other.tangent.copy()
     outcome = other.outcome.astype(object)
-    differs = np.zeros(len(rows), dtype=bool)
-    for push, sleeve in zip(
-        scene.preload.network.arrangement.pushes, scene.spindle.sleeves, strict=True
-    ):
-        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
-        if travel != sleeve.stop_travel:
-            nearer = min(travel, sleeve.stop_travel)
-            differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
-    anew = np.flatnonzero(differs)
+    anew = _where_travels_matter(scene, spec, usual)
     if anew.size:
         state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
         speeds = scene.state_speed[rows[anew]]
@@ -156,6 +149,19 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
         tangent[anew] = np.where(good, curve.tangent, np.nan)
         outcome[anew] = np.where(good, curve.outcome, words)
     return Variant(deflection, tangent, outcome.astype(str))
+
+
+def _where_travels_matter(
+    scene: Scene, spec: StiffnessSpec, usual: RadialCurve
+) -> NDArray[np.intp]:
+    """Usable speeds at which a sleeve comes to the nearer of both its stops, or the curve ends."""
+    matters = np.zeros(len(usual.outcome), dtype=bool)
+    for body, sleeve in enumerate(scene.spindle.sleeves, start=SHAFT + 1):
+        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
+        if travel != sleeve.stop_travel:
+            nearer = min(travel, sleeve.stop_travel)
+            matters |= ~(usual.reach[:, body] < nearer - REACHED) | (usual.outcome != "")
+    return np.flatnonzero(matters)
 
 
 def _linear(
@@ -196,7 +202,9 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
     carries = carried > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
     for k in np.flatnonzero(~carries):
         blocks[:, list(bearings[k].seats)] = np.nan
-        outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"
+        outcome[outcome == ""] = (
+            f"bearing {names[k]} carries no load at rest: raise the preload or lower the axial force"
+        )
     carrying = [int(k) for k in np.flatnonzero(carries)]
     load = np.zeros((len(state.speed), len(carrying), 5))
     load[..., 0] = rest[carrying]
@@ -207,7 +215,10 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             k = carrying[place]
             blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
             lost = (held.state.outcome[:, column] != "") & (outcome == "")
-            outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
+            outcome[lost] = (
+                f"bearing {names[k]} has no equilibrium under its load at rest: raise the preload or "
+                "lower the speed"
+            )
     return blocks, outcome
 
 
