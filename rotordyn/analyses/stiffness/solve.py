@@ -203,7 +203,8 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
     for k in np.flatnonzero(~carries):
         blocks[:, list(bearings[k].seats)] = np.nan
         outcome[outcome == ""] = (
-            f"bearing {names[k]} carries no load at rest: raise the preload or lower the axial force"
+            f"bearing {names[k]} carries no load at rest: raise the preload or lower the axial "
+            "force"
         )
     carrying = [int(k) for k in np.flatnonzero(carries)]
     load = np.zeros((len(state.speed), len(carrying), 5))
@@ -216,8 +217,8 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
             lost = (held.state.outcome[:, column] != "") & (outcome == "")
             outcome[lost] = (
-                f"bearing {names[k]} has no equilibrium under its load at rest: raise the preload or "
-                "lower the speed"
+                f"bearing {names[k]} has no equilibrium under its load at rest: raise the preload "
+                "or lower the speed"
             )
     return blocks, outcome
 
