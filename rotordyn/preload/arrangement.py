@@ -158,8 +158,8 @@ def has_stop(push: Push) -> bool:
     return math.isfinite(push.travel) and not rigid(push)
 
 
-def at_rest(joined: Arrangement) -> Arrangement:
-    """The arrangement standing still, without external force: what defines the preload."""
+def as_mounted(joined: Arrangement) -> Arrangement:
+    """The arrangement at rest without external force, as the stated preloads are meant."""
     bearings = tuple(
         replace(b, growth=np.array([b.static_growth]), shortening=np.zeros(1))
         for b in joined.bearings

@@ -30,7 +30,7 @@ from rotordyn.preload.arrangement import (
     SHAFT,
     AxialBearing,
     arrangement,
-    at_rest,
+    as_mounted,
     has_stop,
 )
 from rotordyn.preload.network import Network as PreloadNetwork
@@ -182,18 +182,10 @@ def history(preload: PreloadState, reach: float) -> History:
     pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
     most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
     laws = BearingLaws(preload, most)
-    deflection = [
-        _where(law, load, d)
-        for law, load, d in zip(
-            laws.at(0.0, warm=False)[0],
-            mounted.response.load[0].tolist(),
-            PreloadNetwork(at_rest(joined), preload.network.springs).deflection(mounted.position)[
-                0
-            ],
-            strict=True,
-        )
-    ]
-    network = _network(preload, np.array(deflection))
+    assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
+    near = assembled.deflection(mounted.position)[0].tolist()
+    each = zip(laws.at(0.0, warm=False)[0], mounted.response.load[0].tolist(), near, strict=True)
+    network = _network(preload, np.array([_where(law, load, d) for law, load, d in each]))
     gap = np.zeros(len(network.springs.force))
 
     def load(at: Moment) -> Load:

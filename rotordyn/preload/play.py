@@ -34,7 +34,7 @@ from rotordyn.preload.arrangement import (
     AxialBearing,
     Push,
     arrangement,
-    at_rest,
+    as_mounted,
     rigid,
 )
 
@@ -269,7 +269,7 @@ class AxialRunUp:
 
     ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
     preloads alone, ``standstill`` under that force and at the temperatures, too; ``idle`` (speeds,
-    bodies): at every speed after the run-up [m].
+    bodies): at every speed after the run-up [m]; ``at``: the machine at each of them.
     """
 
     bodies: tuple[str, ...]
@@ -345,7 +345,7 @@ def axial_run_up(
     curves = curves or BearingCurves()
     joined = arrangement(spindle, speed, force, law, temperatures)
     warm = arrangement(spindle, np.zeros(1), force, law, temperatures)
-    mounted = _mounted(at_rest(joined), curves)
+    mounted = _mounted(as_mounted(joined), curves)
     at = [
         _at_speed(spindle, each, of_bearings, row, mounted)
         for each in (warm, joined)

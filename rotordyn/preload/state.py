@@ -19,7 +19,7 @@ from rotordyn.preload.arrangement import (
     Arrangement,
     Push,
     arrangement,
-    at_rest,
+    as_mounted,
     has_stop,
     rigid,
 )
@@ -192,7 +192,7 @@ class PreloadState:
         """Axial load of every bearing at rest, external force included (bearings,) [N], or NaN."""
         net = self.mounted
         if self.force:
-            still = replace(at_rest(self.network.arrangement), force=self.force)
+            still = replace(as_mounted(self.network.arrangement), force=self.force)
             net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
@@ -283,7 +283,7 @@ def settled(state: PreloadState, network: Network, start: Array | None = None) -
 
 def _mounted(joined: Arrangement) -> NetworkState:
     """Equilibrium at rest under the stated preloads alone (one speed)."""
-    still = at_rest(joined)
+    still = as_mounted(joined)
     count = len(still.bodies)
     nothing = np.zeros(count)
     none = np.zeros(count, dtype=bool)
