@@ -69,7 +69,7 @@ def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
     are many, the compiled solver of bearings is loaded for them.
     """
     known = _unpacked(packed)
-    first = known.neighbours.none
+    first = known.neighbours.empty
     begin = time.perf_counter()
     try:
         found = outcome(known.study, number, known.neighbours)
