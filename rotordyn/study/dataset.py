@@ -14,6 +14,7 @@ from rotordyn.study.point import Outcome, Study
 if TYPE_CHECKING:
     import xarray as xr
 
+DATASET = "study.nc"
 POINT = "point"
 
 

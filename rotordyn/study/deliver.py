@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.study.dataset import DATASET
 from rotordyn.study.figures import figures
 from rotordyn.study.point import Study
 from rotordyn.study.solve import Progress, solved
-from rotordyn.study.summary import summary, write_points
+from rotordyn.study.summary import SUMMARY, summary, write_points
 from rotordyn.whole import whole_files
-
-DATASET, SUMMARY = "study.nc", "summary.txt"
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from rotordyn.job.values import Values, difference, values_of
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import ENDS, Interval
 from rotordyn.study import quantiles
-from rotordyn.study.machines import Machines, lean
+from rotordyn.study.machines import Machines, at_few_speeds
 from rotordyn.study.sensitivity import Derivatives, derivatives
 
 Array = NDArray[np.float64]
@@ -93,7 +93,7 @@ def interval(
     NoSolution : the nominal machine has none
     """
     asked = asked_of(case)
-    machines = Machines(lean(case))
+    machines = Machines(at_few_speeds(case))
     nominal = Nominal(values_of(case, results), machines.values({}))
     total = _count(asked, case.uncertain)
     progress(f"interval, {total} machines")

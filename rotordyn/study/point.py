@@ -95,7 +95,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     InvalidInput : its values contradict one another
     NoSolution : no speed has a solution
     """
-    case = lean(changed(study.case, study.design.point(number)), study.results)
+    case = _numbers_alone(changed(study.case, study.design.point(number)), study.results)
     neighbours = neighbours or Neighbours()
     answers, error = neighbours.solve(case, checked=bool(study.results))
     return Outcome(
@@ -108,7 +108,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     )
 
 
-def lean(case: Case, whole: Sequence[str]) -> Case:
+def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
     """The case asked for numbers alone, but for analyses whose results are kept ``whole``."""
     specs = {
         name: spec if name in whole else analysis(name).lean(spec)

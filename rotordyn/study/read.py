@@ -54,9 +54,9 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
     NoSolution : the case as it stands has none
     """
     read = _opened(path, OptimumFile)
+    from rotordyn.study.optimum.goals import Goal, Limit
     from rotordyn.study.optimum.problem import as_it_stands
     from rotordyn.study.optimum.solve import problem_of
-    from rotordyn.study.optimum.wish import Goal, Limit
 
     wishes: dict[str, list[Any]] = {"goals": [], "limits": []}
     for key, kind in (("goals", Goal), ("limits", Limit)):

@@ -20,7 +20,7 @@ from rotordyn.case.tolerance import Tolerance
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.results.headline import Number
-from rotordyn.study.machines import Machines, lean
+from rotordyn.study.machines import Machines, at_few_speeds
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,7 +87,7 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
             raise InvalidInput(f"sensitivities: not a dotted path: given {shown(path)}")
     given: dict[str, Any] = dict(paths) if isinstance(paths, Mapping) else dict.fromkeys(paths)
     asked = within_case(certain(case), given)
-    machines = Machines(lean(case))
+    machines = Machines(at_few_speeds(case))
     numbers = machines.values({}).numbers
     if not numbers:
         raise InvalidInput(machines.lost[0] if machines.lost else "the case has no numbers")

@@ -19,14 +19,15 @@ from rotordyn.numerics.threads import processors
 from rotordyn.study.dataset import gathered
 from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
-from rotordyn.study.parameter import is_whole
+from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_point
 from rotordyn.study.workers import solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
     import xarray as xr
 
-LONG = 3600.0  # s that a study may take unasked
+HOUR = 3600.0  # s
+LONG = HOUR  # that a study may take unasked
 Progress = Callable[[int, int], None]
 
 
@@ -119,8 +120,8 @@ def solved(
     yes: bool = False,
 ) -> tuple[xr.Dataset, dict[int, Outcome]]:
     """The Dataset of a study and the outcome of every point; see ``sweep``."""
-    if workers is not None and not is_whole(workers, 1):
-        raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
+    if workers is not None:
+        require_whole("workers", workers, 1)
     count, most = study.design.count, workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
@@ -148,7 +149,7 @@ def _outcomes(
     if least > LONG and not yes and cluster is None:
         raise InvalidInput(
             f"the study has {study.design.count} points, {len(left)} of them to solve: about "
-            f"{least / LONG:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
+            f"{least / HOUR:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
             "points"
         )
     if cluster is not None:

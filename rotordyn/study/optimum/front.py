@@ -23,7 +23,7 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
     costs = [cost_of(problem, k) for k in (0, 1)]
     most = trials.most - len(trials.made)
     for cost in costs:
-        search(problem, trials, cost, int(0.5 * ENDS * most), seed, iter(trials.made))
+        search(problem, trials, cost, int(0.5 * ENDS * most), seed, list(trials.made))
     found = front(problem, trials)
     if len(found) > 1:
         ends = costs[1](found[-1]), costs[1](found[0])
@@ -32,7 +32,7 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
             share = max(int((1.0 - ENDS) * most / LEVELS), 1)
             held = _held(costs, float(level))
             near = sorted(trials.made.values(), key=lambda t: (not t.feasible, held(t)))
-            starts = iter([each.number for each in near[:STARTS]])
+            starts = [each.number for each in near[:STARTS]]
             search(problem, trials, held, min(share, left), seed, starts)
     return front(problem, trials)
 

@@ -20,7 +20,7 @@ from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.study.neighbours import Neighbours
-from rotordyn.study.optimum.wish import LARGEST, Goal, Limit
+from rotordyn.study.optimum.goals import LARGEST, Goal, Limit
 from rotordyn.study.parameter import Parameter
 
 DIGITS = 10  # of a share: trials closer than that are one

@@ -9,7 +9,7 @@ limits (COBYQA, Ragonneau & Zhang, 2024).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from itertools import product
 from typing import Any
@@ -30,15 +30,20 @@ Cost = Callable[[Trial], float]
 
 
 def search(
-    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Iterator[Place]
+    problem: Problem,
+    trials: Trials,
+    cost: Cost,
+    most: int,
+    seed: int,
+    known: Sequence[Place] = (),
 ) -> None:
-    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places."""
+    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places too."""
     with suppress(Spent):
         if problem.choices <= most:
             trials.at([tuple(map(float, x)) for x in product(*_numbers(problem))])
             return
         begin = len(trials.made)
-        _evolve(problem, trials, cost, int(BROAD * most), seed, list(known))
+        _evolve(problem, trials, cost, int(BROAD * most), seed, known)
         if not problem.whole.all():
             _follow(problem, trials, cost, begin + most)
 
@@ -57,7 +62,7 @@ def _scale(trials: Trials, cost: Cost) -> float:
 
 
 def _evolve(
-    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: list[Place]
+    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Sequence[Place]
 ) -> None:
     from scipy.optimize import differential_evolution
     from scipy.stats import qmc
