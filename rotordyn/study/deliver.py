@@ -45,7 +45,9 @@ def deliver(
     data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
     text = summary(study, outcomes)
     with whole_files(folder) as place:
-        data.to_netcdf(place / DATASET, engine="h5netcdf")
+        # NetCDF lists the names of such coordinates between spaces.
+        listed = [name for name in data.coords if name not in data.dims and " " in str(name)]
+        data.reset_coords(listed).to_netcdf(place / DATASET, engine="h5netcdf")
         write_points(place, study, outcomes)
         (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
         if draw:

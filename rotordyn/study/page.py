@@ -76,7 +76,8 @@ def _read(folder: Path) -> StudyFolder:
 
     try:
         with xr.open_dataset(folder / DATASET, engine="h5netcdf") as data:
-            about, count = dict(data.attrs), len(data.coords)
+            about = dict(data.attrs)
+            count = sum(": " not in str(name) for name in data.coords)  # the others are of results
         point, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
         written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)
