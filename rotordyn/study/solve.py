@@ -125,13 +125,12 @@ def solved(
     count, most = study.design.count, workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
-        found = journal.known()
-        with journal:
+        found = journal.begin()
+        progress(len(found), count)
+        for outcome in _outcomes(study, found, most, cluster, yes=yes):
+            journal.add(outcome)
+            found[outcome.number] = outcome
             progress(len(found), count)
-            for outcome in _outcomes(study, found, most, cluster, yes=yes):
-                journal.add(outcome)
-                found[outcome.number] = outcome
-                progress(len(found), count)
         return gathered(study, found, journal.datasets), found
 
 

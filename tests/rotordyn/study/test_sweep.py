@@ -111,6 +111,11 @@ def test_a_study_goes_on_where_it_was_stopped(case: Case, tmp_path: Path) -> Non
     _study(case, workers=1, folder=tmp_path / "s")
     journal = tmp_path / "s" / "points.jsonl"
     lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(lines[0][:9])  # cut short while it was begun
+    _study(case, workers=1, folder=tmp_path / "s")
+    assert [json.loads(line)["point"] for line in journal.read_bytes().splitlines()[1:]] == [
+        *range(4)
+    ]
     journal.write_bytes(b"".join(lines[:3]) + lines[3][:40])  # cut short while it was written
     done: list[int] = []
     again = _study(case, workers=1, folder=tmp_path / "s", progress=lambda k, _: done.append(k))
@@ -129,9 +134,11 @@ def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="and no study"):
         _study(case, folder=tmp_path / "mine")
     (tmp_path / "odd").mkdir()
-    (tmp_path / "odd" / "points.jsonl").write_text("[1, 2]\n")
-    with pytest.raises(InvalidInput):
-        _study(case, folder=tmp_path / "odd")
+    for words in ("[1, 2]\n", "notes"):
+        (tmp_path / "odd" / "points.jsonl").write_text(words)
+        with pytest.raises(InvalidInput):
+            _study(case, folder=tmp_path / "odd")
+        assert (tmp_path / "odd" / "points.jsonl").read_text() == words
     assert os.listdir(tmp_path / "mine") == ["notes.txt"]
 
 
