@@ -25,8 +25,8 @@ class Markup(str):
     __slots__ = ()
 
 
-class Shown(Protocol):
-    """A variant, or the only machine of a case."""
+class Variant(Protocol):
+    """What a page takes of a variant, or of the only machine of a case."""
 
     @property
     def title(self) -> str: ...

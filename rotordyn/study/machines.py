@@ -25,7 +25,7 @@ from rotordyn.study.neighbours import Neighbours
 EVENLY = 9  # speeds, beside those that an analysis needs
 
 
-def at_few_speeds(case: Case) -> Case:
+def lean(case: Case) -> Case:
     """The case with its analyses asked for what has a range alone, at few of its speeds: evenly
     from the first to the last, and next to those that an analysis needs."""
     case = certain(case)

@@ -83,6 +83,7 @@ def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
 
 
 def _expect(case: Case, seconds: float) -> None:
+    """Tell the solvers of its bearings how much time compiled ones would save."""
     for grooves in {seat.bearing.grooves for seat in case.spindle.seats} if case.spindle else ():
         expect(seconds, geometry(grooves))
 

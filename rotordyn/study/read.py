@@ -41,7 +41,7 @@ def read_study(path: str | Path) -> Study:
     try:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
-        word = str(refusal).partition(":")[0]
+        word = str(refusal).partition(":")[0]  # sentences begin with the key, where there is one
         raise read.refused((word,) if read.root.child(word) else (), str(refusal)) from None
 
 
@@ -69,7 +69,7 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
                 raise read.refused((key, k), str(refusal)) from None
-    try:
+    try:  # sentences on a goal or limit quote what it reads, which finds its line
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:
@@ -138,7 +138,7 @@ def case_of(reference: str, root: Node) -> Case:
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
-    """What is asked of every path; faults are reported at their lines."""
+    """Values or span of every path; faults are reported at their lines."""
     if not isinstance(node.value, dict) or not node.value:
         reading.faults.at(node, (), "nothing is varied: map at least one dotted path to values")
         return {}
@@ -146,6 +146,7 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
 
 
 def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
+    """Values or span of one path, whose ends have the unit of what stands there in the case."""
     before = len(reading.faults.reported)
     asked: Any = None
     if isinstance(node.value, dict):

@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from rotordyn.case.asked import Asked, certain, within_case
@@ -20,12 +19,11 @@ from rotordyn.case.tolerance import Tolerance
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.results.headline import Number
-from rotordyn.study.machines import Machines, at_few_speeds
+from rotordyn.results.kinds import Array
+from rotordyn.study.machines import Machines, lean
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Array = NDArray[np.float64]
 
 
 class Derivatives(NamedTuple):
@@ -87,7 +85,7 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
             raise InvalidInput(f"sensitivities: not a dotted path: given {shown(path)}")
     given: dict[str, Any] = dict(paths) if isinstance(paths, Mapping) else dict.fromkeys(paths)
     asked = within_case(certain(case), given)
-    machines = Machines(at_few_speeds(case))
+    machines = Machines(lean(case))
     numbers = machines.values({}).numbers
     if not numbers:
         raise InvalidInput(machines.lost[0] if machines.lost else "the case has no numbers")

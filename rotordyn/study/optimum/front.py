@@ -11,6 +11,7 @@ from rotordyn.study.optimum.trials import Trials
 LEVELS = 7  # of the second goal, between the best of either
 ENDS = 0.4  # of the trials go to the best of each goal alone
 STARTS = 12  # known places a search of a level starts from
+STEEP = 1e3  # growth of the first cost, over it, where the second is a level above its level
 
 
 def cost_of(problem: Problem, goal: int) -> Cost:
@@ -43,7 +44,7 @@ def _held(costs: list[Cost], level: float) -> Cost:
     def cost(trial: Trial) -> float:
         first, second = costs[0](trial), costs[1](trial)
         size = abs(level) or 1.0
-        return first + 1e3 * abs(first) * max(second - level, 0.0) / size
+        return first + STEEP * abs(first) * max(second - level, 0.0) / size
 
     return cost
 

@@ -90,8 +90,12 @@ class Problem:
 
 @dataclass(frozen=True)
 class Trial:
-    """What a place came to: worst values of the goals, as printed, and margins of the limits with
-    the value read there; ``units`` of both in turn. ``sentence``: why there are none."""
+    """What a place, its ``number``, came to.
+
+    ``goals``: worst values, as printed; ``margins`` of the limits, shares of their bounds, and
+    ``readings``, the values with these; ``units`` of goals, then limits. ``sentence``: why there
+    are none, or why some speeds have none. ``seconds``: to solve it.
+    """
 
     number: Place
     goals: tuple[float, ...] = ()

@@ -53,10 +53,12 @@ def _numbers(problem: Problem) -> list[range]:
 
 
 def _energy(trial: Trial, cost: Cost, scale: float) -> float:
+    """What differential evolution makes least: the rules of Deb as one number."""
     return cost(trial) / scale if trial.feasible else BROKEN + trial.violation
 
 
 def _scale(trials: Trials, cost: Cost) -> float:
+    """The largest cost so far, over which each lies well below ``BROKEN``."""
     sizes = [abs(cost(t)) for t in trials.made.values() if t.goals and np.isfinite(cost(t))]
     return max(sizes, default=1.0) or 1.0
 
@@ -114,6 +116,7 @@ def _combination(problem: Problem, place: Place) -> tuple[float, ...]:
 
 
 def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int) -> None:
+    """A search between the ends, its whole numbers those of ``start``; costs over that of it."""
     from scipy.optimize import NonlinearConstraint, minimize
 
     free = ~problem.whole

@@ -21,7 +21,7 @@ from rotordyn.job.values import values_of
 from rotordyn.report.interval import FAR
 from rotordyn.study import quantiles
 from rotordyn.study.interval import sampled
-from rotordyn.study.machines import Machines, at_few_speeds
+from rotordyn.study.machines import Machines, lean
 
 KINEMATICS = ("outer", "hybrid", "inner", "geometric")
 SHARING = ("equal", "outer", "inner", "hybrid")
@@ -201,7 +201,7 @@ def test_few_runs_cover_95_of_100_machines() -> None:
     widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "+3/-2 deg"}
     case = _case(("preload", "stiffness"), (0.0, 16000.0), tolerances=widths)
     few = rotordyn.run(case, interval=True).held_intervals[""]
-    machines = Machines(at_few_speeds(case))
+    machines = Machines(lean(case))
     drawn = [machines.values(each) for each in sampled(asked_of(case).tolerances, 120, 2)]
     for name in ("preload: sum at 16000 rpm", "stiffness: full at 16000 rpm"):
         k = few.number.index(name)
@@ -289,7 +289,7 @@ def test_variants_have_their_own() -> None:
 
 def test_machines_without_a_solution_are_left_out_and_said() -> None:
     case = _case(("preload",), (0.0, 24000.0), tolerances={SPRING: "± 10 %"})
-    machines = Machines(at_few_speeds(case))
+    machines = Machines(lean(case))
     lost = machines.values({"spindle.bearings.*.model.balls": 400})
     assert not lost.numbers
     assert machines.lost == [lost.sentence]
