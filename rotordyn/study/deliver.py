@@ -46,7 +46,8 @@ def deliver(
     data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
     text = summary(study, outcomes)
     with whole_files(folder) as place:
-        data.to_netcdf(place / DATASET, engine="h5netcdf")
+        spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
+        data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
         write_points(place, study, outcomes)
         (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
         if draw:

@@ -139,7 +139,8 @@ def _end(path: str, longest: int = 38) -> str:
 def _named(axes: Axes, of: Parameter) -> None:
     """Words at the ticks of a parameter without numbers; room at the sides."""
     if not of.numeric:
-        axes.set_xticks(range(len(of.labels)), [shortened(str(w), 14) for w in of.labels])
+        words = dict.fromkeys(of.labels)
+        axes.set_xticks(range(len(words)), [shortened(str(w), 14) for w in words])
     axes.margins(x=0.05, y=0.1)
 
 
@@ -175,7 +176,8 @@ def _word(of: Parameter, place: int) -> str:
 def _abscissa(of: Parameter, labels: list[Any]) -> Array:
     if of.numeric:
         return np.array([of.displayed(label) for label in labels])
-    return np.array([float(of.labels.index(label)) for label in labels])
+    kinds = [*dict.fromkeys(of.labels)]
+    return np.array([float(kinds.index(label)) for label in labels])
 
 
 def _across(study: Study, shown: list[Shown]) -> Figure:
@@ -185,7 +187,9 @@ def _across(study: Study, shown: list[Shown]) -> Figure:
     axes_of = [
         (p.heading, _abscissa(p, [own[p.path] for own in labels])) for p in design.parameters
     ]
-    words = {k: p.labels for k, p in enumerate(design.parameters) if not p.numeric}
+    words = {
+        k: [*dict.fromkeys(p.labels)] for k, p in enumerate(design.parameters) if not p.numeric
+    }
     axes_of += [(each.heading, each.values) for each in shown]
     figure = new_figure(height=100.0, title="points across what was varied and what came of it")
     axes = add_axes(figure, (32.0, 34.0, 126.0, 52.0))

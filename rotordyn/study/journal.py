@@ -19,6 +19,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.report.datasets import dataset
 from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.study.point import Outcome, Study
+from rotordyn.whole import locked
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,14 +43,21 @@ class Journal:
         self.folder, self.study = folder, study
         self._head = {"study": signature(study), "points": study.design.count}
         self._file: IO[bytes] | None = None
+        self._lock: int | None = None
 
     def __enter__(self) -> Journal:
+        path = self.folder / JOURNAL
         try:
+            if not path.exists():
+                self._require_free()
             self.folder.mkdir(parents=True, exist_ok=True)
-            self._file = (self.folder / JOURNAL).open("ab")
+            self._lock = self._locked()
+            self._file = path.open("ab")
+            raw = path.read_bytes()
+            os.truncate(path, raw.rfind(b"\n") + 1)
         except OSError as error:
             raise InvalidInput(f"{self.folder}: cannot be written: {error.strerror}") from None
-        if self._file.tell() == 0:
+        if b"\n" not in raw:
             self._write(self._head)
         return self
 
@@ -61,24 +69,31 @@ class Journal:
     ) -> None:
         assert self._file is not None, "entered"
         self._file.close()
+        if self._lock is not None:
+            os.close(self._lock)
+
+    def _locked(self) -> int | None:
+        try:
+            return locked(self.folder)
+        except BlockingIOError:
+            raise InvalidInput(
+                f"{self.folder}: another process solves the points of a study there: wait for it, "
+                "or choose another folder"
+            ) from None
+        except OSError:  # a file system without locks
+            return None
 
     def known(self) -> dict[int, Outcome]:
-        """Outcomes kept so far, by the number of the point; what was cut short is cut away.
+        """Outcomes kept so far, by the number of the point, those whose results are there.
 
         Raises
         ------
         InvalidInput : they are of another study, or of none
         """
         path = self.folder / JOURNAL
-        if not path.exists():
-            self._require_free()
-            return {}
-        raw = path.read_bytes()
-        whole = raw[: raw.rfind(b"\n") + 1]
-        lines = whole.splitlines()
         try:
-            entries = [json.loads(line) for line in lines]
-            if entries and entries[0] != self._head:
+            entries = [json.loads(line) for line in path.read_bytes().splitlines()]
+            if entries[0] != self._head:
                 raise InvalidInput(
                     f"{self.folder}: holds the points of another study ({entries[0]['points']} "
                     "points): choose another folder, or remove that one"
@@ -86,12 +101,15 @@ class Journal:
             found = dict(map(_read, entries[1:]))
         except (ValueError, KeyError, TypeError):
             raise InvalidInput(f"{path}: is no record of a study: choose another folder") from None
-        if len(whole) < len(raw):
-            os.truncate(path, len(whole))
-        return found
+        whole = self.study.results
+        return {
+            number: each
+            for number, each in found.items()
+            if not (whole and each.numbers) or self._place(number).exists()
+        }
 
     def _require_free(self) -> None:
-        if self.folder.exists() and any(self.folder.iterdir()):
+        if self.folder.is_dir() and any(self.folder.iterdir()):
             raise InvalidInput(
                 f"{self.folder}: is a folder with other things in it, and no study: choose another"
             )
@@ -121,10 +139,13 @@ class Journal:
 
     def _keep(self, outcome: Outcome) -> None:
         place = self._place(outcome.number)
-        place.parent.mkdir(exist_ok=True)
         part = place.with_suffix(".part")
-        write_results(part, outcome.results)
-        part.replace(place)
+        try:
+            place.parent.mkdir(exist_ok=True)
+            write_results(part, outcome.results)
+            part.replace(place)
+        except OSError as error:
+            raise InvalidInput(f"{place}: cannot be written: {error.strerror}") from None
 
     def _place(self, number: int) -> Path:
         return self.folder / RESULTS / f"{number:08d}.nc"
@@ -133,7 +154,13 @@ class Journal:
         """What is kept whole of a point, from memory or from disk."""
         if outcome.results or not outcome.numbers:
             return {name: dataset(each) for name, each in outcome.results.items()}
-        return dict(read_results(self._place(outcome.number)))
+        place = self._place(outcome.number)
+        try:
+            return dict(read_results(place))
+        except OSError:
+            raise InvalidInput(
+                f"{place}: cannot be read: remove it, and the same study solves its point again"
+            ) from None
 
 
 def _read(entry: dict[str, Any]) -> tuple[int, Outcome]:

@@ -21,6 +21,7 @@ from rotordyn.study.columns import (
     trade_off,
     varied_table,
 )
+from rotordyn.study.dataset import OF_RESULTS
 from rotordyn.study.optimum.page import TRIALS, optimum_page
 from rotordyn.study.summary import NUMBER
 
@@ -74,7 +75,8 @@ def _read(folder: Path) -> Held:
 
     try:
         with xr.open_dataset(folder / STUDY, engine="h5netcdf") as data:
-            about, count = dict(data.attrs), len(data.coords)
+            about = dict(data.attrs)
+            count = sum(OF_RESULTS not in str(name) for name in data.coords)
         point, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
         written = datetime.fromtimestamp((folder / STUDY).stat().st_mtime, UTC)

@@ -83,13 +83,15 @@ def _as_it_stands(found: Optimum, p: Any) -> str:
 
     values = [value for value, _ in found_at(found.problem.case, p.path)]
     kept = {_word(p, value) for value in values}
-    return kept.pop() if len(kept) == 1 else ""
+    return kept.pop() if len(kept) == 1 else "–"
 
 
 def _word(p: Any, value: Any) -> str:
-    if isinstance(value, float | int) and math.isfinite(value):
+    if isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value):
         return f"{p.displayed(value):.6g}"
-    return str(getattr(value, "name", "") or value)[:40] if isinstance(value, str) else ""
+    if isinstance(value, str):
+        return value[:40]
+    return next((str(w) for w, each in zip(p.labels, p.values, strict=False) if each == value), "–")
 
 
 def written(problem: Problem, p: Any, trial: Trial) -> str:
