@@ -25,7 +25,7 @@ class Markup(str):
     __slots__ = ()
 
 
-class Variant(Protocol):
+class Shown(Protocol):
     """What a page takes of a variant, or of the only machine of a case."""
 
     @property

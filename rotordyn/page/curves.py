@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.machine.reference import QUANTITIES, Reference
-from rotordyn.page.blocks import Chart, Variant
+from rotordyn.page.blocks import Chart, Shown
 from rotordyn.page.looks import (
     FAINT,
     FEW_POINTS,
@@ -30,7 +30,7 @@ MOST_CHARTS = 24  # of one analysis
 OPEN = {"measured": "circle-open", "published": "diamond-open"}
 
 
-def curve_charts(curves: Curves, spec: Any, variants: Sequence[Variant]) -> Iterator[Chart]:
+def curve_charts(curves: Curves, spec: Any, variants: Sequence[Shown]) -> Iterator[Chart]:
     """A chart for every panel; a line for each curve of each variant."""
     panels: dict[Panel, dict[tuple[int, str, str], Curve]] = {}
     for place, variant in enumerate(variants):
@@ -43,7 +43,7 @@ def curve_charts(curves: Curves, spec: Any, variants: Sequence[Variant]) -> Iter
         yield _chart([(place, curve) for (place, _, _), curve in held.items()], variants)
 
 
-def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Variant]) -> Chart:
+def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Chart:
     first = next((curve for _, curve in held if not curve.backdrop), held[0][1])
     names = [curve.series or curve.key for _, curve in held if not curve.backdrop]
     series = list(dict.fromkeys(names))
@@ -115,7 +115,7 @@ def broken(curve: Curve) -> tuple[Any, Any]:
     return np.insert(x, at, x[at]), np.insert(y, at, np.nan)
 
 
-def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Variant]) -> list[Any]:
+def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> list[Any]:
     """Published and measured values of what a chart shows, once each."""
     wanted = dict.fromkeys(curve.known for _, curve in held if curve.known is not None)
     about = [subject for quantity, subject in wanted]

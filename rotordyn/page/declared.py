@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.page.blocks import Block, Chart, Table, Variant
+from rotordyn.page.blocks import Block, Chart, Shown, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import number
@@ -17,7 +17,7 @@ from rotordyn.results.headline import Curve
 MOST_LINES = 12
 
 
-def declared_blocks(variants: Sequence[Variant]) -> Iterator[Block]:
+def declared_blocks(variants: Sequence[Shown]) -> Iterator[Block]:
     """Charts of quantities over speed, of few lines each; a table of single values."""
     yield from (chart for chart in curve_charts(_curves, None, variants) if _finite(chart))
     rows = [row for variant in variants for row in _single(variant)]
@@ -25,7 +25,7 @@ def declared_blocks(variants: Sequence[Variant]) -> Iterator[Block]:
         yield Table("Values", ("", "value"), list(dict.fromkeys(rows)))
 
 
-def _curves(_: Any, variant: Variant) -> Iterator[Curve]:
+def _curves(_: Any, variant: Shown) -> Iterator[Curve]:
     result = variant.result
     fields = {name: field.metadata for name, field in declared(result).items()}
     rpm = fields["speed"]["printed"]
@@ -54,7 +54,7 @@ def _finite(chart: Chart) -> bool:
     return any(np.isfinite(trace["y"]).any() for trace in chart.traces)
 
 
-def _single(variant: Variant) -> Iterator[tuple[str, str]]:
+def _single(variant: Shown) -> Iterator[tuple[str, str]]:
     for name, field in declared(variant.result).items():
         info, value = field.metadata, getattr(variant.result, name)
         if info["role"] == "quantity" and not info["dims"]:

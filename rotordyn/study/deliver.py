@@ -46,8 +46,8 @@ def deliver(
     text = summary(study, outcomes)
     with whole_files(folder) as place:
         # NetCDF lists the names of such coordinates between spaces.
-        listed = [name for name in data.coords if name not in data.dims and " " in str(name)]
-        data.reset_coords(listed).to_netcdf(place / DATASET, engine="h5netcdf")
+        spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
+        data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
         write_points(place, study, outcomes)
         (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
         if draw:

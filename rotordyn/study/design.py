@@ -109,17 +109,24 @@ def design(
                 f"{each.path}: a {sampling} needs values: list them, or give the span a count"
             )
     whole = Design(found, sampling)
-    if sampling == "list":
-        lengths = {len(each.values) for each in found}
-        if len(lengths) > 1:
-            given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
-            raise InvalidInput(f"a list has as many values of every path: got {given}")
+    _require_fitting(whole)
     if whole.count > MOST:
         raise InvalidInput(
             f"the grid has {whole.count:.3g} points: allowed are up to {MOST:g}; take fewer values "
             "or a sample (sampling: sobol)"
         )
     return whole
+
+
+def _require_fitting(whole: Design) -> None:
+    found = whole.parameters
+    if whole.sampling == "grid":
+        for each in found:
+            if len(set(each.labels)) < len(each.labels):
+                raise InvalidInput(f"{each.path}: a value is listed twice; a grid takes each once")
+    elif len({len(each.values) for each in found}) > 1:
+        given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
+        raise InvalidInput(f"a list has as many values of every path: got {given}")
 
 
 def _shares(sampling: str, size: int, samples: Any, seed: int) -> Array:

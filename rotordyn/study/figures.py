@@ -138,7 +138,8 @@ def end_of(path: str, longest: int) -> str:
 def word_ticks(axes: Axes, of: Parameter) -> None:
     """Name the ticks of a parameter without numbers."""
     if not of.numeric:
-        axes.set_xticks(range(len(of.labels)), [shortened(str(w), 14) for w in of.labels])
+        words = dict.fromkeys(of.labels)
+        axes.set_xticks(range(len(words)), [shortened(str(w), 14) for w in words])
 
 
 def _panel(axes: Axes, study: Study, each: Shown) -> None:
@@ -177,7 +178,8 @@ def abscissa(of: Parameter, labels: Sequence[Any]) -> Array:
     """Coordinates (points,) of a parameter in its usual unit; places of words among all."""
     if of.numeric:
         return np.array([of.displayed(label) for label in labels])
-    return np.array([float(of.labels.index(label)) for label in labels])
+    kinds = [*dict.fromkeys(of.labels)]
+    return np.array([float(kinds.index(label)) for label in labels])
 
 
 def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
@@ -185,7 +187,9 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
     design = study.design
     labels = [design.labels(k) for k in range(design.count)]
     axes_of = [(p.heading, abscissa(p, [own[p.path] for own in labels])) for p in design.parameters]
-    words = {k: p.labels for k, p in enumerate(design.parameters) if not p.numeric}
+    words = {
+        k: [*dict.fromkeys(p.labels)] for k, p in enumerate(design.parameters) if not p.numeric
+    }
     axes_of += [(each.heading, each.values) for each in shown]
     figure = new_figure(height=100.0, title="points across what was varied and what came of it")
     axes = add_axes(figure, (32.0, 34.0, 126.0, 52.0))

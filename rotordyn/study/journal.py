@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rotordyn.errors import InvalidInput
 from rotordyn.report.datasets import dataset
 from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.study import record
@@ -34,7 +35,8 @@ class Journal:
         self.folder, self.study, self._path = folder, study, folder / JOURNAL
 
     def begin(self) -> dict[int, Outcome]:
-        """Outcomes kept so far, by the number of the point; the file is begun where there is none.
+        """Outcomes kept so far, by the number of the point, those whose results are there; the file
+        is begun where there is none.
 
         Raises
         ------
@@ -42,9 +44,15 @@ class Journal:
         """
         lines = record.begun(self._path, "study", signature(self.study), "points")
         try:
-            return dict(map(_read, lines))
+            found = dict(map(_read, lines))
         except (ValueError, KeyError, TypeError):
             raise record.unreadable(self._path, "points") from None
+        whole = self.study.results
+        return {
+            number: each
+            for number, each in found.items()
+            if not (whole and each.numbers) or self._place(number).exists()
+        }
 
     def add(self, outcome: Outcome) -> None:
         """Keep an outcome; its results first, so that a line means all of it."""
@@ -55,10 +63,13 @@ class Journal:
 
     def _keep(self, outcome: Outcome) -> None:
         place = self._place(outcome.number)
-        place.parent.mkdir(exist_ok=True)
         part = place.with_suffix(".part")
-        write_results(part, outcome.results)
-        part.replace(place)
+        try:
+            place.parent.mkdir(exist_ok=True)
+            write_results(part, outcome.results)
+            part.replace(place)
+        except OSError as error:
+            raise InvalidInput(f"{place}: cannot be written: {error.strerror}") from None
 
     def _place(self, number: int) -> Path:
         return self.folder / RESULTS / f"{number:08d}.nc"
@@ -67,7 +78,13 @@ class Journal:
         """What is kept whole of a point, from memory or from disk."""
         if outcome.results or not outcome.numbers:
             return {name: dataset(each) for name, each in outcome.results.items()}
-        return dict(read_results(self._place(outcome.number)))
+        place = self._place(outcome.number)
+        try:
+            return dict(read_results(place))
+        except OSError:
+            raise InvalidInput(
+                f"{place}: cannot be read: remove it, and the same study solves its point again"
+            ) from None
 
 
 def _read(entry: dict[str, Any]) -> tuple[int, Outcome]:

@@ -21,7 +21,7 @@ from rotordyn.study.columns import (
     table_of,
     varied_table,
 )
-from rotordyn.study.dataset import DATASET
+from rotordyn.study.dataset import DATASET, OF_RESULTS
 from rotordyn.study.journal import JOURNAL
 from rotordyn.study.optimum.page import optimum_page
 from rotordyn.study.optimum.trials import JOURNAL as TRIALS
@@ -77,7 +77,7 @@ def _read(folder: Path) -> StudyFolder:
     try:
         with xr.open_dataset(folder / DATASET, engine="h5netcdf") as data:
             about = dict(data.attrs)
-            count = sum(": " not in str(name) for name in data.coords)  # the others are of results
+            count = sum(OF_RESULTS not in str(name) for name in data.coords)
         point, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
         written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)

@@ -14,11 +14,11 @@ from rotordyn.case.library import is_path
 from rotordyn.case.node import Node
 from rotordyn.case.read import in_order, load
 from rotordyn.case.reading import Reading
-from rotordyn.case.study import ABSENT, SPACINGS, OptimumFile, SpanEntry, StudyFile
+from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry, StudyFile
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
-from rotordyn.study.parameter import Span, parameter
+from rotordyn.study.parameter import Span, kind_of_model, parameter
 
 if TYPE_CHECKING:
     from rotordyn.study.optimum.problem import Problem
@@ -42,7 +42,8 @@ def read_study(path: str | Path) -> Study:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
         word = str(refusal).partition(":")[0]  # sentences begin with the key, where there is one
-        raise read.refused((word,) if read.root.child(word) else (), str(refusal)) from None
+        at = (word,) if read.root.child(word) else ()
+        raise read.refused(at, str(refusal).removeprefix(f"{word}: " if at else "")) from None
 
 
 def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
@@ -65,6 +66,8 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
             given = item.plain()
             if "absent" in given:
                 given["absent"] = given["absent"] == ABSENT[1]
+            for bound in BOUNDS & given.keys():
+                given[bound] = _in_words(given[bound])
             try:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
@@ -81,6 +84,13 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
         ]
         raise read.refused(places[0] if places else (), str(refusal)) from None
     return problem, {name: read.asked[name] for name in ("trials", "seed")}
+
+
+def _in_words(bound: Any) -> Any:
+    """A number of a file as text, which needs a unit where what is read has one."""
+    if isinstance(bound, list):
+        return [_in_words(each) for each in bound]
+    return str(bound) if isinstance(bound, float | int) else bound
 
 
 @dataclass(frozen=True)
@@ -157,6 +167,12 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
             asked = Span(low, high, found["points"], log)
     elif isinstance(node.value, list):
         asked = [value_at(reading, case, path, item) for item in node.value]
+        if kind_of_model(case, path):  # their files stand beside that of the study
+            beside = Path(node.file).parent
+            asked = [
+                str(beside / Path(v).expanduser()) if isinstance(v, str) and is_path(v) else v
+                for v in asked
+            ]
     else:
         reading.faults.at(node, (), "a list of values is needed, or a span: {from: …, to: …}")
     if len(reading.faults.reported) == before:

@@ -9,12 +9,42 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 from rotordyn.errors import InvalidInput
+from rotordyn.whole import locked
+
+
+@contextmanager
+def alone(folder: Path, what: str) -> Iterator[None]:
+    """Keep other processes from solving ``what`` into a folder meanwhile.
+
+    Raises
+    ------
+    InvalidInput : another one does; the folder cannot be made
+    """
+    lock = None
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
+    try:
+        lock = locked(folder)
+    except BlockingIOError:
+        raise InvalidInput(
+            f"{folder}: another process solves the {what} of a study there: wait for it, or choose "
+            "another folder"
+        ) from None
+    except OSError:  # a file system without locks
+        pass
+    try:
+        yield
+    finally:
+        if lock is not None:
+            os.close(lock)
 
 
 def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, Any]]:

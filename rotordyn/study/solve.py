@@ -16,6 +16,8 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
+from rotordyn.quantity import suggestion
+from rotordyn.study import record
 from rotordyn.study.dataset import gathered
 from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
@@ -44,16 +46,21 @@ def study_of(
     """A study held against its case; see ``sweep``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a study takes a case, as rotordyn.load gives it; got {shown(case)}")
+    _require("analyses", analyses, case)
     if len(analyses):
         case = restricted(case, tuple(analyses))
-    for name in results:
-        if name not in case.analyses:
-            raise InvalidInput(
-                f"results: given {shown(name)}; this study has the analyses "
-                f"{', '.join(case.analyses)}"
-            )
+    _require("results", results, case)
     case = replace(case, variants={}, uncertain=None)
     return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
+
+
+def _require(key: str, given: Sequence[str], case: Case) -> None:
+    for name in given:
+        if name not in case.analyses:
+            raise InvalidInput(
+                f"{key}: given {shown(name)}; this study has the analyses "
+                f"{', '.join(case.analyses)}{suggestion(name, case.analyses)}"
+            )
 
 
 @typed(InvalidInput, besides=["case"])
@@ -125,12 +132,13 @@ def solved(
     count, most = study.design.count, workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
-        found = journal.begin()
-        progress(len(found), count)
-        for outcome in _outcomes(study, found, most, cluster, yes=yes):
-            journal.add(outcome)
-            found[outcome.number] = outcome
+        with record.alone(place, "points"):
+            found = journal.begin()
             progress(len(found), count)
+            for outcome in _outcomes(study, found, most, cluster, yes=yes):
+                journal.add(outcome)
+                found[outcome.number] = outcome
+                progress(len(found), count)
         return gathered(study, found, journal.datasets), found
 
 

@@ -23,6 +23,9 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
     """Front of two goals: the best of each, then of the first with the second held at levels."""
     costs = [cost_of(problem, k) for k in (0, 1)]
     most = trials.most - len(trials.made)
+    if problem.choices <= most:
+        search(problem, trials, costs[0], most, seed)
+        return front(problem, trials)
     for cost in costs:
         search(problem, trials, cost, int(0.5 * ENDS * most), seed, list(trials.made))
     found = front(problem, trials)

@@ -67,7 +67,8 @@ def _read(folder: Path) -> OptimumFolder:
         about = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
         trial, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
-        best = (folder / BEST).read_text(encoding="utf-8") if about["best"] is not None else ""
+        file = folder / BEST
+        best = file.read_text(encoding="utf-8") if file.exists() else ""
         written = datetime.fromtimestamp((folder / ABOUT).stat().st_mtime, UTC)
         count = about["parameters"]
         parts = columns[:count], columns[count:-ENDS], columns[-ENDS:]

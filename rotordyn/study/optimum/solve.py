@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -99,8 +100,17 @@ class Optimum:
             top = max(solved, key=lambda t, k=k: t.margins[k])  # type: ignore[misc]
             unit = self.units[len(self.problem.goals) + k]
             if top.margins[k] < 0.0:
-                value = f"{top.readings[k]:.4g} {unit}"
-                lines.append(f"{limit.words}: cannot be kept, the nearest reads {value}.")
+                value = top.readings[k]
+                nearest = (
+                    f"nearest reads {value:.4g} {unit}" if value == value else "value is absent"
+                )
+                lines.append(f"{limit.words}: cannot be kept, the {nearest}.")
+        absent = [
+            goal.words
+            for k, goal in enumerate(self.problem.goals)
+            if all(math.isnan(each.goals[k]) for each in solved)
+        ]
+        lines += [f"{words}: no trial has a value." for words in absent]
         if len(lines) == 1:
             broken = [
                 limit.words

@@ -81,15 +81,17 @@ def write_about(folder: Path, found: Optimum) -> None:
 
 
 def _present(problem: Problem, p: Parameter) -> str:
-    """The value that the case has; none of models, and where items under ``*`` have several."""
+    """The value that the case has; none where items under ``*`` have several."""
     words = {_word(p, value) for value, _ in found_at(problem.case, p.path)}
-    return words.pop() if len(words) == 1 else ""
+    return words.pop() if len(words) == 1 else "–"
 
 
 def _word(p: Parameter, value: Any) -> str:
-    if isinstance(value, float | int) and math.isfinite(value):
+    if isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value):
         return f"{p.displayed(value):.6g}"
-    return value[:40] if isinstance(value, str) else ""
+    if isinstance(value, str):
+        return value[:40]
+    return next((str(w) for w, each in zip(p.labels, p.values, strict=False) if each == value), "–")
 
 
 def _chosen(problem: Problem, p: Parameter, trial: Trial) -> str:
