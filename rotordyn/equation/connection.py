@@ -47,12 +47,6 @@ class Connection(NamedTuple):
         """By the coordinates (s or 1, n, n)."""
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
-    @property
-    def damped(self) -> bool:
-        """Some motion of the coordinates is."""
-        moved = self.motions.any(axis=1)
-        return bool(self.matrices.damping[:, moved][:, :, moved].any())
-
     def strained(self, least: float) -> Array:
         """Rows of ``motions`` with a stiffness of ``least`` or more by the coordinates, the largest
         first (k, n)."""

@@ -26,7 +26,7 @@ from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
-from rotordyn.equation.term import Array, Matrices
+from rotordyn.equation.term import Array, LinkMatrices, Matrices
 
 Complex = NDArray[np.complex128]
 STRAINED = 1e-13  # of a link's largest motion: less is rounding
@@ -40,7 +40,7 @@ class Linear:
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
     ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
     which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), beside
-    it: what of ``stiffness`` is not of links.
+    it: what of both matrices is not of links.
     """
 
     structure: Structure
@@ -51,7 +51,7 @@ class Linear:
     connections: tuple[Connection, ...]
     loss: Hysteresis | None = None
     allowed: Array | None = None
-    bodies: Array | None = None
+    bodies: LinkMatrices | None = None
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -77,7 +77,7 @@ class Linear:
             damping=self.damping[rows],
             connections=tuple(each.at(rows) for each in self.connections),
             loss=None if self.loss is None else self.loss.at(rows),
-            bodies=None if self.bodies is None else self.bodies[rows],
+            bodies=self.bodies and LinkMatrices(*(part[rows] for part in self.bodies)),
         )
 
     def within(self, matrix: T) -> T:
@@ -88,17 +88,18 @@ class Linear:
         return held
 
     @cached_property
-    def allowed_stiffness(self) -> Array:
-        """``stiffness`` within the motions that rigid supports allow (s, m, m), summed link by link
-        there: motions that do not strain a link get none of it, however stiff it is."""
+    def allowed_matrices(self) -> LinkMatrices:
+        """Stiffness and damping within the motions that rigid supports allow (s, m, m), summed link
+        by link there: motions that do not strain a link get none of it, however stiff it is."""
         if self.allowed is None or self.bodies is None:
-            return self.stiffness
-        whole = self.within(self.bodies)
+            return LinkMatrices(self.stiffness, self.damping)
+        whole = [self.within(part) for part in self.bodies]
         for each in self.connections:
             motions, size = each.motions @ self.allowed, np.linalg.norm(each.motions, axis=1)
             motions[np.abs(motions) <= STRAINED * size[:, None]] = 0.0
-            whole = whole + motions.T @ (each.matrices.stiffness @ motions)
-        return whole
+            for k, part in enumerate(each.matrices):
+                whole[k] = whole[k] + motions.T @ (part @ motions)
+        return LinkMatrices(*whole)
 
     @property
     def basis(self) -> Array:
