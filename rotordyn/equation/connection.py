@@ -48,10 +48,14 @@ class Connection(NamedTuple):
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
     def strained(self, least: float) -> Array:
-        """Rows of ``motions`` with a stiffness of ``least`` or more by the coordinates, the largest
-        first (k, n)."""
-        own = np.abs(np.diagonal(self.matrices.stiffness, axis1=1, axis2=2)).max(axis=0)
-        size = own * (self.motions**2).sum(axis=1)
+        """Rows of ``motions`` with a stiffness by the coordinates of ``least`` or more [rad²/s²], or
+        so fast a decay by damping alone, the fastest first (k, n)."""
+        weight = (self.motions**2).sum(axis=1)
+        held, damped = (
+            weight * np.abs(np.diagonal(part, axis1=1, axis2=2)).max(axis=0)
+            for part in self.matrices
+        )
+        size = np.maximum(held, damped**2)
         chosen = np.flatnonzero(size >= least)
         return self.motions[chosen[np.argsort(-size[chosen], kind="stable")]]
 

@@ -186,25 +186,25 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
     every = answering_stiffness(linear, SYNCHRONOUS), linear.damping
     allowed = allowed_matrices(linear, SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
-    for row in np.flatnonzero(speed):
-        w = abs(speed[row])
+    for row in np.flatnonzero(speed).tolist():
+        w = abs(float(speed[row]))
+        whole, inside = (_dynamic(k[row], c[row], w) for k, c in (every, allowed))
         load = w**2 * (force if ahead[row] > 0.0 else back)
         try:
-            within = np.linalg.solve(_dynamic(*allowed, row, w), load @ linear.basis)
+            within = np.linalg.solve(inside, load @ linear.basis)
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue
         moved[row] = linear.basis @ within
-        left[row] = load - _dynamic(*every, row, w) @ moved[row]
+        left[row] = load - whole @ moved[row]
     return Steady(
         *(np.where(ahead[:, None] > 0.0, linear, linear.conj()) for linear in (moved, left))
     )
 
 
-def _dynamic(stiffness: Matrices, damping: Array, row: int, omega: float) -> Complex:
-    """Dynamic stiffness at one of the speeds."""
-    unit = np.eye(stiffness.shape[-1])
-    return np.asarray(stiffness[row] + 1j * omega * damping[row] - omega**2 * unit)
+def _dynamic(stiffness: Matrices, damping: Array, omega: float) -> Complex:
+    """Dynamic stiffness (n, n)."""
+    return np.asarray(stiffness + 1j * omega * damping - omega**2 * np.eye(len(damping)))
 
 
 def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
