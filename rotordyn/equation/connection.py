@@ -48,8 +48,8 @@ class Connection(NamedTuple):
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
     def strained(self, least: float) -> Array:
-        """Rows of ``motions`` with a stiffness by the coordinates of ``least`` or more [rad²/s²], or
-        so fast a decay by damping alone, the fastest first (k, n)."""
+        """Rows of ``motions`` of ``least`` [rad²/s²] stiffness by the coordinates or more, or of as
+        fast a decay by damping alone, the fastest first (k, n)."""
         weight = (self.motions**2).sum(axis=1)
         held, damped = (
             weight * np.abs(np.diagonal(part, axis1=1, axis2=2)).max(axis=0)

@@ -256,9 +256,9 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
 def allowed_matrices(linear: Linear, signs: Signs) -> tuple[Matrices, Array]:
     """The same within the motions that rigid supports allow (s, m, m), and damping there."""
     stiffness, damping = linear.allowed_matrices
-    if linear.loss is None:
+    if linear.allowed_loss is None:
         return stiffness, damping
-    return stiffness + linear.within(linear.loss.stiffness(signs)), damping
+    return stiffness + linear.allowed_loss.stiffness(signs), damping
 
 
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
@@ -266,9 +266,7 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     own frequency. What is the same at all speeds is solved once."""
     stiffness: Matrices
     damping: Matrices
-    (stiffness, damping), loss = linear.allowed_matrices, linear.loss
-    if loss is not None:
-        loss = Hysteresis(*(linear.within(part) for part in loss if part is not None))
+    (stiffness, damping), loss = linear.allowed_matrices, linear.allowed_loss
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
     turns = loss is not None and loss.turns
     if len(linear.speed) > 1 and not turns and all((part == part[:1]).all() for part in parts):

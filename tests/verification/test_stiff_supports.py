@@ -106,6 +106,23 @@ def test_a_damped_slow_motion_beside_a_stiff_damper(soft: float, stiff: float) -
     assert found.frequency_error[0, lowest] < 3e-9
 
 
+@pytest.mark.parametrize("soft", [1e3, 1.0])
+def test_a_slow_motion_with_loss_beside_a_stiff_spring(soft: float) -> None:
+    """λ² = −k (1 + iη) / m of the pendulum, with the same loss factor of both springs."""
+    ends = (
+        replace(spring(*each), loss_factor=0.02) for each in (("a", 0.0, 1e14), ("b", LENGTH, soft))
+    )
+    found = solved(beam(*ends), 1e-6, 2000.0)
+    lowest = int(np.nanargmin(found.frequency[0]))
+    pole = 1j * np.sqrt(1.0 + 0.02j)
+    assert found.frequency[0, lowest] == pytest.approx(
+        pendulum(soft) * pole.imag, rel=1e-8 + 2e-8 * soft
+    )
+    ratio = -pole.real / abs(pole)
+    assert found.damping_ratio[0, lowest] == pytest.approx(ratio, rel=1e-9 + 1e-7 * soft)
+    assert found.frequency_error[0, lowest] < 3e-9
+
+
 def test_unbalance_of_a_slow_motion_beside_a_stiff_damper() -> None:
     """U Ω² / (k − (I − Ip) Ω²/L² + iΩ c) at the free end, through resonance; bending takes 3e-8 of
     k away, which a damping ratio of 1 % raises by 50."""
