@@ -20,8 +20,8 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
-from rotordyn.preload.friction import operating_state, remembered
+from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
+from rotordyn.preload.friction import operating_state, with_friction
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
@@ -98,8 +98,9 @@ class Statics(Staged):
 
     @property
     def axial_force(self) -> float:
-        """External force and weight along the axis [N]."""
-        return self.conditions.pushed + self.past.weight
+        """All that acts on the shaft along the axis: forces of the conditions, those of loads
+        included, and weight, towards +x [N]."""
+        return self.conditions.total_axial_force + self.past.weight
 
     @property
     def past(self) -> Past:
@@ -191,7 +192,7 @@ class Statics(Staged):
         """The same without loads across the axis; one of all tools in the nose."""
         acting = self.axial_force, self.temperatures, self.past
         if len(self._laws) > 1:
-            return remembered(self.family.state(self.law))
+            return with_friction(self.family.state(self.law))
         given = self.grounded, self.bearing_speed, self.law, *acting
         if (oiled := self.conditions.films) is None:
             return operating_state(*given)
@@ -285,7 +286,7 @@ class Statics(Staged):
             self.conditions.axial_force,
             self.gravity,
             self.conditions.tension,
-            self._pushes,
+            self._point_forces,
         )
         return loading.outcomes()
 
@@ -307,11 +308,11 @@ class Statics(Staged):
             acting.axial_force,
             self.gravity,
             acting.tension,
-            self._pushes,
+            self._point_forces,
         )
 
     @property
-    def _pushes(self) -> Pushes:
+    def _point_forces(self) -> PointForces:
         """Stations and axial forces of the loads."""
         place = self.spindle.place
         return tuple((place(load.at).x, load.Fx) for load in self.conditions.loads if load.Fx)
@@ -326,7 +327,7 @@ class Statics(Staged):
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         warm = conditions.heat_flow, conditions.films
-        acting = conditions.history, self._pushes, self.bearing_speed.tobytes()
+        acting = conditions.history, self._point_forces, self.bearing_speed.tobytes()
         inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 

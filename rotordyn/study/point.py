@@ -73,7 +73,7 @@ def outcome(
     InvalidInput : its values contradict one another
     NoSolution : no speed has a solution
     """
-    case = lean(changed(study.case, study.design.point(number)), study.results)
+    case = _numbers_alone(changed(study.case, study.design.point(number)), study.results)
     neighbours = neighbours or Neighbours()
     answers, error = neighbours.solve(case, checked=bool(study.results), further=points)
     return Outcome(
@@ -86,7 +86,7 @@ def outcome(
     )
 
 
-def lean(case: Case, whole: Sequence[str]) -> Case:
+def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
     """The case asked for numbers alone, but for analyses whose results are kept ``whole``."""
     specs = {
         name: spec if name in whole else analysis(name).lean(spec)
