@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 
 from bearings.arguments import real_numbers
 from bearings.arrays import Array, Flags, Index
-from bearings.ball.law import Law, Laws
+from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.errors import InvalidBearing, shown
 from bearings.geometry import Geometry, acting, geometry
 from bearings.grooves import Grooves

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from bearings.arrays import Array, Flags, Index
-from bearings.ball.law import Law, Laws
+from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.ball.plane import Pair
 from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin

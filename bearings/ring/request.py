@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arrays import Array, Index, Words
-from bearings.ball.law import Laws
+from bearings.ball.laws import Laws
 from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry

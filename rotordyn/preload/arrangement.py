@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import STANDARD, Law, Laws
+from bearings.ball.law import STANDARD, Law
+from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures

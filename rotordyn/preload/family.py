@@ -13,7 +13,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law, Laws
+from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.state import PreloadState
 

@@ -22,7 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law, Laws
+from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law, Laws
+from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.ring.state import BearingState
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle

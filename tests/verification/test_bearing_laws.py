@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from bearings import BearingState, Law
-from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Laws
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING
+from bearings.ball.laws import Laws
 from bearings.ring.operation import operation
 from bearings.ring.request import solved
 from tests.oracles.known_bearings import VEX70
