@@ -7,13 +7,12 @@ together, tell how far their sum holds. With ``samples`` machines are drawn at r
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.solving import Progress
 from rotordyn.case.asked import Asked, asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
@@ -21,13 +20,14 @@ from rotordyn.case.uncertain import Uncertain
 from rotordyn.job.values import Values, difference, values_of
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import ENDS, Interval
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.study import quantiles
 from rotordyn.study.machines import Machines, lean
 from rotordyn.study.sensitivity import Derivatives, derivatives
 
-RULES = 0.1  # share of the variance of a number from which a tolerance may need more machines
-BENT = 0.05  # distance from a straight line that a parabola follows, over the change end to end
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+RULES = 0.1  # share of the range from which a tolerance rules a number
+BENT = 0.05  # of the change from end to end: how far from a straight line it is not seen
 
 
 class Differences(NamedTuple):
@@ -39,8 +39,7 @@ class Differences(NamedTuple):
 
 
 class Nominal(NamedTuple):
-    """The machine of the case: its ``values`` at all speeds, as results, and its ``base`` at the
-    few speeds of the machines that are compared with it."""
+    """The machine of the case as solved for its results, and at the few speeds of the others."""
 
     values: Values
     base: Values
@@ -105,7 +104,6 @@ def interval(
 
 
 def _count(asked: Asked, given: Uncertain | None) -> int:
-    """How many machines are solved, but for corners, those in between and derivatives."""
     combinations = sum(1 for _ in asked.combinations)
     return combinations + 2 * len(asked.tolerances) + (given.samples or 0 if given else 0)
 
@@ -124,7 +122,6 @@ class Toleranced(NamedTuple):
 
 
 def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
-    """Ranges over tolerances: of their effects, summed, or of samples where these are asked for."""
     given = asked.tolerances
     count = len(nominal.values.numbers)
     if not given:
@@ -133,8 +130,7 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         return Toleranced(none, curves, none, np.zeros((count, 0, 2)), *nowhere)
     solved = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
     solved = _refined(given, solved, machines, nominal)
-    numbers = [each.effect(each.found.numbers) for each in solved]
-    points = [each.effect(each.found.points) for each in solved]
+    numbers, points = ([each.of_what(k) for each in solved] for k in range(2))
     effect = np.stack([each.change[[0, -1]].T for each in numbers], axis=1)
     corners = _corners(given, effect, machines, nominal) if len(given) > 1 else (None, None)
     every = [each.found.numbers for each in solved]
@@ -148,17 +144,10 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         usual, of_curves = (_tails(each) for each in drawn)
         worst = _ends(drawn.numbers)
         every.append(drawn.numbers)
-    without = _without(nominal.numbers, np.concatenate(every), usual)
+    without = np.isnan(nominal.numbers + np.concatenate(every)).sum(axis=0)
+    without[np.isnan(nominal.numbers)] = 0
+    without[(nominal.numbers > 0.0) & (nominal.numbers + usual[:, 0] <= 0.0)] += 1  # a load lost
     return Toleranced(usual, of_curves, worst, effect, found.interaction, without)
-
-
-def _without(value: Array, changes: Array, usual: Array) -> NDArray[np.int64]:
-    """How many machines (numbers,) have no such number, which that of the case has; one at least
-    where the range of a load reaches zero: its bearing is unloaded there."""
-    without = np.isnan(value + changes).sum(axis=0)
-    without[np.isnan(value)] = 0
-    without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1
-    return without
 
 
 def _corners(
@@ -180,16 +169,16 @@ def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, 
 
 
 class Along(NamedTuple):
-    """Machines along one tolerance: ``share`` (k,) of its way, differences ``found`` there."""
+    """Machines along one tolerance: shares of its way, differences there."""
 
     given: Tolerance
     share: tuple[float, ...]
     found: Differences
 
-    def effect(self, change: Array) -> quantiles.Effect:
-        """The effect of the tolerance on what changes (k, n) so, numbers or points of curves."""
-        given = self.given
-        return quantiles.Effect(np.array(self.share), change, given.nominal, given.levels)
+    def of_what(self, place: int) -> quantiles.Effect:
+        """The effect on numbers (0) or on points of curves (1)."""
+        change, nominal = self.found[place], self.given.nominal
+        return quantiles.Effect(np.array(self.share), change, nominal, self.given.levels)
 
 
 def _along(
@@ -204,8 +193,7 @@ def _along(
 def _refined(
     given: Sequence[Tolerance], solved: list[Along], machines: Machines, nominal: Nominal
 ) -> list[Along]:
-    """The same with two machines more along tolerances that rule a number and bend it: a parabola
-    misses the kink that a stop makes where it closes."""
+    """The same with two machines more along tolerances that rule a number and bend it."""
     ends = np.array([np.nan_to_num(each.found.numbers[[0, -1]]) for each in solved])
     share = (ends**2).max(axis=1)
     share = share / np.maximum(share.sum(axis=0), 1e-300)
@@ -239,6 +227,10 @@ def _tails(drawn: Array) -> Array:
     return ends
 
 
+def _least(values: Array) -> Array:
+    return np.nanmin(np.vstack([values, np.zeros(values.shape[1])]), axis=0)
+
+
 def _joined(
     asked: Asked,
     nominal: Nominal,
@@ -259,7 +251,7 @@ def _joined(
         number=tuple(numbers),
         source=tuple(each.path for each in asked.tolerances),
         end=ENDS,
-        combination=tuple(_named(asked, each) for each in asked.combinations),
+        combination=tuple(_said(asked, each) for each in asked.combinations),
         path=asked.paths,
         curve=tuple(curves),
         unit=tuple(each.unit for each in numbers.values()),
@@ -309,12 +301,11 @@ def _missing(values: Array) -> NDArray[np.int64]:
 
 def _ends(changes: Array) -> Array:
     """Lowest and highest change (n, 2), that of the case itself, 0, among them."""
-    every = np.vstack([changes, np.zeros(changes.shape[1])])
-    return np.stack([np.nanmin(every, axis=0), np.nanmax(every, axis=0)], axis=1)
+    return np.stack([_least(changes), -_least(-changes)], axis=1)
 
 
-def _moved(y: Array, log: Flags, changes: Array) -> Array:
-    """Points (n,) of curves moved by changes (n, 2), of logarithms where they are logarithmic."""
+def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
+    """Points of curves moved by changes, of logarithms where they are logarithmic."""
     changes = np.nan_to_num(changes)
     with np.errstate(over="ignore", invalid="ignore"):
         return np.where(
@@ -324,7 +315,7 @@ def _moved(y: Array, log: Flags, changes: Array) -> Array:
         )
 
 
-def _named(asked: Asked, combination: Mapping[str, Any]) -> str:
+def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
     """A combination in a few words."""
     return (
         ", ".join(f"{each.name} {combination[each.path]}" for each in asked.hypotheses)
