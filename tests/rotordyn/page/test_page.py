@@ -177,6 +177,7 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         "title: <b>Two</b> models\ncase: grinding_spindle\n"
         "vary:\n  spindle.bearings.*.model: [vex70, s6014e]\n"
         "  spindle.sleeves.rear.spring.preload: [600 N, 900 N, 1200 N]\nanalyses: [preload]\n"
+        "results: [preload]\n"
     )
     folder = tmp_path / "out"
     assert cli.main(["sweep", str(study), "-o", str(folder), "--no-figures", "--workers", "1"]) == 0
@@ -194,6 +195,8 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert values[at] == pytest.approx(np.array([0.6, 0.9, 1.2] * 2))
     number = names.index("preload: sum at 0 rpm [N]")
     assert values[number][0] == pytest.approx(float(rows[0].split(",")[3]), rel=1e-6)
+    varied = text[text.index("What was varied</h2>") : text.index("Trade-off</h2>")]
+    assert varied.count("<tr>") == 3
     (folder / "points.csv").unlink()
     assert cli.main(["report", str(folder)]) == 2
     assert "a study that is not complete" in capsys.readouterr().err
