@@ -191,6 +191,8 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert values[at] == pytest.approx(np.array([0.6, 0.9, 1.2] * 2))
     number = names.index("preload: sum at 0 rpm [N]")
     assert values[number][0] == pytest.approx(float(rows[0].split(",")[3]), rel=1e-6)
+    varied = text[text.index("What was varied</h2>") : text.index("Trade-off</h2>")]
+    assert varied.count("<tr>") == 3
     (folder / "points.csv").unlink()
     assert cli.main(["report", str(folder)]) == 2
     assert "a study that is not complete" in capsys.readouterr().err
