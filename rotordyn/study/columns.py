@@ -19,8 +19,8 @@ from rotordyn.results.kinds import Array
 MOST_ROWS = 500
 FEW = 12  # values that are listed
 ACROSS = 6  # numbers beside the parameters of parallel coordinates
-LEAST = 100  # px for each axis of parallel coordinates
-LONGEST = 34  # letters of its label
+LEAST, SIDES = 120, 115  # px from axis to axis of parallel coordinates, and for labels beside them
+LONGEST = 28  # letters of its label
 BLUE_TO_ORANGE = [[0.0, COLOURS[0]], [1.0, COLOURS[1]]]  # seen on light and on dark
 
 
@@ -178,9 +178,10 @@ def across(
         "line": {"color": colour.values[known], "colorscale": BLUE_TO_ORANGE},
         "labelangle": -12,
     }
-    layout = {"margin": {"l": 90, "r": 90, "t": 120, "b": 30}}
+    layout = {"margin": {"l": SIDES, "r": SIDES, "t": 120, "b": 30}}
+    least = LEAST * (len(chosen) - 1) + 2 * SIDES
     note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
-    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=LEAST * len(chosen))
+    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=least)
 
 
 def _different(columns: Sequence[Column]) -> list[Column]:
