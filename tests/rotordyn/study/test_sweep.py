@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from rotordyn.case.library import models_root
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job import restricted
-from rotordyn.study import neighbours, point, solve, workers
+from rotordyn.study import deliver, neighbours, point, solve, workers
 from rotordyn.study.journal import Journal
 from rotordyn.study.point import Outcome
 from rotordyn.study.read import read_study
@@ -180,6 +181,18 @@ def test_a_point_without_its_results_is_no_point(case: Case, tmp_path: Path) -> 
     assert journal.begin() == {0: solved}
     with pytest.raises(InvalidInput, match=r"00000000\.nc: cannot be read: remove it"):
         journal.datasets(solved)
+
+
+def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_path: Path) -> None:
+    study = study_of(case, {SPRING: ["800 N"]}, analyses=["preload"])
+    journal = Journal(tmp_path / "s", study)
+    assert journal.begin() == {}
+    journal.add(Outcome(0, {"preload: sum": (800.0, "N")}))
+    usage = SimpleNamespace(free=1000)
+    monkeypatch.setattr(deliver.shutil, "disk_usage", lambda folder: usage)
+    with pytest.raises(InvalidInput, match=r"s: cannot be written: No space left"):
+        deliver.deliver(study, tmp_path / "s", draw=False)
+    assert os.listdir(tmp_path / "s") == ["points.jsonl"]
 
 
 def test_models_stand_beside_the_file_of_the_study(
