@@ -175,6 +175,7 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         "title: <b>Two</b> models\ncase: grinding_spindle\n"
         "vary:\n  spindle.bearings.*.model: [vex70, s6014e]\n"
         "  spindle.sleeves.rear.spring.preload: [600 N, 900 N, 1200 N]\nanalyses: [preload]\n"
+        "results: [preload]\n"
     )
     folder = tmp_path / "out"
     assert cli.main(["sweep", str(study), "-o", str(folder), "--no-figures", "--workers", "1"]) == 0

@@ -81,23 +81,23 @@ def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
             assert np.array_equal(whole, alone["campbell"]["frequency"].values, equal_nan=True)
 
 
-@pytest.mark.parametrize(("well_below", "looked"), [(0.5, [0, 3]), (0.0, [0, 1, 2, 3, 4])])
-def test_errors_are_looked_for_at_some_points_and_at_all_where_they_are_large(
-    case: Case, monkeypatch: pytest.MonkeyPatch, well_below: float, looked: list[int]
+@pytest.mark.parametrize(("small", "checked"), [(0.5, [0, 3]), (0.0, [0, 1, 2, 3, 4])])
+def test_some_points_are_checked_and_all_where_errors_are_large(
+    case: Case, monkeypatch: pytest.MonkeyPatch, small: float, checked: list[int]
 ) -> None:
     """And numbers are those of single runs."""
-    monkeypatch.setattr(neighbours, "WELL_BELOW", well_below)
-    monkeypatch.setattr(neighbours, "EVERY", 3)
+    monkeypatch.setattr(neighbours, "SMALL", small)
+    monkeypatch.setattr(neighbours, "PER_CHECK", 3)
     asked = {SPRING: Span(800.0, 1600.0, 5)}
     study, held = study_of(case, asked, analyses=["preload", "campbell"]), neighbours.Neighbours()
     found = [point.outcome(study, k, held) for k in range(5)]
-    assert [each.number for each in found if each.error is not None] == looked
+    assert [each.number for each in found if each.error is not None] == checked
     assert all(0.0 < each.error < 1.0 for each in found if each.error is not None)
     alone = {name: value for name, (value, _) in point.outcome(study, 4).numbers.items()}
     here = {name: value for name, (value, _) in found[4].numbers.items()}
     assert here == pytest.approx(alone, rel=1e-12, nan_ok=True)
     said = summary(study, {each.number: each for each in found})
-    assert f"errors by refinement, at {len(looked)} points: at most" in said
+    assert f"errors by refinement, at {len(checked)} points: at most" in said
 
 
 def test_several_processes_give_the_same(case: Case) -> None:
@@ -121,6 +121,11 @@ def test_a_study_goes_on_where_it_was_stopped(case: Case, tmp_path: Path) -> Non
     _study(case, workers=1, folder=tmp_path / "s")
     journal = tmp_path / "s" / "points.jsonl"
     lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(lines[0][:9])  # cut short while it was begun
+    _study(case, workers=1, folder=tmp_path / "s")
+    assert [json.loads(line)["point"] for line in journal.read_bytes().splitlines()[1:]] == [
+        *range(4)
+    ]
     journal.write_bytes(b"".join(lines[:3]) + lines[3][:40])  # cut short while it was written
     done: list[int] = []
     again = _study(case, workers=1, folder=tmp_path / "s", progress=lambda k, _: done.append(k))
@@ -139,9 +144,11 @@ def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="and no study"):
         _study(case, folder=tmp_path / "mine")
     (tmp_path / "odd").mkdir()
-    (tmp_path / "odd" / "points.jsonl").write_text("[1, 2]\n")
-    with pytest.raises(InvalidInput):
-        _study(case, folder=tmp_path / "odd")
+    for words in ("[1, 2]\n", "notes"):
+        (tmp_path / "odd" / "points.jsonl").write_text(words)
+        with pytest.raises(InvalidInput):
+            _study(case, folder=tmp_path / "odd")
+        assert (tmp_path / "odd" / "points.jsonl").read_text() == words
     assert os.listdir(tmp_path / "mine") == ["notes.txt"]
 
 
