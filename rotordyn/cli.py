@@ -5,13 +5,14 @@ from __future__ import annotations
 import _thread
 import argparse
 import io
+import math
 import os
 import signal
 import sys
 import textwrap
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 LATER = 0.05  # s after which what swallowed Ctrl-C has ended
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing, material, study, optimum or identification"
-EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
+EXIT_CODES = """exit codes: 0 done; 2 bad input or too costly; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
 
@@ -328,18 +329,17 @@ def _run(arguments: argparse.Namespace) -> int:
         _say(delivery.plan)
     if delivery.unsolved:
         _complain(f"not solved: {delivery.unsolved[0]}")
-        if "interrupted" in delivery.unsolved[0]:
-            return 130
-        return 3 if arguments.strict else 0
-    return 0
+    if delivery.stop is not None:
+        return exit_code(delivery.stop)
+    return 3 if delivery.unsolved and arguments.strict else 0
 
 
 def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
-    """What a run may take, unless the user has said yes to more."""
+    """What a run may take, anything where the user says yes; ended, it keeps what is finished."""
     from rotordyn.allowance import LONGEST, within
 
     if arguments.yes:
-        return nullcontext()
+        return within(math.inf, math.inf)
     seconds = LONGEST if arguments.longest is None else arguments.longest
     if not seconds > 0.0:
         raise InvalidInput(f"--longest {seconds:g}: allowed are seconds above 0")

@@ -14,7 +14,8 @@ from bearings.arguments import typed
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
-from rotordyn.job.results import DATE, Origin, Part, Results, labelled
+from rotordyn.job.results import DATE, Origin, Part, Results
+from rotordyn.job.solving import labelled
 
 if TYPE_CHECKING:
     import xarray as xr
