@@ -211,6 +211,7 @@ def test_more_responses_than_allowed_are_refused_before_they_are_solved(
 FINALISER = """
 import os, signal, sys, time
 from rotordyn import cli
+from rotordyn.cli import signals, solving
 
 class Finalised:
     def __del__(self):
@@ -218,12 +219,12 @@ class Finalised:
         time.sleep(0.01)
 
 def run(arguments):
-    cli._heed_signals()
+    signals.heed_signals()
     Finalised()
     time.sleep(5.0)
     return 0
 
-cli._run = run
+solving.run = run
 sys.exit(cli.main(["run", "case.yaml"]))
 """
 
