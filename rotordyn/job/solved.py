@@ -197,21 +197,25 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
 
 def _alone(case: Case, progress: Progress) -> Solution:
     answers = solve(case, progress)
-    missing = tuple(name for name in case.analyses if name not in answers.results)
-    finished = restricted(case, tuple(answers.results)) if missing else case
+    finished, missing = _finished(case, answers)
     return Solution(finished, {"": (finished, answers)}, stop=answers.stop, missing=missing)
 
 
+def _finished(case: Case, answers: Answers) -> tuple[Case, tuple[str, ...]]:
+    """``case`` with the analyses that have results, and names of the others."""
+    missing = tuple(name for name in case.analyses if name not in answers.results)
+    return restricted(case, tuple(answers.results)) if missing else case, missing
+
+
 def _variants(case: Case, progress: Progress) -> Solution:
-    solved, cases = solve_variants(case, progress), labelled(case)
+    solved = solve_variants(case, progress)
+    first, answers = next(iter(solved.answers.items()))
+    finished, analyses = _finished(case, answers)
+    cases = labelled(finished)
     parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
-    missing = tuple(name for name in cases if name not in {*solved.answers, *solved.failed})
+    missing = [f"{name} of variant {first}" for name in analyses]
+    if later := [name for name in cases if name not in {*solved.answers, *solved.failed}]:
+        after = f" and {len(later) - 1} after it" * (len(later) > 1)
+        missing.append(f"variant {later[0]}{after}")
     lost = tuple(solved.failed.values())
-    return Solution(case, parts, lost, stop=solved.stop, missing=_variants_from(missing))
-
-
-def _variants_from(missing: tuple[str, ...]) -> tuple[str, ...]:
-    """Variants that were not begun or not finished, as one phrase."""
-    if not missing:
-        return ()
-    return (f"variant {missing[0]}" + f" and {len(missing) - 1} after it" * (len(missing) > 1),)
+    return Solution(finished, parts, lost, stop=solved.stop, missing=tuple(missing))

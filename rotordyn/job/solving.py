@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class VariantAnswers:
     """Answers by the name of the variant; ``failed``: why others have none at any speed; ``stop``:
-    what ended the run before all were solved."""
+    what ended the run before all were solved, in the first one after some of its analyses."""
 
     answers: dict[str, Answers]
     failed: dict[str, str] = field(default_factory=dict)
@@ -60,15 +60,17 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     for name, variant in case.variants.items():
         try:
             answers = solve(variant, partial(_part, progress, name), memo)
-            if answers.stop is not None:
-                raise answers.stop
-            solved.answers[name] = answers
         except NoSolution as error:
             solved.failed[name] = f"variant {name}: {error}"
+            continue
         except STOPS as stop:
             if not (solved.answers and keeps_finished()):
                 raise
             return replace(solved, stop=stop)
+        if answers.stop is None or not solved.answers:
+            solved.answers[name] = answers
+        if answers.stop is not None:
+            return replace(solved, stop=answers.stop)
     if not solved.answers:
         raise NoSolution("; ".join(solved.failed.values()))
     return solved

@@ -145,6 +145,18 @@ def test_variants_before_the_end_are_kept(
     assert "variant a: no speed has a solution" in results.unsolved
 
 
+def test_analyses_of_the_first_variant_are_kept(
+    tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+    assert ended(VARIANTS, tmp_path) == 130
+    sentence = "not solved: frf of variant a, variant b and 2 after it left out: interrupted"
+    assert sentence in capsys.readouterr().err
+    results = rotordyn.open(tmp_path / "out")
+    assert list(results) == ["a/campbell"]
+    assert results.plot("campbell")
+
+
 def test_what_is_finished_before_its_interval_is_kept(tmp_path: Path) -> None:
     """Machines that are not begun any more are not taken as machines without a solution."""
     (tmp_path / "case.yaml").write_text(UNCERTAIN, encoding="utf-8")
