@@ -34,8 +34,13 @@ class Fault:
     message: str
 
     def __str__(self) -> str:
-        where = f"{self.file}:{max(self.line, 1)}:{max(self.column, 1)}"
+        where = f"{printable(self.file)}:{max(self.line, 1)}:{max(self.column, 1)}"
         return f"{where}: {self.path}: {self.message}" if self.path else f"{where}: {self.message}"
+
+
+def printable(text: str) -> str:
+    """``text`` on one line, control characters as spaces."""
+    return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 class RotordynError(Exception):

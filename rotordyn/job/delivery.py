@@ -218,7 +218,7 @@ def _write_case(case: Case, folder: Path) -> None:
     from rotordyn.case.archive import archived
     from rotordyn.report.folder import CASE
 
-    text = json.dumps(archived(case), ensure_ascii=False, allow_nan=False)
+    text = json.dumps(archived(case), allow_nan=False)
     (folder / CASE).write_text(text + "\n", encoding="utf-8")
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from bearings.arguments import typed
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, printable
 from rotordyn.markup import preformatted, table
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Origin:
 
 def inputs_of(case: Case) -> tuple[str, ...]:
     """The files read, each by its folder and name."""
-    return tuple(f"{path.parent.name}/{path.name}" for path in case.files)
+    return tuple(printable(f"{path.parent.name}/{path.name}") for path in case.files)
 
 
 class Results(Mapping[str, "xr.Dataset"]):
