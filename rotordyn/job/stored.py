@@ -48,10 +48,13 @@ class StoredResults(Results):
         self._record = read_record(folder)
         self._folder = folder.resolve()
         try:
+            for name in ("results.nc", "summary.txt", CASE):
+                if not (folder / name).is_file():
+                    raise FileNotFoundError(f"no file {name}")
             self._datasets = read_results(folder / "results.nc")
             self._summary = (folder / "summary.txt").read_text(encoding="utf-8").rstrip("\n")
             self._case_text = (folder / CASE).read_text(encoding="utf-8")
-        except OSError as error:
+        except (OSError, ValueError) as error:
             raise InvalidInput(
                 f"{folder} is not complete beside its {RECORD} ({error}): run the case again"
             ) from None

@@ -13,7 +13,7 @@ from typing import Any
 
 import rotordyn
 from rotordyn.errors import InvalidInput
-from rotordyn.report.folder import MARKER, RECORD
+from rotordyn.report.folder import MARKER, RECORD, record_in
 
 FORMAT = 2
 _LIBRARIES = (
@@ -95,11 +95,8 @@ def read_record(folder: Path) -> dict[str, Any]:
     ------
     InvalidInput : there is none, or another version wrote it in another form
     """
-    try:
-        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        record = None
-    if not isinstance(record, dict) or MARKER not in record:
+    record = record_in(folder)
+    if record is None:
         raise InvalidInput(
             f"{str(folder)[:300]} is no results folder: it holds no {RECORD} of rotordyn"
         )
