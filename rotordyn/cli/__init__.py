@@ -27,6 +27,9 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
         complain(why)
         return 2
+    except MemoryError:
+        complain("out of memory: take fewer speeds, steps or points, or give it more memory")
+        return 2
     except BaseException as error:
         stop = interruption(error)
         if stop is None:
