@@ -85,7 +85,7 @@ def _formats(words: str | None) -> tuple[str, ...]:
     names = tuple(dict.fromkeys(word.strip().lower().lstrip(".") for word in words.split(",")))
     for word in names:
         if word not in FORMATS:
-            raise InvalidInput(f"--format {word}: figures are written as {', '.join(FORMATS)}")
+            raise InvalidInput(f"--format {word:.200}: figures are written as {', '.join(FORMATS)}")
     return names
 
 

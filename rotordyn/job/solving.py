@@ -107,7 +107,7 @@ def one_variant(case: Case, name: str) -> Case:
     """
     if name not in case.variants:
         known = ", ".join(case.variants) or "none, this case compares nothing"
-        raise InvalidInput(f"--variant {name}: the variants of this case are {known}")
+        raise InvalidInput(f"--variant {name:.200}: the variants of this case are {known}")
     return replace(case.variants[name], name=f"{case.name}_{name}")
 
 

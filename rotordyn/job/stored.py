@@ -65,13 +65,14 @@ class StoredResults(Results):
 
         try:
             case = restored(json.loads(self._case_text))
-        except (InvalidInput, BearingError, ValueError) as error:
+            if not isinstance(case, Case):
+                raise ValueError("it is none")
+        except (InvalidInput, BearingError, ValueError, RecursionError) as error:
             by = self._record["versions"]["rotordyn"]
             raise InvalidInput(
                 f"the case in {self._folder}, written by rotordyn {by}, cannot be read ({error}): "
                 "load its file with rotordyn.load and run it"
             ) from None
-        assert isinstance(case, Case)
         return case
 
     @property

@@ -67,13 +67,16 @@ class Journal:
 
         Raises
         ------
-        InvalidInput : they are of another study, or of none
+        InvalidInput : they are of another study, or of none, or cannot be read
         """
         path = self.folder / JOURNAL
-        if not path.exists():
-            self._require_free()
-            return {}
-        raw = path.read_bytes()
+        try:
+            if not path.is_file():
+                self._require_free()
+                return {}
+            raw = path.read_bytes()
+        except OSError as error:
+            raise InvalidInput(f"{self.folder}: cannot be read: {error.strerror}") from None
         whole = raw[: raw.rfind(b"\n") + 1]
         lines = whole.splitlines()
         try:
@@ -84,7 +87,7 @@ class Journal:
                     "points): choose another folder, or remove that one"
                 )
             found = dict(map(_read, entries[1:]))
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             raise InvalidInput(f"{path}: is no record of a study: choose another folder") from None
         if len(whole) < len(raw):
             os.truncate(path, len(whole))

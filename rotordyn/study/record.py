@@ -27,7 +27,7 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
     head = {kind: signature}
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
+        if not path.is_file():
             if any(path.parent.iterdir()):
                 raise InvalidInput(
                     f"{path.parent}: is a folder with other things in it, and no {kind}: choose "
@@ -42,7 +42,7 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
     try:
         first, *lines = [json.loads(line) for line in whole.splitlines()]
-    except ValueError:
+    except (ValueError, RecursionError):
         raise unreadable(path, what) from None
     if first != head:
         raise InvalidInput(
