@@ -125,9 +125,18 @@ def test_the_curve_of_a_sleeve_that_slides_does_not_follow_the_steps() -> None:
     assert curves[0][-1] < 0.999 * smooth[-1], "friction makes it stiffer"
 
 
-def _curve(steps: int, limit: float = FRICTION) -> np.ndarray[Any, Any]:
-    spec = StiffnessSpec(point="Oc2", max_force=3000.0, steps=steps, variants=("nonlinear",))
-    result = stiffness_answer(scene(rubbing(limit), [0.0]), spec)
+def test_a_sleeve_that_slides_back_rubs_from_where_it_turns() -> None:
+    """The force of the curve takes a static one away, then passes it."""
+    pull = (PointLoad(at="Oc2", Fy=-2500.0),)
+    curves = [_curve(steps, most=5000.0, loads=pull) for steps in (4, 16)]
+    assert curves[0][1:] == pytest.approx(curves[1][4::4], rel=1e-7)
+
+
+def _curve(
+    steps: int, limit: float = FRICTION, most: float = 3000.0, **conditions: Any
+) -> np.ndarray[Any, Any]:
+    spec = StiffnessSpec(point="Oc2", max_force=most, steps=steps, variants=("nonlinear",))
+    result = stiffness_answer(scene(rubbing(limit), [0.0], **conditions), spec)
     return np.asarray(result.deflection[0, 0])
 
 
