@@ -25,15 +25,15 @@ def arrange(tree: Node, faults: Faults) -> None:
     for key in ("arrangement", "bearings"):  # variants may share what an override wrote
         if key in tree.value:
             tree.value[key] = tree.value[key].copy()
-    own = tree.value["arrangement"]
-    name, listed = own.child("set"), own.child("bearings")
+    given = tree.value["arrangement"]
+    name, listed = given.child("set"), given.child("bearings")
     names = listed.plain() if listed is not None and isinstance(listed.value, list) else []
     seats = {seat.name: seat for seat in _seats(tree)}
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
         _thrusts(name, held)
     if held:
-        _class(own, held[0], faults)
+        _class(given, held[0], faults)
 
 
 def _seats(tree: Node) -> list[Node]:
@@ -43,6 +43,7 @@ def _seats(tree: Node) -> list[Node]:
 
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
+    """Gives seats without a thrust that of the set, drawn or mirrored as the others have theirs."""
     given = [seat.child("thrust") for seat in seats]
     named = patterns(name.value) if name.value in SETS else ()
     known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
@@ -56,9 +57,9 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
             seat.value["thrust"] = replace(name, value=WORDS[sign])
 
 
-def _class(own: Node, seat: Node, faults: Faults) -> None:
+def _class(given: Node, seat: Node, faults: Faults) -> None:
     """Replaces the class of a preload by the force that the bearing's model prints for it."""
-    preload = own.child("preload")
+    preload = given.child("preload")
     if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
         return
     asked = preload.value.pop("class")

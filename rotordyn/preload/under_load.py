@@ -25,7 +25,7 @@ from rotordyn.preload.state import PreloadState
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
-NOTHING = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
+LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
 REAL = 1e-12
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
 
@@ -66,7 +66,7 @@ def contact_loss(
     for seat in range(lost_at.shape[1]):
         lightest = np.stack([each[seat].min(axis=1) for each in every])
         for row in np.flatnonzero(lightest[0] > 0.0):
-            lost = np.flatnonzero(lightest[:, row] <= NOTHING * lightest[0, row])
+            lost = np.flatnonzero(lightest[:, row] <= LOST * lightest[0, row])
             if lost.size:
                 approach = lightest[: lost[0], row] ** (2.0 / 3.0)
                 lost_at[row, seat] = _zero(shares[: lost[0] + 1], approach)
@@ -162,15 +162,16 @@ def _as_state(
     converged = np.array([word == "" for word in words])
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
-    still = _by_seat(state.still, balance.bearings)
-    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+    mounted = _by_seat(state.mounted, balance.bearings)
+    state = replace(state, network=network, mounted=mounted, net=net)
+    return replace(state, outcome=words, lateral=lateral)
 
 
-def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:
+def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:
     """The network at rest with a column for every seat, of ``bearings`` that stand for each."""
-    one = still.response
-    each = replace(one, load=one.load[:, list(bearings)], slope=one.slope[:, list(bearings)])
-    return replace(still, response=each)
+    one = mounted.response
+    each = replace(one, load=one.load[:, bearings], slope=one.slope[:, bearings])
+    return replace(mounted, response=each)
 
 
 def _apart(joined: Arrangement) -> Arrangement:

@@ -181,9 +181,8 @@ def _new_workshop(target: Path, stack: ExitStack) -> Path:
             lock = locked(workshop)
             if lock is not None:
                 stack.callback(os.close, lock)
-            if (
-                workshop.exists()
-            ):  # another run may have taken it for one left over, before the lock
+            # Before the lock another run may have taken it for one left over.
+            if workshop.exists():
                 stack.callback(shutil.rmtree, workshop, ignore_errors=True)
                 return workshop
 

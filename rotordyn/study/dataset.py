@@ -14,6 +14,7 @@ from rotordyn.study.point import Outcome, Study
 if TYPE_CHECKING:
     import xarray as xr
 
+DATASET = "study.nc"
 POINT = "point"
 OF_RESULTS = ": "  # in the name of a variable that belongs to an analysis, not in those of paths
 

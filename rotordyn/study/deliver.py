@@ -11,13 +11,13 @@ from pathlib import Path
 
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.study.dataset import DATASET
 from rotordyn.study.figures import figures
 from rotordyn.study.point import Study
 from rotordyn.study.solve import Progress, solved
-from rotordyn.study.summary import summary, write_points
+from rotordyn.study.summary import SUMMARY, summary, write_points
 from rotordyn.whole import whole_files
 
-DATASET, SUMMARY = "study.nc", "summary.txt"
 LEAST_ROOM = 1_000_000  # bytes that a disk has left
 
 
@@ -53,6 +53,7 @@ def deliver(
     try:
         _require_room(folder, 2 * data.nbytes + LEAST_ROOM)
         with whole_files(folder) as place:
+            # NetCDF lists the names of such coordinates between spaces.
             spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
             data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
             write_points(place, study, outcomes)

@@ -202,6 +202,12 @@ def is_whole(value: object, least: int, most: float = math.inf) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
+def require_whole(name: str, value: object, least: int) -> None:
+    """Refuse a value given in Python that is no whole number from ``least`` up."""
+    if not is_whole(value, least):
+        raise InvalidInput(f"{name}: given {shown(value)}; allowed: a whole number from {least} up")
+
+
 def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
     """Every path that is varied.
 

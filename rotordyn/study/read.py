@@ -41,7 +41,7 @@ def read_study(path: str | Path) -> Study:
     try:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
-        word = str(refusal).partition(":")[0]
+        word = str(refusal).partition(":")[0]  # sentences begin with the key, where there is one
         at = (word,) if read.root.child(word) else ()
         raise read.refused(at, str(refusal).removeprefix(f"{word}: " if at else "")) from None
 
@@ -55,9 +55,9 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
     NoSolution : the case as it stands has none
     """
     read = _opened(path, OptimumFile)
+    from rotordyn.study.optimum.goals import Goal, Limit
     from rotordyn.study.optimum.problem import as_it_stands
     from rotordyn.study.optimum.solve import problem_of
-    from rotordyn.study.optimum.wish import Goal, Limit
 
     wishes: dict[str, list[Any]] = {"goals": [], "limits": []}
     for key, kind in (("goals", Goal), ("limits", Limit)):
@@ -72,7 +72,7 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
                 raise read.refused((key, k), str(refusal)) from None
-    try:
+    try:  # sentences on a goal or limit quote what it reads, which finds its line
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:
@@ -148,7 +148,7 @@ def case_of(reference: str, root: Node) -> Case:
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
-    """What is asked of every path; faults are reported at their lines."""
+    """Values or span of every path; faults are reported at their lines."""
     if not isinstance(node.value, dict) or not node.value:
         reading.faults.at(node, (), "nothing is varied: map at least one dotted path to values")
         return {}
@@ -156,6 +156,7 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
 
 
 def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
+    """Values or span of one path, whose ends have the unit of what stands there in the case."""
     before = len(reading.faults.reported)
     asked: Any = None
     if isinstance(node.value, dict):

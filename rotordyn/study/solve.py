@@ -18,17 +18,19 @@ from rotordyn.field import shown
 from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
 from rotordyn.quantity import suggestion
+from rotordyn.study import record
 from rotordyn.study.dataset import gathered
 from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
-from rotordyn.study.parameter import is_whole
+from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_point
 from rotordyn.study.workers import solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
     import xarray as xr
 
-LONG = 3600.0  # s that a study may take unasked
+HOUR = 3600.0  # s
+LONG = HOUR  # that a study may take unasked
 LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
 Progress = Callable[[int, int], None]
 
@@ -127,12 +129,13 @@ def solved(
     yes: bool = False,
 ) -> tuple[xr.Dataset, dict[int, Outcome]]:
     """The Dataset of a study and the outcome of every point; see ``sweep``."""
-    if workers is not None and not is_whole(workers, 1):
-        raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
+    if workers is not None:
+        require_whole("workers", workers, 1)
     count, most = study.design.count, workers or processors()
     with _place(folder) as place:
-        with Journal(place, study) as journal:
-            found = journal.known()
+        journal = Journal(place, study)
+        with record.alone(place, "points"):
+            found = journal.begin()
             progress(len(found), count)
             for outcome in _outcomes(study, found, most, cluster, yes=yes):
                 journal.add(outcome)
@@ -160,7 +163,7 @@ def _outcomes(
     if least > LONG and not unasked:
         raise InvalidInput(
             f"the study has {study.design.count} points, {len(left)} of them to solve: about "
-            f"{least / LONG:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
+            f"{least / HOUR:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
             "points"
         )
     if cluster is not None:

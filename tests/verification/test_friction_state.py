@@ -24,7 +24,7 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, length, moments
+from rotordyn.preload.history import Moment, moments, most_moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
@@ -125,9 +125,18 @@ def test_the_curve_of_a_sleeve_that_slides_does_not_follow_the_steps() -> None:
     assert curves[0][-1] < 0.999 * smooth[-1], "friction makes it stiffer"
 
 
-def _curve(steps: int, limit: float = FRICTION) -> np.ndarray[Any, Any]:
-    spec = StiffnessSpec(point="Oc2", max_force=3000.0, steps=steps, variants=("nonlinear",))
-    result = stiffness_answer(scene(rubbing(limit), [0.0]), spec)
+def test_a_sleeve_that_slides_back_rubs_from_where_it_turns() -> None:
+    """The force of the curve takes a static one away, then passes it."""
+    pull = (PointLoad(at="Oc2", Fy=-2500.0),)
+    curves = [_curve(steps, most=5000.0, loads=pull) for steps in (4, 16)]
+    assert curves[0][1:] == pytest.approx(curves[1][4::4], rel=1e-7)
+
+
+def _curve(
+    steps: int, limit: float = FRICTION, most: float = 3000.0, **conditions: Any
+) -> np.ndarray[Any, Any]:
+    spec = StiffnessSpec(point="Oc2", max_force=most, steps=steps, variants=("nonlinear",))
+    result = stiffness_answer(scene(rubbing(limit), [0.0], **conditions), spec)
     return np.asarray(result.deflection[0, 0])
 
 
@@ -213,7 +222,7 @@ def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
     speeds = [10.0, 20.0, 30.0]
     before, through, after = moments(Past(steps), speeds, 0.0)
     assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
-    assert length(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+    assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
 
 
 def test_a_history_longer_than_allowed_is_refused_before_it_begins(

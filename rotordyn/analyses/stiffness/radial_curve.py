@@ -16,7 +16,7 @@ from rotordyn.preload.balance import Balance, Point
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
-NOTHING = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
+LOST = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -75,7 +75,7 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     outcome = np.full(len(start), "", dtype=object)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
-    least = NOTHING * here.lightest
+    least = LOST * here.lightest
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan

@@ -18,7 +18,7 @@ from rotordyn.results.declaration import declared
 from rotordyn.results.kinds import Array
 from rotordyn.units import parse_unit
 
-ALIKE = 1e-9  # of a coordinate: the same place
+ALIKE = 1e-9  # relative difference of coordinates that are the same
 
 
 class Reading(NamedTuple):
@@ -149,18 +149,18 @@ def amount(given: object, unit: str) -> float:
     ------
     InvalidInput : no number; a unit of another kind than ``unit``
     """
-    word, _, its = str(given).strip().partition(" ")
+    word, _, suffix = str(given).strip().partition(" ")
     try:
         value = float(word)
-        own, to = parse_unit(its), parse_unit(unit) if unit not in ("", "-") else None
+        written, printed = parse_unit(suffix), parse_unit(unit) if unit not in ("", "-") else None
     except (ValueError, InvalidInput):
-        if its and its == unit:
+        if suffix and suffix == unit:  # such as "1e6 mm/min", a unit of prints alone
             return float(word)
         raise InvalidInput(
             f"not a number with a unit: given {shown(given)}" + (f", in {unit}" if unit else "")
         ) from None
-    if to is None:
-        return value * own.scale
-    if isinstance(given, str) and own.dimension != to.dimension:
+    if printed is None:
+        return value * written.scale
+    if isinstance(given, str) and written.dimension != printed.dimension:
         raise InvalidInput(f"expected a number in {unit}: given {shown(given)}")
-    return value * (own.scale if isinstance(given, str) else 1.0) / to.scale
+    return value * (written.scale if isinstance(given, str) else 1.0) / printed.scale

@@ -18,11 +18,10 @@ from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.quantity import Quantity
 from rotordyn.study.optimum.problem import Problem, Trial
-from rotordyn.study.optimum.solve import Optimum, Progress
-from rotordyn.study.optimum.summary import summary, write_about, write_trials
+from rotordyn.study.optimum.solve import Optimum
+from rotordyn.study.optimum.summary import BEST, SUMMARY, summary, write_about, write_trials
+from rotordyn.study.solve import Progress
 from rotordyn.whole import whole_files
-
-BEST, SUMMARY = "best.yaml", "summary.txt"
 
 
 def deliver(
