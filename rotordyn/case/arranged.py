@@ -32,6 +32,7 @@ def arrange(tree: Node, faults: Faults) -> None:
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
         _thrusts(name, held)
+    _sleeves(tree, own, faults)
     if held:
         _class(own, held[0], faults)
 
@@ -40,6 +41,21 @@ def _seats(tree: Node) -> list[Node]:
     listed = tree.child("bearings")
     found = listed.value if listed is not None and isinstance(listed.value, list) else []
     return [seat for seat in found if isinstance(seat.value, dict)]
+
+
+def _sleeves(tree: Node, own: Node, faults: Faults) -> None:
+    """A sleeve of the set's name would be replaced by the one that the set makes."""
+    called, sleeves = own.child("name"), tree.child("sleeves")
+    word = "set" if called is None else called.value
+    for sleeve in sleeves.value if sleeves is not None and isinstance(sleeves.value, list) else []:
+        name = sleeve.child("name") if isinstance(sleeve.value, dict) else None
+        if name is not None and name.value == word and own.child("preload") is not None:
+            faults.at(
+                name,
+                (),
+                f"the sleeve {units.shown(word)} is that of the arrangement: say in the preload "
+                "of the arrangement what it shall be, or name one of both otherwise",
+            )
 
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
@@ -74,5 +90,7 @@ def _class(own: Node, seat: Node, faults: Faults) -> None:
             f"{units.shown(asked.plain())}; allowed: {allowed}",
         )
         preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
-    elif "class_force" not in preload.value:
+    elif "class_force" in preload.value:
+        faults.at(asked, (), "a class gives a class_force: given both; leave one of both out")
+    else:
         preload.value["class_force"] = replace(known[asked.value], key=asked.key)
