@@ -89,10 +89,8 @@ class SetPreload(Description):
                 ("stiffness",),
                 f"a spring has a force as mounted: given beside {given[0]}; allowed: with force",
             )
-        for key, acts in (
-            ("stop_travel", self.stop_travel < math.inf),
-            ("friction", self.friction),
-        ):
+        acting = {"stop_travel": self.stop_travel < math.inf, "friction": self.friction > 0.0}
+        for key, acts in acting.items():
             if acts and math.isinf(self.spring.stiffness):
                 yield (
                     (key,),

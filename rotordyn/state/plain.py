@@ -162,7 +162,8 @@ def _bearings(
         count.append(_count(one.get("n", 1), f"{at}, n"))
         named = one.get("law")
         several = named if isinstance(named, list | tuple) and named else [named]
-        first.append([laws[_known(each, laws, at, "law")] for each in several][0])
+        known = [laws[_known(each, laws, at, "law")] for each in several]
+        first.append(known[0])
         rest.append(_rest(one, first[-1], at))
     bearings = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
     return bearings, tuple(first)
@@ -310,7 +311,7 @@ def _list(given: Plain, key: str) -> list[Any]:
     return list(value)
 
 
-def _mapping(given: Plain, key: str, at: str = "") -> Plain:
+def _mapping(given: Plain, key: str, at: str = "") -> Mapping[Any, Any]:
     value = given.get(key, {})
     if not isinstance(value, Mapping):
         _refuse(f"{at}, {key}".removeprefix(", "), f"given {shown(value)}; allowed: a mapping")

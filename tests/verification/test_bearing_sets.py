@@ -272,7 +272,7 @@ def test_friction_and_stop_of_a_set_are_those_of_its_sleeve() -> None:
     named = spindle("DB", way)
     sleeve = Sleeve("set", ("b",), Spring(600.0, 5e6), stop_travel=20e-6, friction=40.0)
     assert named.sleeves == (sleeve,)
-    with pytest.raises(InvalidInput, match="sleeves.set.friction: changes nothing"):
+    with pytest.raises(InvalidInput, match=r"sleeves\.set\.friction: changes nothing"):
         rotordyn.vary(named, {"sleeves.set.friction": 50.0})
     assert rotordyn.vary(named, {"arrangement.preload.friction": 50.0}).sleeves[0].friction == 50.0
 
