@@ -34,7 +34,7 @@ def arrange(tree: Node, faults: Faults) -> None:
         _thrusts(name, held)
     _sleeves(tree, own, faults)
     if held:
-        _class(own, held[0], faults)
+        _class(own, held, faults)
 
 
 def _seats(tree: Node) -> list[Node]:
@@ -60,7 +60,7 @@ def _sleeves(tree: Node, own: Node, faults: Faults) -> None:
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
     given = [seat.child("thrust") for seat in seats]
-    named = patterns(name.value) if name.value in SETS else ()
+    named = patterns(name.value) if name.value in [*SETS] else ()
     known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
     fitting = [
         signs
@@ -72,25 +72,43 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
             seat.value["thrust"] = replace(name, value=WORDS[sign])
 
 
-def _class(own: Node, seat: Node, faults: Faults) -> None:
-    """Replaces the class of a preload by the force that the bearing's model prints for it."""
+def _class(own: Node, seats: list[Node], faults: Faults) -> None:
+    """Replaces the class of a preload by the force that the bearings' model prints for it."""
     preload = own.child("preload")
     if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
         return
     asked = preload.value.pop("class")
+    printed = [_printed(seat) for seat in seats]
+    why = _unclear(asked, seats, printed)
+    if not why and "class_force" in preload.value:
+        why = "a class gives a class_force: given both; leave one of both out"
+    if why:
+        faults.at(asked, (), why)
+        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
+    else:
+        preload.value["class_force"] = replace(printed[0][asked.value], key=asked.key)
+
+
+def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> str:
+    """Why no force follows from the class that is asked for."""
+    for seat, known in zip(seats, printed, strict=True):
+        if asked.value not in [*known]:
+            allowed = ", ".join(known) or "none, its model prints no preloads"
+            return (
+                f"bearing {seat.name} has no such class of preload: given "
+                f"{units.shown(asked.plain())}; allowed: {allowed}"
+            )
+    forces = dict.fromkeys(str(known[asked.value].value) for known in printed)
+    if len(forces) == 1:
+        return ""
+    return (
+        f"the bearings of the set have other forces of this class: {', '.join(forces)}; give a "
+        "class_force instead"
+    )
+
+
+def _printed(seat: Node) -> dict[str, Node]:
+    """Forces of the classes that the model of a bearing prints."""
     printed = exact(seat, ("model", "preloads")) or exact(seat, ("model", "estimate", "preloads"))
     forces = printed.value if printed is not None and isinstance(printed.value, list) else []
-    known = dict(zip(CLASSES, forces, strict=False))
-    if asked.value not in known:
-        allowed = ", ".join(known) or "none, its model prints no preloads"
-        faults.at(
-            asked,
-            (),
-            f"bearing {seat.name} has no such class of preload: given "
-            f"{units.shown(asked.plain())}; allowed: {allowed}",
-        )
-        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
-    elif "class_force" in preload.value:
-        faults.at(asked, (), "a class gives a class_force: given both; leave one of both out")
-    else:
-        preload.value["class_force"] = replace(known[asked.value], key=asked.key)
+    return dict(zip(CLASSES, forces, strict=False))

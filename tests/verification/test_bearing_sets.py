@@ -244,6 +244,12 @@ def test_a_class_that_a_bearing_does_not_have(tmp_path: Path) -> None:
     ("old", "new", "words"),
     [
         ("bearings: [front, rear], preload: {class", "bearings: front, preload: {class", "a list"),
+        ("{class: medium}}", "{class: [medium]}}", "no such class of preload: given"),
+        (
+            "arrangement: {set: DB",
+            "arrangement: {set: [DB]",
+            "arrangement.set: not one of its choices",
+        ),
         ("{class: medium}}", "{class: medium, class_force: 300 N}}", "class: a class gives"),
         (
             "sleeves: []",
@@ -254,6 +260,16 @@ def test_a_class_that_a_bearing_does_not_have(tmp_path: Path) -> None:
             "sleeves: []",
             "sleeves: [{name: s, bearings: [rear], spring: {preload: 1 N, stiffness: rigid}}]",
             "'s', and the arrangement bears it by its preload: leave one of both out",
+        ),
+        (
+            "{name: rear, model: kh6014e",
+            "{name: rear, model: vex70",
+            "the bearings of the set have other forces of this class: 570 N, 610 N",
+        ),
+        (
+            "{name: rear, model: kh6014e",
+            "{name: rear, model: lacroix_r24_14",
+            "bearing rear has no such class",
         ),
         ("housing: JS6}", "housing: JS6, housing_diameter: 5 N}", "'N' is not a unit of length"),
     ],
