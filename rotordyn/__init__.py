@@ -27,8 +27,8 @@ if TYPE_CHECKING:
         Unknown,
         identify,
     )
+    from rotordyn.study.optimum.goals import Goal, Limit
     from rotordyn.study.optimum.solve import optimise
-    from rotordyn.study.optimum.wish import Goal, Limit
     from rotordyn.study.page import write_report
     from rotordyn.study.parameter import Span
     from rotordyn.study.run import run
@@ -41,9 +41,9 @@ _MODULE_OF = {
     "AxialCurve": "rotordyn.study.identification",
     "AxialStiffness": "rotordyn.study.identification",
     "Case": "rotordyn.case.case",
-    "Goal": "rotordyn.study.optimum.wish",
+    "Goal": "rotordyn.study.optimum.goals",
     "InvalidInput": "rotordyn.errors",
-    "Limit": "rotordyn.study.optimum.wish",
+    "Limit": "rotordyn.study.optimum.goals",
     "Modes": "rotordyn.study.identification",
     "NoLoad": "rotordyn.study.identification",
     "NoSolution": "rotordyn.errors",

@@ -1,4 +1,4 @@
-"""Files that replace others appear whole or not at all."""
+"""Files that replace others appear whole or not at all; a folder is one process's at a time."""
 
 from __future__ import annotations
 
@@ -32,3 +32,23 @@ def whole_files(folder: Path) -> Iterator[Path]:
             os.replace(path, folder / path.name)
     finally:
         shutil.rmtree(place, ignore_errors=True)
+
+
+def locked(folder: Path) -> int | None:
+    """A lock that ends with this process and its forks, None where the system has none.
+
+    Raises
+    ------
+    OSError : another process holds it
+    """
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        return None
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(descriptor)
+        raise
+    return descriptor

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from rotordyn.figures import style
 
 # Duration says nothing about correctness: no deadline, no complaint about a slow machine.
 _UNHURRIED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -26,3 +29,14 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def runs(shared: Path) -> Path:
     """Where each case is run once, for whichever test asks first (``docs.site.runs``)."""
     return shared / "runs"
+
+
+@pytest.fixture(scope="module")
+def draft() -> Iterator[None]:
+    """Figures have few dots, which takes two thirds of the time; all else about them is the same.
+
+    Their size in print has its own test (``figures/test_catalogue``).
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(style, "DPI", 60)
+        yield

@@ -14,6 +14,7 @@ from bearings.life.equivalent import (
 )
 from bearings.life.modified import (
     HIGHEST_KAPPA,
+    HOTTEST,
     LOWEST_KAPPA,
     fatigue_load_limit,
     life_factor,
@@ -36,6 +37,7 @@ from bearings.life.reference import (
 
 __all__ = [
     "HIGHEST_KAPPA",
+    "HOTTEST",
     "LOWEST_KAPPA",
     "Frequencies",
     "ReferenceLife",

@@ -19,7 +19,8 @@ from bearings.life.rating import WEIBULL_SLOPE
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
 MOST = 50.0  # largest a_ISO
 _RELIABILITY = {0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25}
-_HOT = ((150.0, 1.0), (200.0, 0.73), (250.0, 0.42), (300.0, 0.22))  # °C, factor on C
+HOTTEST = 300.0  # °C
+_HOT = ((150.0, 1.0), (200.0, 0.73), (250.0, 0.42), (HOTTEST, 0.22))  # °C, factor on C
 # a_ISO: largest κ of each range, and the number and the exponent of its formula
 _KAPPA = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (HIGHEST_KAPPA, 1.9987, 0.071739))
 _BALLS_PER_LIMIT = 22.0  # C0/Cu of ball bearings
@@ -41,16 +42,17 @@ def reliability_factor(reliability: float) -> float:
 
 
 @checked
-def temperature_factor(celsius: float) -> float:
+def temperature_factor(celsius: ArrayLike) -> Array:
     """Factor on C at a bearing temperature [°C], from 1 at 150 to 0.22 at 300 °C.
 
     Raises
     ------
-    InvalidBearing : hotter
+    InvalidBearing : hotter, or no number
     """
-    if not celsius <= _HOT[-1][0]:
-        raise InvalidBearing(f"ratings are known up to 300 °C, got {celsius:g} °C")
-    return float(np.interp(celsius, [t for t, _ in _HOT], [factor for _, factor in _HOT]))
+    hot = np.asarray(celsius, float)
+    if not (hot <= HOTTEST).all():
+        raise InvalidBearing(f"ratings are known up to {HOTTEST:g} °C, got {hot.max():g} °C")
+    return np.asarray(np.interp(hot, [t for t, _ in _HOT], [factor for _, factor in _HOT]))
 
 
 @checked

@@ -25,16 +25,16 @@ def arrange(tree: Node, faults: Faults) -> None:
     for key in ("arrangement", "bearings"):  # variants may share what an override wrote
         if key in tree.value:
             tree.value[key] = tree.value[key].copy()
-    own = tree.value["arrangement"]
-    name, listed = own.child("set"), own.child("bearings")
+    given = tree.value["arrangement"]
+    name, listed = given.child("set"), given.child("bearings")
     names = listed.plain() if listed is not None and isinstance(listed.value, list) else []
     seats = {seat.name: seat for seat in _seats(tree)}
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
         _thrusts(name, held)
-    _sleeves(tree, own, faults)
+    _sleeves(tree, given, faults)
     if held:
-        _class(own, held, faults)
+        _class(given, held, faults)
 
 
 def _seats(tree: Node) -> list[Node]:
@@ -43,13 +43,13 @@ def _seats(tree: Node) -> list[Node]:
     return [seat for seat in found if isinstance(seat.value, dict)]
 
 
-def _sleeves(tree: Node, own: Node, faults: Faults) -> None:
+def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
     """A sleeve of the set's name would be replaced by the one that the set makes."""
-    called, sleeves = own.child("name"), tree.child("sleeves")
+    called, sleeves = given.child("name"), tree.child("sleeves")
     word = "set" if called is None else called.value
     for sleeve in sleeves.value if sleeves is not None and isinstance(sleeves.value, list) else []:
         name = sleeve.child("name") if isinstance(sleeve.value, dict) else None
-        if name is not None and name.value == word and own.child("preload") is not None:
+        if name is not None and name.value == word and given.child("preload") is not None:
             faults.at(
                 name,
                 (),
@@ -59,6 +59,7 @@ def _sleeves(tree: Node, own: Node, faults: Faults) -> None:
 
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
+    """Gives seats without a thrust that of the set, drawn or mirrored as the others have theirs."""
     given = [seat.child("thrust") for seat in seats]
     named = patterns(name.value) if name.value in [*SETS] else ()
     known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
@@ -72,9 +73,9 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
             seat.value["thrust"] = replace(name, value=WORDS[sign])
 
 
-def _class(own: Node, seats: list[Node], faults: Faults) -> None:
+def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     """Replaces the class of a preload by the force that the bearings' model prints for it."""
-    preload = own.child("preload")
+    preload = given.child("preload")
     if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
         return
     asked = preload.value.pop("class")

@@ -14,6 +14,7 @@ SPACINGS = ("linear", "ratio")
 MOST_POINTS = 10_000_000
 MOST_TRIALS = 100_000
 ABSENT = ("breaks", "keeps")
+BOUNDS = {"at_least", "at_most", "outside"}
 
 
 @dataclass(frozen=True, slots=True)

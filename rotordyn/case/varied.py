@@ -53,6 +53,15 @@ def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
     )
 
 
+def unlike(case: Case, wanted: Case) -> dict[str, Leaf]:
+    """Values of another case, with their quantities, by their paths where ``case`` has not these;
+    names and titles are no difference."""
+    held = dict(_leaves(case))
+    absent = (None, None)
+    leaves = {**dict.fromkeys(held, absent), **dict(_leaves(wanted))}
+    return {path: leaf for path, leaf in leaves.items() if held.get(path, absent)[0] != leaf[0]}
+
+
 def found_at(case: Case, path: str) -> list[tuple[Any, Any]]:
     """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
     ``*``, none where it leads nowhere."""

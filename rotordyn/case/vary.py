@@ -37,7 +37,8 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
     A path is that of ``override`` in a file: it names keys, items of a list by their ``name``,
     entries of a mapping by their key; ``*`` stands for every item or entry.
     Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
-    replace what is there. All changes are made together: only the outcome must be possible. What
+    replace what is there. All changes are made together: only the outcome must be possible; what
+    is within something that is replaced, and one item of all, have their own values. What
     changes a case changes its variants too, unless the path begins with ``variants``.
 
     Raises
@@ -56,6 +57,7 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
     if not isinstance(changes, Mapping):
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
     listed = [_change(path, value) for path, value in changes.items()]
+    listed.sort(key=lambda each: (len(each.steps), -each.steps.count("*")))
     if isinstance(description, Case):
         listed = [*_of_variants(description, listed), *listed]
     return _fields(description, listed)

@@ -11,7 +11,7 @@ import yaml
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 
-MACHINES = {"spindle": "override", "bearing": "bearing_override"}
+MACHINES = ("spindle", "bearing")
 COMPARED = ("compare", "tools")
 
 
@@ -34,7 +34,7 @@ def write_changed(case: Case, changes: Mapping[str, Any], path: Path, *, title: 
     for dotted, value in changes.items():
         room, _, rest = dotted.partition(".")
         if room in MACHINES and rest:
-            whole.setdefault(MACHINES[room], {})[rest] = value
+            whole.setdefault("override", {})[rest] = value
         else:
             _put(whole, dotted.split("."), value)
     text = yaml.safe_dump(whole, sort_keys=False, allow_unicode=True, width=100)
@@ -46,7 +46,9 @@ def write_changed(case: Case, changes: Mapping[str, Any], path: Path, *, title: 
 
 def _put(whole: dict[str, Any], steps: list[str], value: Any) -> None:
     for step in steps[:-1]:
-        whole = whole.setdefault(step, {})
+        if not isinstance(whole.get(step), dict):
+            whole[step] = {}
+        whole = whole[step]
     whole[steps[-1]] = value
 
 

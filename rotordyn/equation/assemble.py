@@ -93,7 +93,7 @@ def assemble(
         stiffness[:, in_z, in_y] -= spin * turning.T
     links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
     links += [(link, pull) for link in structure.drawbar] if force is not None else []
-    connections, bodies = list[Connection](), stiffness.copy()
+    connections, alone = list[Connection](), (stiffness.copy(), damping.copy())
     for link, share in links:
         if not any(component.has(link.dofs).any() for component in components):
             continue  # of other subsystems
@@ -102,6 +102,7 @@ def assemble(
         stiffness += connections[-1].stiffness
         if damped.any():
             damping += connections[-1].damping
+    bodies = Linear(structure, whole.components, speed, *alone, (), _loss(whole, ()))
     whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
     allowed = _allowed(whole, connections)
     if allowed is None:
@@ -117,9 +118,6 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
     least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
-    damped = any(c.damping.any() for c in linear.components) or any(c.damped for c in connections)
-    if linear.loss is not None or damped:
-        least = np.inf  # motions of damped systems would lose digits instead
     stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
     rigid = np.concatenate([none, *held])

@@ -47,17 +47,15 @@ class Connection(NamedTuple):
         """By the coordinates (s or 1, n, n)."""
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
-    @property
-    def damped(self) -> bool:
-        """Some motion of the coordinates is."""
-        moved = self.motions.any(axis=1)
-        return bool(self.matrices.damping[:, moved][:, :, moved].any())
-
     def strained(self, least: float) -> Array:
-        """Rows of ``motions`` with a stiffness of ``least`` or more by the coordinates, the largest
-        first (k, n)."""
-        own = np.abs(np.diagonal(self.matrices.stiffness, axis1=1, axis2=2)).max(axis=0)
-        size = own * (self.motions**2).sum(axis=1)
+        """Rows of ``motions`` of ``least`` [rad²/s²] stiffness by the coordinates or more, or of as
+        fast a decay by damping alone, the fastest first (k, n)."""
+        weight = (self.motions**2).sum(axis=1)
+        held, damped = (
+            weight * np.abs(np.diagonal(part, axis1=1, axis2=2)).max(axis=0)
+            for part in self.matrices
+        )
+        size = np.maximum(held, damped**2)
         chosen = np.flatnonzero(size >= least)
         return self.motions[chosen[np.argsort(-size[chosen], kind="stable")]]
 

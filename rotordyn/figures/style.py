@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.results.display import rounded_up
 
@@ -141,6 +142,11 @@ def mark_lone_points(axes: Axes) -> None:
                 MARKS.get(str(line.get_linestyle()), "D") if plain else line.get_marker()
             )
             line.set(markersize=4.0, markevery=lone, clip_on=False)
+
+
+def evenly(count: int, most: int) -> NDArray[np.intp]:
+    """At most so many of ``count`` places, the first and the last among them (places,)."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 
 def mark_few_points(axes: Axes) -> None:

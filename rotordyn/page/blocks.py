@@ -26,7 +26,7 @@ class Markup(str):
 
 
 class Shown(Protocol):
-    """A variant, or the only machine of a case."""
+    """What a page takes of a variant, or of the only machine of a case."""
 
     @property
     def title(self) -> str: ...

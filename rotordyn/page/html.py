@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from importlib.resources import files
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -29,10 +28,10 @@ from rotordyn.page.blocks import (
 from rotordyn.page.packed import compressed, packed
 from rotordyn.whole import whole_files
 
-TO = "\u00a0→ "
+ARROW = "\u00a0→ "  # a line breaks behind it alone
 LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
-STARTS = "0123456789-+−<>. "
+STARTS = "0123456789-+−<>. "  # of cells that hold numbers
 _FRAME = """<!doctype html>
 <html lang="en">
 <head>
@@ -90,22 +89,22 @@ def html(page: Page) -> str:
     ------
     ModuleNotFoundError : plotly, which has the library of the charts, is not installed
     """
-    held: dict[str, Any] = {}
-    body = [_section(place, each, held) for place, each in enumerate(page.sections)]
+    drawn: dict[str, Any] = {}
+    body = [_section(place, each, drawn) for place, each in enumerate(page.sections)]
     named = [f"<p>{escape(line)}</p>" for line in page.about if line]
     grave = "grave" if page.grave else "plain"
     named.append(f'<p class="verdict {grave}" role="status">{escape(page.verdict)}</p>')
     links = (f'<li><a href="#s{k}">{escape(s.title)}</a></li>' for k, s in enumerate(page.sections))
     return _FRAME.format(
         title=escape(page.title),
-        style=_own("page.css"),
+        style=_resource("page.css"),
         about="\n".join(named),
         contents="\n".join(links),
         body="\n".join(body),
         footer=escape(page.footer),
-        library=compressed(library()) if held else "",
-        content=packed(held),
-        script=_own("page.js"),
+        library=compressed(library()) if drawn else "",
+        content=packed(drawn),
+        script=_resource("page.js"),
     )
 
 
@@ -139,11 +138,12 @@ def library() -> bytes:
     return (files("plotly") / "package_data" / "plotly.min.js").read_bytes()
 
 
-def _own(name: str) -> str:
+def _resource(name: str) -> str:
     return (files("rotordyn.page") / name).read_text(encoding="utf-8")
 
 
-def _section(place: int, section: Section, held: dict[str, Any]) -> str:
+def _section(place: int, section: Section, drawn: dict[str, Any]) -> str:
+    """A section in HTML; what the script draws of it is added to ``drawn``, by its ``id``."""
     parts = [f'<section id="s{place}" aria-labelledby="h{place}">']
     parts.append(f'<h2 id="h{place}">{escape(section.title)}</h2>')
     around = ""
@@ -153,7 +153,7 @@ def _section(place: int, section: Section, held: dict[str, Any]) -> str:
             parts += ["</div>"] * bool(around)
             parts += [f'<div class="{wanted}">'] * bool(wanted)
             around = wanted
-        parts += _block(block, section.title, held)
+        parts += _block(block, section.title, drawn)
     parts += ["</div>"] * bool(around)
     return "\n".join([*parts, "</section>"])
 
@@ -165,7 +165,7 @@ def _around(block: Block) -> str:
     return "tables" if isinstance(block, Table) and len(block.head) < FEW_COLUMNS else ""
 
 
-def _block(block: Block, section: str, held: dict[str, Any]) -> Iterator[str]:
+def _block(block: Block, section: str, drawn: dict[str, Any]) -> Iterator[str]:
     match block:
         case Text():
             yield from _text(block)
@@ -174,8 +174,8 @@ def _block(block: Block, section: str, held: dict[str, Any]) -> Iterator[str]:
         case Table():
             yield from _table(block, section)
         case _:
-            name = f"c{len(held)}"
-            held[name] = _chart(block) if isinstance(block, Chart) else _shapes(block)
+            name = f"c{len(drawn)}"
+            drawn[name] = _chart(block) if isinstance(block, Chart) else _shapes(block)
             yield from _figure(name, block)
 
 
@@ -207,7 +207,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
         cells = [
             f'<th scope="row">{escape(cell)}</th>'
             if k == 0
-            else f"<td{kinds[k]}>{escape(cell).replace(' → ', TO)}</td>"
+            else f"<td{kinds[k]}>{escape(cell).replace(' → ', ARROW)}</td>"
             for k, cell in enumerate(row)
         ]
         yield f"<tr>{''.join(cells)}</tr>"
@@ -231,11 +231,10 @@ def _figure(name: str, block: Chart | Shapes) -> Iterator[str]:
     tall, least = (block.tall, block.least) if isinstance(block, Chart) else (460, 0)
     yield f'<figure class="chart{wide}" id="{name}">'
     yield f"<h3>{escape(block.title)}</h3>"
-    numbers = count()
     if block.controls or isinstance(block, Shapes):
         yield '<div class="controls">'
-        for control in block.controls:
-            yield from _control(f"{name}_{next(numbers)}", control)
+        for number, control in enumerate(block.controls):
+            yield from _control(f"{name}_{number}", control)
         if isinstance(block, Shapes):
             yield '<button type="button" class="play" aria-pressed="false">Play</button>'
         yield "</div>"

@@ -44,7 +44,9 @@ class AxialBearing:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Push:
-    """Spring and stop of a sleeve: ``direction`` ±1, ``preload`` [N], ``stiffness`` [N/m]."""
+    """Spring and stop of the sleeve ``body``: ``direction`` ±1 in which the spring pushes it with
+    its ``preload`` [N] at rest, ``stiffness`` [N/m], ``travel`` against the spring [m]; infinite: a
+    rigid preload, no stop."""
 
     body: int
     direction: int
@@ -62,6 +64,17 @@ class Arrangement:
     pushes: tuple[Push, ...]
     speed: Array
     force: float
+
+    @property
+    def bearing_of_seat(self) -> list[int]:
+        """For every seat the bearing that stands for it, index among ``bearings`` (seats,)."""
+        owner = {seat: k for k, bearing in enumerate(self.bearings) for seat in bearing.seats}
+        return [owner[seat] for seat in sorted(owner)]
+
+    @property
+    def direction(self) -> Array:
+        """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
+        return np.array([0.0, *(push.direction for push in self.pushes)])
 
     def at(self, index: NDArray[np.intp]) -> Arrangement:
         """The arrangement at some of its speeds."""
@@ -108,7 +121,7 @@ def arrangement(
         if same is None:
             bearings.append(bearing)
         else:
-            bearings[same] = _joined(bearings[same], bearing)
+            bearings[same] = replace(bearings[same], seats=bearings[same].seats + bearing.seats)
     return Arrangement(
         bodies=("shaft", *sleeves),
         bearings=tuple(bearings),
@@ -126,10 +139,6 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     )
 
 
-def _joined(a: AxialBearing, b: AxialBearing) -> AxialBearing:
-    return replace(a, seats=a.seats + b.seats)
-
-
 def _push(spindle: Spindle, k: int) -> Push:
     """The spring pushes the outer rings the way that loads their bearings: against the thrust."""
     sleeve = spindle.sleeves[k]
@@ -144,8 +153,13 @@ def rigid(push: Push) -> bool:
     return math.isinf(push.stiffness)
 
 
-def at_rest(joined: Arrangement) -> Arrangement:
-    """The arrangement standing still, without external force: what defines the preload."""
+def has_stop(push: Push) -> bool:
+    """True where a stop ends the travel of the sleeve."""
+    return math.isfinite(push.travel) and not rigid(push)
+
+
+def as_mounted(joined: Arrangement) -> Arrangement:
+    """The arrangement at rest without external force, as the stated preloads are meant."""
     bearings = tuple(
         replace(b, growth=np.array([b.static_growth]), shortening=np.zeros(1))
         for b in joined.bearings

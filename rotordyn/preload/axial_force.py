@@ -19,7 +19,7 @@ from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
-Pushes = tuple[tuple[float, float], ...]
+PointForces = tuple[tuple[float, float], ...]  # stations [m], forces towards +x [N]
 BALANCED = 1e-9  # of the largest force
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(5)
 
@@ -73,15 +73,14 @@ def axial_force(
     force: float = 0.0,
     gravity: float = 0.0,
     tension: float = 0.0,
-    pushes: Pushes = (),
+    point_forces: PointForces = (),
 ) -> AxialForce:
     """Axial force in the shaft of ``spindle`` in every state.
 
     ``seat_load`` (states, seats) [N]: axial loads of the bearings in their own frames, where the
     shaft pushes the inner ring. ``force`` [N] on the front end of the shaft and ``gravity`` [m/s²],
-    both towards +x; ``tension`` [N] pulls at both ends; ``pushes``: stations [m] and forces [N]
-    besides. Supports carry what is left, each by its axial stiffness, or those that are rigid along
-    x.
+    both towards +x; ``tension`` [N] pulls at both ends; ``point_forces`` act besides. Supports
+    carry what is left, each by its axial stiffness, or those that are rigid along x.
 
     Raises
     ------
@@ -93,7 +92,7 @@ def axial_force(
         (shaft.start, force - tension),
         (shaft.end, tension),
         *((body.x, gravity * body.mass) for body in spindle.lumped),
-        *pushes,
+        *point_forces,
     ]
     if bar is not None:
         alone += [(bar.start, bar.force), (bar.end, -bar.force)]
@@ -104,17 +103,12 @@ def axial_force(
     if gravity:
         weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
     carried = -(push.sum(axis=1) + weight)
-    rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
-    held = np.array([s.along for s in spindle.supports])
-    if rigid:
-        held = np.isin(np.arange(len(held)), rigid).astype(float)
-    size = max(np.abs(push).max(initial=0.0), abs(weight))
-    if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED * size).any():
+    size, share = max(np.abs(push).max(initial=0.0), abs(weight)), _shares(spindle)
+    if not spindle.seats and not share.any() and (np.abs(carried) > BALANCED * size).any():
         raise InvalidInput(
             "nothing holds the shaft along its axis against the axial force and its weight: give "
             "a support the stiffness xx or hold x rigidly, or take tension, which pulls both ends"
         )
-    share = held / held.sum() if held.any() else held
     forces = AxialForce(
         spindle=spindle,
         station=np.array(
@@ -125,9 +119,18 @@ def axial_force(
         push=np.concatenate([push, np.outer(carried, share)], axis=1),
         gravity=gravity,
     )
+    rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
     if len(rigid) > 1:
         forces.push[:, push.shape[1] + np.array(rigid)] += _clamped(forces, rigid)
     return forces
+
+
+def _shares(spindle: Spindle) -> Array:
+    """What each support carries of an axial force, 0 where none holds the shaft (supports,)."""
+    held = np.array([float("x" in support.rigid) for support in spindle.supports])
+    if not held.any():
+        held = np.array([support.along for support in spindle.supports])
+    return held / held.sum() if held.any() else held
 
 
 def _clamped(forces: AxialForce, rigid: list[int]) -> Array:

@@ -79,7 +79,7 @@ class Balance:
     dof: tuple[int, ...]
     network: Network
     rotor: StaticRotor
-    bearings: tuple[int, ...]
+    bearings: list[int]
     rows: Array
     offset: Array
     rest: Array
@@ -96,7 +96,7 @@ class Balance:
             dof=rotor.dof,
             network=part,
             rotor=rotor.at(index),
-            bearings=_bearing_of_seats(part),
+            bearings=part.arrangement.bearing_of_seat,
             rows=_rows(part, rotor),
             offset=_offset(state.spindle, rotor.dof),
             rest=state.rest,
@@ -115,7 +115,7 @@ class Balance:
         )
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
-    def begun(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
+    def first_point(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
         """The point of the preload state it was made of, with bearings as solved there."""
         if state.lateral is not None or self.offset.any() or not state.usable[index].all():
             return self.evaluate(self.start, None)
@@ -140,7 +140,7 @@ class Balance:
 
     def balls_along(self, here: Point, change: Array) -> list[Array]:
         """What the balls of each bearing model do with a ``change`` of the coordinates."""
-        moved = self._own(change)
+        moved = self._bearing_motion(change)
         return [each.along(moved[:, places]) for places, each in here.bearings]
 
     def _point(
@@ -175,7 +175,7 @@ class Balance:
         turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
         return turned[:, list(self.dof)]
 
-    def _own(self, coordinates: Array) -> Array:
+    def _bearing_motion(self, coordinates: Array) -> Array:
         """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
         moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
         motion = np.zeros((*moved.shape[:2], 5))
@@ -185,7 +185,7 @@ class Balance:
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
         shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
-        displacement = self._own(coordinates)
+        displacement = self._bearing_motion(coordinates)
         displacement[..., list(self.dof)] += self.offset * self._sign
         displacement[..., 0] += shift
         return displacement
@@ -267,10 +267,8 @@ class Balance:
         solved by itself on the way.
         """
         begun = replace(self.rubbing, begun=near.coordinates[:, len(self.rotor.point) :])
-        problem, start = (
-            replace(self, rubbing=begun),
-            np.where(alive[:, None], guess[0], near.coordinates),
-        )
+        problem = replace(self, rubbing=begun)
+        start = np.where(alive[:, None], guess[0], near.coordinates)
         if self.network.one_branch:
             first = problem._at([start, *guess[1:]], near)
             problem, there, converged = self._searched(first, force, alive, Balance.advance, 1)
@@ -287,8 +285,9 @@ class Balance:
     ) -> tuple[Balance, Point, Flags]:
         """Newton steps with at most so many ``tries`` of their length, and where they end well.
 
-        Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
-        close and open as they must.
+        ``place``: how bearings follow, ``advance`` in whole steps or ``evaluate``. Only speeds
+        still ``alive`` are sought; where no step helps any more the search ends. Stops close and
+        open as they must.
         """
         problem, converged = self, np.zeros(len(alive), dtype=bool)
         for _ in range(ITERATIONS if tries == 1 else SEARCH):
@@ -350,7 +349,7 @@ class Balance:
         """
         matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
-        moved = np.abs(self._own(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
+        moved = np.abs(self._bearing_motion(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
         length = moving * np.minimum(1.0, LONGEST_STEP / np.maximum(moved, 1e-300))
         there, worse = here, moving
         for _ in range(tries):
@@ -364,20 +363,7 @@ class Balance:
     def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
         moved = coordinates[:, len(self.rotor.point) :] - self.rest
-        direction = np.zeros(len(self.rest))
-        for push in self.network.arrangement.pushes:
-            direction[push.body] = push.direction
-        return -direction * moved
-
-
-def _bearing_of_seats(network: Network) -> tuple[int, ...]:
-    """The bearing that stands for every seat."""
-    owner = {
-        seat: index
-        for index, bearing in enumerate(network.arrangement.bearings)
-        for seat in bearing.seats
-    }
-    return tuple(owner[seat] for seat in sorted(owner))
+        return -self.network.arrangement.direction * moved
 
 
 def _offset(spindle: Spindle, dof: tuple[int, ...]) -> Array:

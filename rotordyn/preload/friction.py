@@ -8,6 +8,7 @@ Theory: docs/theory/network.md#friction-in-all-analyses.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -38,10 +39,10 @@ def operating_state(
     """The preload state at every ``speed`` [rad/s], with the friction that is left at the end of
     the history ``past``; as ``dynamic_preload`` where no sleeve rubs."""
     state = dynamic_preload(spindle, speed, law, axial_force, temperatures, films)
-    return remembered(replace(state, past=past))
+    return with_friction(replace(state, past=past))
 
 
-def remembered(state: PreloadState) -> PreloadState:
+def with_friction(state: PreloadState) -> PreloadState:
     """The state with the friction that its history has left on the sleeves."""
     if not state.rubs.any():
         return state
@@ -52,7 +53,8 @@ def remembered(state: PreloadState) -> PreloadState:
     words = [""] * len(force)
     for row, there in enumerate(path.run_up()):
         if isinstance(there, str):
-            words[row] = f"no history leads there: {there}"
+            rpm = state.speed[row] * 30.0 / math.pi
+            words[row] = f"the history leads to no state at {rpm:.0f} rpm: {there}"
             continue
         force[row] = there.friction @ path.network.frictions.row
         position[row] = state.rest + there.x

@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 
 class Fit(NamedTuple):
-    """Where a ring sits: ``radius`` of the fit and ``interference`` on it [m]."""
+    """Where a ring sits: ``radius`` of the fit and ``interference`` on the radius [m]."""
 
     radius: float
     interference: float
@@ -45,20 +45,20 @@ def static_growth(spindle: Spindle, seat: BearingSeat) -> float:
 def ring_growth(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
 ) -> Array:
-    """Total growth Δu of a seat at every speed [rad/s], static part included (speeds,) [m]."""
-    if seat.fits is not None or (temperatures is not None and seat.growth.fitted is not None):
-        start = 0.0
-        if seat.fits is None:
-            start = seat.growth.static - float(_fitted(spindle, seat, np.zeros(1), None)[0])
-        return start + _fitted(spindle, seat, speed, temperatures)
-    grown = np.full_like(speed, seat.growth.static)
-    rule = seat.growth.centrifugal
+    """Total growth Δu of a seat at every speed [rad/s], static part included (speeds,) [m].
+
+    All of it follows from the fits where they are given; else ``growth.static`` is that as mounted.
+    """
+    static, rule = seat.growth.static, seat.growth.centrifugal
+    if seat.fits is not None:
+        return _fitted(spindle, seat, speed, temperatures)
+    if seat.growth.fitted is not None:
+        mounted = _fitted(spindle, seat, np.zeros(1), None)
+        return static + _fitted(spindle, seat, speed, temperatures) - mounted
+    grown = np.full_like(speed, static)
     if isinstance(rule, QuadraticInSpeed):
         grown = grown + rule.value * (speed / rule.speed) ** 2
-    elif seat.growth.fitted is not None:
-        still = _fitted(spindle, seat, np.zeros(1), None)
-        grown = grown + _fitted(spindle, seat, speed, None) - still
-    if temperatures is not None:
+    if temperatures is not None:  # rings without a fit expand freely, whatever the speed
         grown = grown + _fitted(spindle, seat, 0.0 * speed, temperatures)
     return grown
 
@@ -95,7 +95,7 @@ def inner_ring(
     race = bearing.inner_raceway_radius
     rises = _rises(seat, speed, temperatures)
     states = []
-    for rows in _alike(rises.shaft, rises.inner):
+    for rows in _rows_alike(rises.shaft, rises.inner):
         shaft, warm = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
         if fit is None:
             ring = [_cylinder(0.9 * race, race, bearing.ring_material, warm)]
@@ -124,7 +124,7 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
     states = []
     outside = race if fit is None else fit.radius
     expanded = _under_balls(seat, speed, outside)
-    for rows in _alike(rises.housing, rises.outer, expanded):
+    for rows in _rows_alike(rises.housing, rises.outer, expanded):
         housing, warm = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
         if fit is None or fits is None:
             ring = [_cylinder(race, 1.1 * race, bearing.ring_material, warm)]
@@ -181,13 +181,14 @@ def outer_fit(seat: BearingSeat) -> Fit | None:
     return Fit(seat.fits.outside_diameter / 2.0, seat.fits.depth("outer"))
 
 
-def _alike(*values: Array) -> list[NDArray[np.intp]]:
+def _rows_alike(*values: Array) -> list[NDArray[np.intp]]:
     """Rows at which all values are the same."""
     kinds = np.unique(np.stack(values), axis=1, return_inverse=True)[1].ravel()
     return [np.flatnonzero(kinds == kind) for kind in range(int(kinds.max(initial=-1)) + 1)]
 
 
 def _rises(seat: BearingSeat, speed: Array, temperatures: Temperatures | None) -> Rises:
+    """Temperatures above the reference, none where all are those of assembly (speeds,) [K]."""
     if temperatures is None:
         none = np.zeros(len(speed))
         return Rises(none, none, none, none, none)
@@ -246,5 +247,6 @@ def _outer_release(
 
 
 def _first_loose(states: States, speed: Array) -> tuple[float, ...]:
+    """The first of the speeds at which a ring has no pressure; empty where it has at all."""
     loose = [row for rows, state in states for row in rows[~state.holds[:, 0]]]
     return (float(speed[min(loose)]),) if loose else ()

@@ -59,25 +59,25 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
     here = np.broadcast_to(np.stack(cold[:3], axis=-1), (len(speed), len(names), 3)).copy()
     damping, before = np.ones(len(speed)), np.full(len(speed), np.inf)
     words = np.full(len(speed), "", dtype=object)
-    going = np.ones(len(speed), dtype=bool)
+    active = np.ones(len(speed), dtype=bool)
     for _ in range(MOST):
         contacts, known = _contact_heat(solve(_tables(here, speed, names, flow)), flow)
-        lost = going & ~known
+        lost = active & ~known
         words[lost] = f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C"
-        going &= known
+        active &= known
         step = _reached(contacts, pitches, speed, flow) - here
-        size = np.abs(np.where(going[:, None, None], step, 0.0)).max(axis=(1, 2))
+        size = np.abs(np.where(active[:, None, None], step, 0.0)).max(axis=(1, 2))
         damping = np.where(size > before, np.maximum(0.5 * damping, 0.1), damping)
         move = np.clip(damping[:, None, None] * step, -LONGEST, LONGEST)
-        here = np.where(going[:, None, None], here + move, here)
-        before = np.where(going, size, before)
-        over = going & (here.max(axis=(1, 2)) > HOTTEST)
+        here = np.where(active[:, None, None], here + move, here)
+        before = np.where(active, size, before)
+        over = active & (here.max(axis=(1, 2)) > HOTTEST)
         for row in np.flatnonzero(over):
             words[row] = _run_away(here[row], names)
-        going &= ~over & (size >= TOLERANCE)
-        if not going.any():
+        active &= ~over & (size >= TOLERANCE)
+        if not active.any():
             break
-    words[going] = "temperatures of the bearings do not settle"
+    words[active] = "temperatures of the bearings do not settle"
     said = tuple(
         f"{word} at {rpm:.0f} rpm" if word else ""
         for word, rpm in zip(words, speed * RPM, strict=True)
@@ -90,7 +90,7 @@ def _hottest(here: Array, rows: NDArray[np.bool_]) -> float:
 
 
 def _run_away(here: Array, names: tuple[str, ...]) -> str:
-    hot = [name for name, own in zip(names, here, strict=True) if own.max() > HOTTEST]
+    hot = [name for name, values in zip(names, here, strict=True) if values.max() > HOTTEST]
     return (
         f"temperatures of bearing{'s' * (len(hot) > 1)} {', '.join(hot)} run away: "
         f"{here.max():.0f} °C and rising; lower speed or preload, take a thinner oil or cool more"
@@ -99,7 +99,7 @@ def _run_away(here: Array, names: tuple[str, ...]) -> str:
 
 def _tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Temperatures:
     """Temperatures (speeds, bearings, 3) of balls, inner and outer rings as files give them."""
-    own = {
+    by_name = {
         name: BearingTemperatures(
             inner_ring=tuple(here[:, k, 1].tolist()),
             outer_ring=tuple(here[:, k, 2].tolist()),
@@ -109,7 +109,7 @@ def _tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Te
     }
     around = flow.surroundings
     return Temperatures(
-        shaft=around.shaft, housing=around.housing, bearings=own, speeds=tuple(speed.tolist())
+        shaft=around.shaft, housing=around.housing, bearings=by_name, speeds=tuple(speed.tolist())
     )
 
 

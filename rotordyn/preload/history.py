@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from bearings.ball.law import Law as BallLaw
+from bearings.ball.law import Law
 from bearings.bearing import BallBearing
 from rotordyn.allowance import require_history, require_time
 from rotordyn.machine.history import HistoryStep, Past
@@ -30,18 +30,18 @@ from rotordyn.preload.arrangement import (
     SHAFT,
     AxialBearing,
     arrangement,
-    at_rest,
-    rigid,
+    as_mounted,
+    has_stop,
 )
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
 from rotordyn.state.along import along, parts, passed
 from rotordyn.state.contacts import State
-from rotordyn.state.laws import Law, sloped_table
+from rotordyn.state.laws import AxialLaw, sloped_table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
-from rotordyn.state.rates import compliance, turned
-from rotordyn.state.rest import at_rest as mounted
+from rotordyn.state.rates import compliance, updated_contacts
+from rotordyn.state.rest import mounted_state
 
 Array = NDArray[np.float64]
 SPACING = 1e-6  # m, of a table
@@ -72,7 +72,7 @@ class History:
     def run_up(self) -> list[State | str]:
         """The state at every speed at the end of the history, or why there is none."""
         path = (self.rest, *self.before)
-        begun = self._followed(mounted(self.network, self.rest), path)
+        begun = self._followed(mounted_state(self.network, self.rest), path)
         found: list[State | str] = [begun] * len(self.loads)
         rows = range(len(self.loads))
         # upward from the speed of the last step before, and downward from it: two separate paths
@@ -119,7 +119,7 @@ class History:
             at = step.end
         return states[1:]
 
-    def held(self, row: int, state: State, force: float, reach: float) -> float:
+    def force_to_slide(self, row: int, state: State, force: float, reach: float) -> float:
         """Axial force [N] beyond ``force`` at which a sleeve first slides again, where friction of
         all of them is at its limit in ``state``; NaN where one sticks or stands at a stop, where a
         stop opens or closes before, or where none slides up to ``reach`` [N]."""
@@ -146,11 +146,11 @@ class History:
         push[SHAFT] += force
         return replace(load, force=push)
 
-    def softness(self, row: int, state: State, force: float, way: float) -> float:
+    def compliance(self, row: int, state: State, force: float, way: float) -> float:
         """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
         here, there = self.under(row, force), self.under(row, force + way)
         step = Step(self.network, here, there)
-        return way * float(compliance(step, turned(step, state, 0.0))[SHAFT])
+        return way * float(compliance(step, updated_contacts(step, state, 0.0))[SHAFT])
 
 
 def _ways(start: float, force: Sequence[float]) -> list[list[float]]:
@@ -176,40 +176,34 @@ def history(preload: PreloadState, reach: float) -> History:
     ------
     InvalidInput : that takes more time or memory than is allowed
     """
-    joined, still, past = preload.network.arrangement, preload.still, preload.past
+    joined, mounted, past = preload.network.arrangement, preload.mounted, preload.past
     _require_allowed(preload)
     known = [step.axial_force or 0.0 for step in past.steps]
     pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
     most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
-    tables = Tables(preload, most)
-    deflection = [
-        _where(law, load, d)
-        for law, load, d in zip(
-            tables.at(0.0, warm=False)[0],
-            still.response.load[0].tolist(),
-            PreloadNetwork(at_rest(joined), preload.network.springs).deflection(still.position)[0],
-            strict=True,
-        )
-    ]
-    network = _network(preload, np.array(deflection))
+    laws = BearingLaws(preload, most)
+    assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
+    near = assembled.deflection(mounted.position)[0].tolist()
+    each = zip(laws.at(0.0, warm=False)[0], mounted.response.load[0].tolist(), near, strict=True)
+    network = _network(preload, np.array([_where(law, load, d) for law, load, d in each]))
     gap = np.zeros(len(network.springs.force))
 
     def load(at: Moment) -> Load:
         push = np.zeros(len(joined.bodies))
         push[SHAFT] = at.force
-        laws, shift = tables.at(at.speed, warm=at.warm)
-        return Load(push, shift, gap, laws)
+        of_bearings, shift = laws.at(at.speed, warm=at.warm)
+        return Load(push, shift, gap, of_bearings)
 
     before, through, after = moments(past, joined.speed.tolist(), preload.force)
     start = Moment(0.0, False, 0.0)
     return History(
         network,
-        load(start),
-        tuple(load(path[-1]) for path in after),
-        tuple(load(at) for at in before),
-        tuple(load(at) for at in through),
-        tuple(tuple(load(at) for at in path[1:]) for path in after),
-        bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
+        rest=load(start),
+        loads=tuple(load(path[-1]) for path in after),
+        before=tuple(load(at) for at in before),
+        through=tuple(load(at) for at in through),
+        after=tuple(tuple(load(at) for at in path[1:]) for path in after),
+        lower=bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
     )
 
 
@@ -247,7 +241,7 @@ def moments(
 def _require_allowed(preload: PreloadState) -> None:
     """Raise InvalidInput where laws and steps of the history take more than is allowed."""
     past, speeds = preload.past, preload.speed.tolist()
-    steps = length(past, speeds)
+    steps = most_moments(past, speeds)
     known = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
     laws = len(known) * len(preload.network.arrangement.bearings)
     if preload.temperatures is not None and past.cold:
@@ -256,7 +250,7 @@ def _require_allowed(preload: PreloadState) -> None:
     require_history(what, laws, steps)
 
 
-def length(past: Past, speeds: Sequence[float]) -> int:
+def most_moments(past: Past, speeds: Sequence[float]) -> int:
     """How many ``moments`` there are at most."""
     here, count = 0.0, 0
     for step in past.before:
@@ -281,15 +275,15 @@ def _changed(
     return [here._replace(speed=speed) for speed in way]
 
 
-class Tables:
+class BearingLaws:
     """Laws of the bearings of a preload state up to a load ``most`` [N], and shifts of their seats,
     at any speed; each is made once."""
 
     def __init__(self, preload: PreloadState, most: float) -> None:
         self.preload, self.most = preload, most
-        self._known: dict[tuple[float, bool], tuple[tuple[Law, ...], Array]] = {}
+        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array]] = {}
 
-    def at(self, speed: float, *, warm: bool) -> tuple[tuple[Law, ...], Array]:
+    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array]:
         """Laws, and shifts (bearings,) [m], at a speed [rad/s], at operating temperature or not."""
         key = speed, warm and self.preload.temperatures is not None
         if key not in self._known:
@@ -306,49 +300,40 @@ class Tables:
         there = arrangement(
             state.spindle, np.array([speed]), 0.0, state.law, temperatures, state.films
         )
-        of_seat = {seat: bearing for bearing in there.bearings for seat in bearing.seats}
+        of_seat = there.bearing_of_seat
         return [
-            replace(of_seat[bearing.seats[0]], seats=bearing.seats)
+            replace(there.bearings[of_seat[bearing.seats[0]]], seats=bearing.seats)
             for bearing in state.network.arrangement.bearings
         ]
 
 
 def _network(preload: PreloadState, deflection: Array) -> Network:
-    joined = preload.network.arrangement
-    names = list(joined.bodies)
-    rows = np.eye(len(names))
-    pushes, sleeves = joined.pushes, preload.spindle.sleeves
+    """Bodies of a preload state and all between them; ``deflection`` (bearings,) as mounted [m]."""
+    joined, springs, rubs = preload.network.arrangement, preload.network.springs, preload.rubs
+    rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]
-    along_x = sum(support.along for support in preload.spindle.supports)
-    stops = [push for push in pushes if math.isfinite(push.travel) and not rigid(push)]
-    rubbing = [k for k, sleeve in enumerate(sleeves) if sleeve.friction > 0.0]
+    stiffness = [springs.stiffness[SHAFT], *(push.stiffness for push in joined.pushes)]
+    stops = [push for push in joined.pushes if has_stop(push)]
+    rubbing = np.flatnonzero(rubs)
     return Network(
         bodies=joined.bodies,
         bearings=Bearings(
-            rows[SHAFT] - np.array(ends),
-            np.array([float(bearing.thrust) for bearing in joined.bearings]),
-            np.array([float(len(bearing.seats)) for bearing in joined.bearings]),
-            deflection,
+            row=rows[SHAFT] - np.array(ends),
+            side=np.array([float(bearing.thrust) for bearing in joined.bearings]),
+            count=preload.network.tandem,
+            rest=deflection,
         ),
-        springs=Springs(
-            np.array([rows[SHAFT], *(rows[push.body] for push in pushes)]),
-            np.array([0.0, *(push.direction * push.preload for push in pushes)]),
-            np.array([along_x, *(push.stiffness for push in pushes)]),
-        ),
+        springs=Springs(rows, springs.force, np.array(stiffness)),
         stops=Stops(
             rows[[push.body for push in stops]],
             np.array([float(push.direction) for push in stops]),
             np.array([-push.direction * push.travel for push in stops]),
         ),
-        frictions=Frictions(
-            rows[[k + 1 for k in rubbing]],
-            np.array([sleeves[k].friction for k in rubbing]),
-            np.zeros(len(rubbing)),
-        ),
+        frictions=Frictions(rows[rubbing], limit=rubs[rubbing], start=np.zeros(len(rubbing))),
     )
 
 
-def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
+def _table(bearing: AxialBearing, speed: float, most: float) -> AxialLaw:
     """Axial loads and tangents of one bearing, up to the load ``most`` [N].
 
     The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
@@ -364,8 +349,8 @@ def _table(bearing: AxialBearing, speed: float, most: float) -> Law:
 
 @lru_cache(TABLES)
 def _solved(
-    model: BallBearing, balls: BallLaw, growth: tuple[float, float], speed: float, high: float
-) -> tuple[Law, float, bool]:
+    model: BallBearing, balls: Law, growth: tuple[float, float], speed: float, high: float
+) -> tuple[AxialLaw, float, bool]:
     """The table of a bearing up to a deflection ``high`` [m], its last load [N], and whether there
     is a state at its end; ``growth`` [m]: static, and all of it at speed."""
     from bearings.ring.tangents import stiffness
@@ -387,8 +372,9 @@ def _solved(
     return law, float(load[known][-1]), bool(known[-1])
 
 
-def _where(law: Law, load: float, near: float) -> float:
-    """Deflection [m] at which the table has a load at rest."""
+def _where(law: AxialLaw, load: float, near: float) -> float:
+    """Deflection [m] at which the table has a ``load`` [N], about where the bearing has it: with
+    another one the preloads of the tables would not balance."""
     if law(near)[0] == load:
         return near
     return float(brentq(lambda d: law(d)[0] - load, near - NEAR, near + NEAR, xtol=1e-18))

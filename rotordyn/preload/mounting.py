@@ -80,8 +80,8 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[list[BearingSeat], list[Bea
     facing = [s for s in spindle.seats if s.name not in carried and s.thrust != own[0].thrust]
     if not facing:
         raise InvalidInput(
-            f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: an "
-            "offset or a free force needs bearings that face them"
+            f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
+            "preload by offset or by class needs bearings that face them"
         )
     return own, facing
 

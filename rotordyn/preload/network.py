@@ -65,7 +65,8 @@ class Response:
 
 @dataclass(frozen=True, eq=False)
 class Network:
-    """An arrangement with its springs; ``friction`` on bodies (speeds or 1, bodies or 1) [N]."""
+    """An arrangement with its springs; ``friction`` on bodies towards +x [N], (speeds, bodies), or
+    (1, 1) where nothing rubs."""
 
     arrangement: Arrangement
     springs: Springs

@@ -13,7 +13,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.network import Network, NetworkState
 
-NOTHING = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
+LEAST_PRELOAD = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
 STILL = 1e-9  # m
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
@@ -26,7 +26,7 @@ def outcomes(
     ``rest``: the state under the stated preloads that everything else is measured from; ``warm``:
     temperatures differ from those of assembly.
     """
-    if not rest.converged[0] and np.abs(network.springs.force).max() >= NOTHING:
+    if not rest.converged[0] and np.abs(network.springs.force).max() >= LEAST_PRELOAD:
         sentence = (
             unopposed(spindle)
             or "the stated preloads are not in balance at rest: the springs must push against "
@@ -60,6 +60,7 @@ def _sideways(
 
 
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
+    """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load = net.response.load[row]
     names = [
@@ -68,7 +69,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     ]
     pushed = float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
-    light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < NOTHING
+    light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):
         return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload"
     lost = np.flatnonzero(~np.isfinite(load))
@@ -100,6 +101,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
 
 
 def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:
+    """A bearing pressed beyond what results still mean anything for."""
     for solved in net.response.states.values():
         peak = np.fmax(solved.state.inner_pressure, solved.state.outer_pressure)[row].max(axis=-1)
         over = np.flatnonzero(peak > HIGHEST_PRESSURE)

@@ -5,8 +5,9 @@ of the shaft: friction leaves it where it is between the places at which it woul
 (the play operator). Where the shaft moves one way, all forces of the way are solved together.
 
 ``rotordyn.preload.history`` solves the same physics event by event, for any history of loads and
-temperatures. This one stands beside it for identification, which asks for thousands of machines: a
-cycle of friction at 3 speeds takes 26 ms here and 330 to 440 ms there; positions agree within 2 nm.
+temperatures. This one stands beside it for identification, which asks for thousands of machines:
+cycles of 25 forces at 3 speeds take 12 ms here and 245 ms there where bearings are known, 41 and
+263 ms where they are not; positions agree within 2 nm.
 
 Theory: docs/theory/identification.md.
 """
@@ -16,11 +17,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.bearing import BallBearing
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -29,8 +32,9 @@ from rotordyn.preload.arrangement import (
     SHAFT,
     Arrangement,
     AxialBearing,
+    Push,
     arrangement,
-    at_rest,
+    as_mounted,
     rigid,
 )
 
@@ -61,75 +65,78 @@ class Curve:
         return np.interp(d, self.deflection, self.load)
 
 
-@dataclass
-class Tables:
-    """Curves of bearings solved so far, by what they depend on."""
+class Inputs(NamedTuple):
+    """What a curve follows from: growths [m], ``speed`` [rad/s]."""
 
-    known: dict[tuple[object, ...], Curve] = field(default_factory=dict)
+    model: BallBearing
+    law: Law
+    static_growth: float
+    growth: float
+    speed: float
+
+
+@dataclass
+class BearingCurves:
+    """Curves of bearings solved so far."""
+
+    known: dict[Inputs, Curve] = field(default_factory=dict)
 
     def of(self, joined: Arrangement) -> list[list[Curve]]:
         """The curve of every bearing at every speed."""
-        keys = [
-            [_key(b, omega, k) for b in joined.bearings] for k, omega in enumerate(joined.speed)
+        asked = [
+            [
+                Inputs(b.model, b.law, b.static_growth, float(b.growth[k]), float(omega))
+                for b in joined.bearings
+            ]
+            for k, omega in enumerate(joined.speed)
         ]
         missing = {
-            key: (b, k)
-            for k, row in enumerate(keys)
-            for key, b in zip(row, joined.bearings, strict=True)
-            if key not in self.known
+            one: bearing.seats[0] + 1
+            for row in asked
+            for one, bearing in zip(row, joined.bearings, strict=True)
+            if one not in self.known
         }
-        for key in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
-            if not any(key in row for row in keys):
-                del self.known[key]
-        alike: dict[tuple[object, Law], list[tuple[object, ...]]] = {}
-        for key, (bearing, _) in missing.items():
-            alike.setdefault((bearing.model, bearing.law), []).append(key)
+        for one in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
+            if not any(one in row for row in asked):
+                del self.known[one]
+        alike: dict[tuple[BallBearing, Law], list[Inputs]] = {}
+        for one in missing:
+            alike.setdefault((one.model, one.law), []).append(one)
         for group in alike.values():
-            self._solve([(key, *missing[key]) for key in group], joined.speed)
-        return [[self.known[key] for key in row] for row in keys]
+            self._solve(group, missing)
+        return [[self.known[one] for one in row] for row in asked]
 
-    def _solve(
-        self, group: list[tuple[tuple[object, ...], AxialBearing, int]], speed: Array
-    ) -> None:
-        """Bearings of one model and law, all in one call."""
+    def _solve(self, group: list[Inputs], number: dict[Inputs, int]) -> None:
+        """Bearings of one model and law in one call; ``number`` of each in the spindle."""
         from bearings.ring.tangents import stiffness
 
-        first, rows = group[0][1], [k for _, _, k in group]
+        model, law, *rest = zip(*group, strict=True)
+        static_growth, growth, speed = (np.array(values)[:, None] for values in rest)
         displacement = np.zeros((len(group), len(SOLVED), 5))
         displacement[..., 0] = SOLVED * 1e-6
-        state = first.model.equilibrium(
+        state = model[0].equilibrium(
             displacement=displacement,
-            speed=speed[rows][:, None],
-            static_growth=np.array([b.static_growth for _, b, _ in group])[:, None],
-            growth=np.array([b.growth[k] for _, b, k in group])[:, None],
-            **asdict(first.law),
+            speed=speed,
+            static_growth=static_growth,
+            growth=growth,
+            **asdict(law[0]),
         )
         slopes = stiffness(state, "complete")[..., 0, 0]
-        for (key, b, k), load, slope in zip(group, state.load[..., 0], slopes, strict=True):
-            self.known[key] = _curve(load, slope, _stateless(b, speed[k], k))
+        for one, load, slope in zip(group, state.load[..., 0], slopes, strict=True):
+            good = np.isfinite(load) & np.isfinite(slope)
+            if good.sum() < 2:
+                raise NoSolution(
+                    f"bearing number {number[one]} of the spindle at "
+                    f"{one.speed * 30.0 / np.pi:.6g} rpm, groove growth {one.growth * 1e6:.4g} µm: "
+                    "it has no axial state at any deflection; lower the speed or the growth"
+                )
+            self.known[one] = _curve(SOLVED[good] * 1e-6, load[good], slope[good])
 
 
-def _key(bearing: AxialBearing, speed: float, row: int) -> tuple[object, ...]:
-    seat = bearing.static_growth, float(bearing.growth[row])
-    return bearing.model, bearing.law, *seat, float(speed)
-
-
-def _stateless(bearing: AxialBearing, speed: float, row: int) -> str:
-    """What there is to say of a bearing that no deflection brings into balance."""
-    rpm, growth = speed * 30.0 / np.pi, bearing.growth[row] * 1e6
-    return (
-        f"bearing number {bearing.seats[0] + 1} of the spindle at {rpm:.6g} rpm, groove growth "
-        f"{growth:.4g} µm: it has no axial state at any deflection; lower the speed or the growth"
-    )
-
-
-def _curve(load: Array, slope: Array, otherwise: str) -> Curve:
+def _curve(d: Array, load: Array, slope: Array) -> Curve:
+    """The spline through loads [N] and slopes [N/m] at deflections [m], and on beyond both ends."""
     from scipy.interpolate import CubicHermiteSpline
 
-    good = np.isfinite(load) & np.isfinite(slope)
-    if good.sum() < 2:
-        raise NoSolution(otherwise)
-    d, load, slope = SOLVED[good] * 1e-6, load[good], slope[good]
     inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
     step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
@@ -138,24 +145,30 @@ def _curve(load: Array, slope: Array, otherwise: str) -> Curve:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Carrier:
-    """Bearings of one sleeve, or of the housing: ``thrust``, ``count``, ``curve``, ``shift`` [m] of
-    the shaft at each."""
+class BearingGroup:
+    """Bearings whose outer rings one body holds, each with its curve at speed number ``row``."""
 
-    thrust: Array
-    count: Array
-    curve: tuple[Curve, ...]
-    shift: Array
+    bearings: tuple[tuple[AxialBearing, Curve], ...]
+    row: int
+
+    @classmethod
+    def on(cls, body: int, joined: Arrangement, curves: list[Curve], row: int) -> BearingGroup:
+        """Those of a sleeve or of the housing, which may hold none."""
+        pairs = zip(joined.bearings, curves, strict=True)
+        return cls(tuple((b, curve) for b, curve in pairs if b.outer == body), row)
 
     def __call__(self, w: Array) -> Array:
-        """Force of the shaft on it towards +x where the shaft stands by w [m] off [N]."""
-        parts = zip(self.thrust, self.count, self.curve, self.shift, strict=True)
-        return np.asarray(sum(t * n * c(t * (w + s)) for t, n, c, s in parts) + 0.0 * w)
+        """Force of the shaft on the body towards +x where the shaft stands by w [m] off [N]."""
+        force = 0.0 * w
+        for b, curve in self.bearings:
+            force = force + b.thrust * len(b.seats) * curve(b.thrust * (w + b.shortening[self.row]))
+        return force
 
     @property
     def places(self) -> Array:
-        """Offsets w of the shaft at which the first of its curves has points, ascending [m]."""
-        return np.sort(self.thrust[0] * self.curve[0].deflection) - self.shift[0]
+        """Offsets w of the shaft at which the curve of the first has points, ascending [m]."""
+        first, curve = self.bearings[0]
+        return np.sort(first.thrust * curve.deflection) - first.shortening[self.row]
 
     def standing(self, force: float) -> float:
         """Where the shaft stands off as it pushes with a force [m]."""
@@ -167,43 +180,40 @@ class Carrier:
 
 
 @dataclass(frozen=True, eq=False)
-class Slide:
-    """A sleeve: ``pushes`` [N] at its ``place`` at rest [m], spring ``stiffness`` [N/m], limit of
-    ``friction`` [N], ends of its way [m]; ``way``: +1 where the spring pushes towards
-    +x; its bearings."""
+class SlidingSleeve:
+    """A sleeve with its spring and stop, its ``place`` at rest [m], the limit of its ``friction``
+    [N], and its bearings."""
 
-    way: int
-    pushes: float
+    push: Push
     place: float
-    stiffness: float
     friction: float
-    low: float
-    high: float
-    carrier: Carrier
+    bearings: BearingGroup
 
     @cached_property
     def sliding(self) -> list[tuple[Array, Array]]:
         """Positions of the shaft, and of the sleeve that just slides towards −x and +x there."""
-        w = self.carrier.places
-        free = self.pushes + self.carrier(w)
-        found = [self.place + (free + f) / self.stiffness for f in (-self.friction, self.friction)]
+        w = self.bearings.places
+        free = self.push.direction * self.push.preload + self.bearings(w)
+        limits = -self.friction, self.friction
+        found = [self.place + (free + limit) / self.push.stiffness for limit in limits]
         return [(x + w, x) for x in found]
 
     def between(self, u: Array) -> tuple[Array, ...]:
         """Lowest and highest place at which friction holds the sleeve, the shaft at u [m]."""
-        if np.isinf(self.stiffness):
+        if rigid(self.push):
             return np.full_like(u, self.place), np.full_like(u, self.place)
-        low, high = (np.interp(u, *each) for each in self.sliding)
-        return tuple(np.minimum(np.maximum(x, self.low), self.high) for x in (low, high))
+        end = self.place - self.push.direction * self.push.travel
+        stopped = np.maximum if self.push.direction > 0 else np.minimum
+        return tuple(stopped(np.interp(u, *each), end) for each in self.sliding)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Instant:
+class AtSpeed:
     """The machine at one speed: sleeves, bearings in the housing, ``support`` [N/m] along the axis
     that holds the shaft at ``place`` [m]."""
 
-    slides: tuple[Slide, ...]
-    fixed: Carrier
+    sleeves: tuple[SlidingSleeve, ...]
+    fixed: BearingGroup
     support: float
     place: float
 
@@ -214,10 +224,10 @@ class Instant:
         def total(u: Array) -> tuple[Array, list[Array]]:
             held = self.support * (u - self.place) + self.fixed(u)
             places = []
-            for slide, x in zip(self.slides, before[SHAFT + 1 :], strict=True):
-                low, high = slide.between(u)
+            for sleeve, x in zip(self.sleeves, before[SHAFT + 1 :], strict=True):
+                low, high = sleeve.between(u)
                 places.append(np.minimum(np.maximum(x, low), high))
-                held = held + slide.carrier(u - places[-1])
+                held = held + sleeve.bearings(u - places[-1])
             return held, places
 
         grid = before[SHAFT] + GRID
@@ -254,34 +264,35 @@ def _root(
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Axial:
+class AxialRunUp:
     """A machine run up from rest through ``speed`` [rad/s], under the static ``force`` [N].
 
     ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
-    preloads alone, ``still`` under that force and at the temperatures, too; ``idle`` (speeds,
-    bodies): at every speed after the run-up [m].
+    preloads alone, ``standstill`` under that force and at the temperatures, too; ``idle`` (speeds,
+    bodies): at every speed after the run-up [m]; ``at``: the machine at each of them.
     """
 
     bodies: tuple[str, ...]
     speed: Array
     force: float
     mounted: Array
-    still: Array
+    standstill: Array
     idle: Array
-    instants: tuple[Instant, ...]
+    at: tuple[AtSpeed, ...]
 
     @property
     def shift(self) -> Array:
         """How far bodies are from where they stand at rest (speeds, bodies) [m]."""
-        return self.idle - self.still
+        return self.idle - self.standstill
 
     def under(self, row: int, forces: Sequence[float] | Array) -> Array:
-        """The same under further axial forces [N] one after the other, from the idle state."""
+        """The same under further axial forces [N] one after the other, from the idle state
+        (forces, bodies) [m]."""
         state, found = self.idle[row], []
         for part in _ways(np.asarray(forces, dtype=float)):
-            found.append(self.instants[row].solved(self.force + part, state))
+            found.append(self.at[row].solved(self.force + part, state))
             state = found[-1][-1]
-        return np.concatenate(found) - self.still
+        return np.concatenate(found) - self.standstill
 
     def cycle(
         self,
@@ -315,87 +326,62 @@ def _ways(forces: Array) -> Iterator[Array]:
     yield forces[start:]
 
 
-def axial(
+def axial_run_up(
     spindle: Spindle,
     law: Law,
     speed: Array,
     force: float = 0.0,
     temperatures: Temperatures | None = None,
-    tables: Tables | None = None,
-    without_stop: str | None = None,
-) -> Axial:
+    curves: BearingCurves | None = None,
+) -> AxialRunUp:
     """``spindle`` run up through ``speed`` [rad/s], in this order.
 
-    ``force``: static one on the shaft [N]; ``without_stop``: a sleeve whose stop is left out.
+    ``force``: static one on the shaft [N]; ``curves``: those solved for machines before.
 
     Raises
     ------
     NoSolution : nothing holds the shaft, or a bearing has no state
     """
+    curves = curves or BearingCurves()
     joined = arrangement(spindle, speed, force, law, temperatures)
-    tables = tables or Tables()
-    mounted = _mounted(at_rest(joined), tables)
     warm = arrangement(spindle, np.zeros(1), force, law, temperatures)
-    rest = _instant(spindle, warm, 0, tables.of(warm)[0], mounted, without_stop)
-    states = [rest.solved(np.array([force]), mounted)[0]]
-    instants = []
-    for row, curves in enumerate(tables.of(joined)):
-        instants.append(_instant(spindle, joined, row, curves, mounted, without_stop))
-        states.append(instants[-1].solved(np.array([force]), states[-1])[0])
-    idle = np.array(states[1:]).reshape(len(instants), len(mounted))
-    return Axial(joined.bodies, speed, force, mounted, states[0], idle, tuple(instants))
+    mounted = _mounted(as_mounted(joined), curves)
+    at = [
+        _at_speed(spindle, each, of_bearings, row, mounted)
+        for each in (warm, joined)
+        for row, of_bearings in enumerate(curves.of(each))
+    ]
+    states = [mounted]
+    for one in at:
+        states.append(one.solved(np.array([force]), states[-1])[0])
+    idle = np.array(states[2:]).reshape(-1, len(mounted))
+    return AxialRunUp(joined.bodies, speed, force, mounted, states[1], idle, tuple(at[1:]))
 
 
-def _carrier(joined: Arrangement, row: int, curves: list[Curve], body: int) -> Carrier:
-    """Bearings whose outer rings a body holds; a housing may hold none."""
-    carried = [k for k, bearing in enumerate(joined.bearings) if bearing.outer == body]
-    bearings = [joined.bearings[k] for k in carried]
-    return Carrier(
-        np.array([float(bearing.thrust) for bearing in bearings]),
-        np.array([float(len(bearing.seats)) for bearing in bearings]),
-        tuple(curves[k] for k in carried),
-        np.array([float(bearing.shortening[row]) for bearing in bearings]),
-    )
-
-
-def _mounted(resting: Arrangement, tables: Tables) -> Array:
+def _mounted(resting: Arrangement, known: BearingCurves) -> Array:
     """Positions at rest under the stated preloads alone (bodies,) [m]."""
-    curves = tables.of(resting)[0]
-    fixed = _carrier(resting, 0, curves, HOUSING)
+    curves = known.of(resting)[0]
+    fixed = BearingGroup.on(HOUSING, resting, curves, 0)
     pushed = sum(push.direction * push.preload for push in resting.pushes)
-    shaft = fixed.standing(pushed) if fixed.curve else 0.0
+    shaft = fixed.standing(pushed) if fixed.bearings else 0.0
     off = [
-        _carrier(resting, 0, curves, push.body).standing(-push.direction * push.preload)
-        for push in resting.pushes
+        BearingGroup.on(p.body, resting, curves, 0).standing(-p.direction * p.preload)
+        for p in resting.pushes
     ]
     return np.array([shaft, *(shaft - each for each in off)])
 
 
-def _instant(
-    spindle: Spindle,
-    joined: Arrangement,
-    row: int,
-    curves: list[Curve],
-    mounted: Array,
-    without_stop: str | None,
-) -> Instant:
-    slides = []
-    for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True):
-        place = float(mounted[push.body])
-        travel = np.inf if rigid(push) or sleeve.name == without_stop else push.travel
-        end = place - push.direction * travel
-        slides.append(
-            Slide(
-                push.direction,
-                push.direction * push.preload,
-                place,
-                push.stiffness,
-                sleeve.friction,
-                end if push.direction > 0 else -np.inf,
-                end if push.direction < 0 else np.inf,
-                _carrier(joined, row, curves, push.body),
-            )
-        )
+def _at_speed(
+    spindle: Spindle, joined: Arrangement, curves: list[Curve], row: int, mounted: Array
+) -> AtSpeed:
+    """The machine at speed number ``row``; ``mounted`` (bodies,): positions as mounted [m]."""
+
+    def on(body: int) -> BearingGroup:
+        return BearingGroup.on(body, joined, curves, row)
+
+    sleeves = tuple(
+        SlidingSleeve(push, float(mounted[push.body]), sleeve.friction, on(push.body))
+        for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True)
+    )
     support = sum(each.along for each in spindle.supports)
-    fixed = _carrier(joined, row, curves, HOUSING)
-    return Instant(tuple(slides), fixed, support, float(mounted[SHAFT]))
+    return AtSpeed(sleeves, on(HOUSING), support, float(mounted[SHAFT]))

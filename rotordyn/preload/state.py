@@ -19,7 +19,8 @@ from rotordyn.preload.arrangement import (
     Arrangement,
     Push,
     arrangement,
-    at_rest,
+    as_mounted,
+    has_stop,
     rigid,
 )
 from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
@@ -40,18 +41,18 @@ class PreloadState:
     """Axial equilibrium at every speed.
 
     ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
-    ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
-    the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
-    or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
-    across the axis, None without any; ``temperatures``: None where all are those of assembly;
-    ``films``: those that balls ride on, or None; ``past``: what the spindle went through before.
+    ``mounted``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop
+    ends the travel (NaN without one) [m]; ``net``: the network at every speed; ``outcome`` per
+    speed: empty, or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor
+    under loads across the axis, None without any; ``temperatures``: None where all are those of
+    assembly; ``films``: those that balls ride on, or None; ``past``: what came before.
     """
 
     spindle: Spindle
     force: float
     law: Law
     network: Network
-    still: NetworkState
+    mounted: NetworkState
     limit: Array
     net: NetworkState
     outcome: tuple[str, ...]
@@ -69,8 +70,8 @@ class PreloadState:
 
     @property
     def rest(self) -> Array:
-        """Positions at rest (bodies,)."""
-        return self.still.position[0]
+        """Positions as mounted (bodies,) [m]."""
+        return self.mounted.position[0]
 
     @property
     def speed(self) -> Array:
@@ -93,34 +94,26 @@ class PreloadState:
 
         A rigid preload carries what its bearings ask for.
         """
-        springs, pushes = self.network.springs, self.network.arrangement.pushes
+        springs = self.network.springs
         elastic = springs.force - springs.stiffness * self.shift
-        forces = [
-            push.direction * (elastic[:, push.body] - (rigid(push) * self._unbalanced(push.body)))
-            for push in pushes
-        ]
-        return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
+        forces = elastic - springs.fixed * self._unbalanced
+        return (self.network.arrangement.direction * forces)[:, SHAFT + 1 :]
 
     @property
     def stop_force(self) -> Array:
         """Force of each end stop on its sleeve, 0 while open (speeds, sleeves) [N]."""
-        pushes = self.network.arrangement.pushes
-        forces = [
-            np.where(self.net.held[:, p.body], np.abs(self._unbalanced(p.body)), 0.0)
-            for p in pushes
-        ]
-        return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
+        return np.where(self.net.held, np.abs(self._unbalanced), 0.0)[:, SHAFT + 1 :]
 
     def stop_gaps(self) -> Array:
-        """Gap of every end stop (speeds, sleeves) [m]: negative where it is closed, by what its
-        force would press ``SOFT``; ``FAR`` where there is no state."""
-        pushes = self.network.arrangement.pushes
-        body = [push.body for push in pushes]
-        direction = np.array([push.direction for push in pushes])
-        gap = direction * (self.net.position - self.limit)[:, body]
-        gap = np.where(np.isfinite(gap), gap, FAR)
+        """Gap of every end stop (speeds, sleeves) [m]; ``FAR`` where there is no state.
+
+        Negative where it is closed, by what its force would press a spring ``SOFT`` together: so it
+        goes on beyond the stop, and the speed at which that is met is a root.
+        """
+        gap = self.network.arrangement.direction * (self.net.position - self.limit)
+        gap = np.where(np.isfinite(gap), gap, FAR)[:, SHAFT + 1 :]
         pressed = np.maximum(self.stop_force, LEAST) / SOFT
-        return np.where(self.net.held[:, body], -pressed, gap)
+        return np.where(self.net.held[:, SHAFT + 1 :], -pressed, gap)
 
     @property
     def friction_force(self) -> Array:
@@ -132,8 +125,10 @@ class PreloadState:
         """Limit of the friction on every body (bodies,) [N]."""
         return np.array([0.0, *(sleeve.friction for sleeve in self.spindle.sleeves)])
 
-    def _unbalanced(self, body: int) -> Array:
-        return self.network.forces(self.net.position, self.net.response)[:, body]
+    @property
+    def _unbalanced(self) -> Array:
+        """What stops and rigid preloads carry (speeds, bodies) [N]."""
+        return self.network.forces(self.net.position, self.net.response)
 
     def seat_states(self) -> list[tuple[BearingState, int]]:
         """For every seat, its bearing model's batched state and its column there."""
@@ -170,9 +165,7 @@ class PreloadState:
     def mounted_load(self) -> Array:
         """Axial load of every bearing at rest under the stated preloads, as assembled (seats,)
         [N]."""
-        bearings = self.network.arrangement.bearings
-        place = {seat: k for k, bearing in enumerate(bearings) for seat in bearing.seats}
-        return np.array([self.still.response.load[0, place[seat]] for seat in sorted(place)])
+        return self.mounted.response.load[0, self.network.arrangement.bearing_of_seat]
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
@@ -191,15 +184,15 @@ class PreloadState:
 
     def seat_growth(self) -> Array:
         """Total radial growth of every inner groove centre (speeds, seats) [m]."""
-        bearings = self.network.arrangement.bearings
-        place = {seat: bearing.growth for bearing in bearings for seat in bearing.seats}
-        return np.stack([place[seat] for seat in sorted(place)], axis=1)
+        joined = self.network.arrangement
+        growth = np.stack([bearing.growth for bearing in joined.bearings], axis=1)
+        return growth[:, joined.bearing_of_seat]
 
     def rest_loads(self) -> Array:
         """Axial load of every bearing at rest, external force included (bearings,) [N], or NaN."""
-        net = self.still
+        net = self.mounted
         if self.force:
-            still = replace(at_rest(self.network.arrangement), force=self.force)
+            still = replace(as_mounted(self.network.arrangement), force=self.force)
             net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
@@ -260,11 +253,20 @@ def dynamic_preload(
     from there springs act with their stiffness and stops stand at their travel.
     """
     joined = arrangement(spindle, speed, axial_force, law, temperatures, films)
-    still = _rest(joined)
-    network = Network(joined, _springs(spindle, joined, still.position[0]))
-    limit = _limits(joined, still.position[0])
+    mounted = _mounted(joined)
+    rest = mounted.position[0]
+    network = Network(joined, _springs(spindle, joined, rest))
     start = PreloadState(
-        spindle, axial_force, law, network, still, limit, still, (), None, temperatures, films
+        spindle,
+        axial_force,
+        law,
+        network,
+        mounted,
+        limit=_limits(joined, rest),
+        net=mounted,  # until it is settled
+        outcome=(),
+        temperatures=temperatures,
+        films=films,
     )
     return settled(start, network)
 
@@ -272,17 +274,16 @@ def dynamic_preload(
 def settled(state: PreloadState, network: Network, start: Array | None = None) -> PreloadState:
     """Another ``network`` of the same spindle at its speeds, sought from rest or from ``start``
     (speeds, bodies)."""
-    rest, still = state.rest, state.still
-    limit = _limits(network.arrangement, rest)
-    net = confirmed(network, with_stops(network, rest, limit, start))
+    limit = _limits(network.arrangement, state.rest)
+    net = confirmed(network, with_stops(network, state.rest, limit, start))
     warm = state.temperatures is not None
-    words = outcomes(state.spindle, network, still, net, warm=warm)
+    words = outcomes(state.spindle, network, state.mounted, net, warm=warm)
     return replace(state, network=network, limit=limit, net=net, outcome=words)
 
 
-def _rest(joined: Arrangement) -> NetworkState:
+def _mounted(joined: Arrangement) -> NetworkState:
     """Equilibrium at rest under the stated preloads alone (one speed)."""
-    still = at_rest(joined)
+    still = as_mounted(joined)
     count = len(still.bodies)
     nothing = np.zeros(count)
     none = np.zeros(count, dtype=bool)
@@ -293,10 +294,8 @@ def _rest(joined: Arrangement) -> NetworkState:
 
 
 def _preloads(joined: Arrangement) -> Array:
-    force = np.zeros(len(joined.bodies))
-    for push in joined.pushes:
-        force[push.body] = push.direction * push.preload
-    return force
+    """Forces of the springs at rest, towards +x (bodies,) [N]."""
+    return joined.direction * [0.0, *(push.preload for push in joined.pushes)]
 
 
 def _seated(network: Network) -> Array:
@@ -304,6 +303,7 @@ def _seated(network: Network) -> Array:
     b, tandem, force = network.incidence, network.tandem, network.springs.force
     share = np.linalg.lstsq((tandem[:, None] * b).T, force, rcond=None)[0]
     largest = np.abs(force).max()
+    # a bearing that takes thrust one way begins pressed, however the springs may share their force
     likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
     likely = np.where(network.both_ways, np.copysign(likely, share), likely)
     carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
@@ -320,18 +320,13 @@ def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
 
     Linear supports hold the shaft along the axis without force at rest.
     """
-    stiffness, fixed = np.zeros_like(rest), np.zeros(len(rest), dtype=bool)
-    stiffness[SHAFT] = sum(s.along for s in spindle.supports)
-    for push in joined.pushes:
-        fixed[push.body] = rigid(push)
-        stiffness[push.body] = 0.0 if rigid(push) else push.stiffness
-    return Springs(_preloads(joined), stiffness, rest, fixed)
+    fixed = np.array([False, *map(rigid, joined.pushes)])
+    along = sum(support.along for support in spindle.supports)
+    stiffness = np.array([along, *(push.stiffness for push in joined.pushes)])
+    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
 
 
 def _limits(joined: Arrangement, rest: Array) -> Array:
     """Where each stop ends the travel (bodies,); NaN without one."""
-    limit = np.full_like(rest, np.nan)
-    for push in joined.pushes:
-        if np.isfinite(push.travel) and not rigid(push):
-            limit[push.body] = rest[push.body] - push.direction * push.travel
-    return limit
+    travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
+    return rest - joined.direction * [np.nan, *travel]

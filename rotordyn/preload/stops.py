@@ -57,9 +57,7 @@ def stops_wanted(
     Those that stand there and are pressed on, and those that have run past. ``force`` on the bodies
     [N] without what the stops carry.
     """
-    direction = np.zeros_like(limit)
-    for push in network.arrangement.pushes:
-        direction[push.body] = push.direction
+    direction = network.arrangement.direction
     overrun = direction * (position - limit) < -OVERRUN
     slack = PULL * np.abs(network.springs.force).max()
     pulls = held & (direction * force > slack)

@@ -26,7 +26,7 @@ from rotordyn.preload.state import PreloadState
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
-NOTHING = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
+LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
 REAL = 1e-12
 NEARER = 6  # loads that are tried within a step
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
@@ -99,7 +99,7 @@ class _Approach:
         """From inner loads of the balls at every share; None where none leaves, or one has left
         without loads."""
         lightest = np.array([each.min() for each in loads])
-        least = NOTHING * float(lightest[0])
+        least = LOST * float(lightest[0])
         gone = np.flatnonzero(lightest <= least)
         if not lightest[0] > 0.0 or not gone.size:
             return None
@@ -220,15 +220,16 @@ def _as_state(
     converged = np.array([word == "" for word in words])
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
-    still = _by_seat(state.still, balance.bearings)
-    return replace(state, network=network, still=still, net=net, outcome=words, lateral=lateral)
+    mounted = _by_seat(state.mounted, balance.bearings)
+    state = replace(state, network=network, mounted=mounted, net=net)
+    return replace(state, outcome=words, lateral=lateral)
 
 
-def _by_seat(still: NetworkState, bearings: tuple[int, ...]) -> NetworkState:
+def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:
     """The network at rest with a column for every seat, of ``bearings`` that stand for each."""
-    one = still.response
-    each = replace(one, load=one.load[:, list(bearings)], slope=one.slope[:, list(bearings)])
-    return replace(still, response=each)
+    one = mounted.response
+    each = replace(one, load=one.load[:, bearings], slope=one.slope[:, bearings])
+    return replace(mounted, response=each)
 
 
 def _apart(joined: Arrangement) -> Arrangement:

@@ -23,6 +23,7 @@ from itertools import count
 from pathlib import Path
 
 from rotordyn.errors import InvalidInput, OutputRefused
+from rotordyn.whole import locked
 
 RECORD = "run.json"
 CASE = "case.json"
@@ -177,12 +178,11 @@ def _new_workshop(target: Path, stack: ExitStack) -> Path:
     while True:
         workshop = Path(tempfile.mkdtemp(prefix=_prefix(target), dir=target.parent))
         with suppress(BlockingIOError, FileNotFoundError):
-            lock = _locked(workshop)
+            lock = locked(workshop)
             if lock is not None:
                 stack.callback(os.close, lock)
-            if (
-                workshop.exists()
-            ):  # another run may have taken it for one left over, before the lock
+            # Before the lock another run may have taken it for one left over.
+            if workshop.exists():
                 stack.callback(shutil.rmtree, workshop, ignore_errors=True)
                 return workshop
 
@@ -201,7 +201,7 @@ def _recover(target: Path) -> None:
     for path in [p for p in target.parent.iterdir() if ours.fullmatch(p.name)]:
         lock = None
         with suppress(OSError):
-            lock = _locked(path)
+            lock = locked(path)
             if lock is None and time.time() - path.stat().st_mtime < ABANDONED:
                 continue
             with suppress(OSError):  # results that stand there already stay
@@ -209,26 +209,6 @@ def _recover(target: Path) -> None:
             shutil.rmtree(path, ignore_errors=True)
         if lock is not None:
             os.close(lock)
-
-
-def _locked(workshop: Path) -> int | None:
-    """A lock that ends with this process and its forks, None where the system has none.
-
-    Raises
-    ------
-    OSError : another process holds it
-    """
-    try:
-        import fcntl
-    except ImportError:  # Windows
-        return None
-    descriptor = os.open(workshop, os.O_RDONLY)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(descriptor)
-        raise
-    return descriptor
 
 
 def _umask() -> int:

@@ -48,6 +48,17 @@ def of_a_pair(rating: float, of_grooves: float) -> str:
     )
 
 
+def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
+    """A warning where heat lowers the dynamic rating at some speed (speeds, …), else nothing."""
+    at = np.argwhere(factor < 1.0)
+    if not len(at):
+        return ""
+    return (
+        f"hotter than 150 °C from {speed[at[0, 0]] * RPM.factor:.0f} rpm on: the dynamic rating is "
+        f"down to {100.0 * np.nanmin(factor):.0f} % there; cool it"
+    )
+
+
 def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:
     """A warning where balls slip on a race at some speed, else nothing."""
     at = np.flatnonzero(races != "")

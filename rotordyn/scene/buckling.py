@@ -12,7 +12,7 @@ from rotordyn.equation.statics import withstands
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
+from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.results.display import RPM
 
 Array = NDArray[np.float64]
@@ -25,7 +25,7 @@ class Loading:
 
     ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
     compressed. ``force`` [N] on the front end and ``gravity`` [m/s²] towards +x; ``tension`` [N]
-    pulls at both ends; ``pushes``: stations [m] and forces [N] besides.
+    pulls at both ends; ``point_forces`` act besides.
     """
 
     spindle: Spindle
@@ -36,7 +36,7 @@ class Loading:
     force: float
     gravity: float
     tension: float
-    pushes: Pushes = ()
+    point_forces: PointForces = ()
 
     def outcomes(self) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this speed and what would hold."""
@@ -70,8 +70,8 @@ class Loading:
 
     def _along(self, spindle: Spindle, share: float) -> AxialForce:
         force, gravity, tension = (share * e for e in (self.force, self.gravity, self.tension))
-        pushes = tuple((x, share * push) for x, push in self.pushes)
-        return axial_force(spindle, share * self.seat_load, force, gravity, tension, pushes)
+        point_forces = tuple((x, share * push) for x, push in self.point_forces)
+        return axial_force(spindle, share * self.seat_load, force, gravity, tension, point_forces)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""

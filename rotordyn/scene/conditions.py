@@ -136,8 +136,8 @@ class Conditions(Description):
         return x, y, z
 
     @property
-    def pushed(self) -> float:
-        """External force along the axis, that of loads included [N]."""
+    def total_axial_force(self) -> float:
+        """External force along the axis towards +x, that of loads included [N]."""
         return self.axial_force + sum(load.Fx for load in self.loads)
 
     @property

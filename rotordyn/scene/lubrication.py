@@ -16,11 +16,13 @@ from rotordyn.quantity import (
 )
 
 if TYPE_CHECKING:
+    from bearings.arrays import Array
     from bearings.lubricant import Lubricant
 
 SUPPLIES = ("oil-air", "mist", "grease", "bath", "jet")  # f0 in bearings.heat.OIL_FACTORS
 THICKEST = 0.1  # m²/s, kinematic
-LOSS_MODELS = ("ellipse", "palmgren")
+ELLIPSE = "ellipse"
+LOSS_MODELS = (ELLIPSE, "palmgren")
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,3 +63,13 @@ class Lubrication(Description):
         from bearings.lubricant import Lubricant
 
         return Lubricant(self.viscosity_40, self.viscosity_100)
+
+
+def hot_rating(celsius: Array) -> Array:
+    """Factor on C at temperatures of bearings [°C] (…): 1 where none is known (NaN), and that of
+    300 °C above."""
+    import numpy as np
+
+    from bearings.life import HOTTEST, temperature_factor
+
+    return temperature_factor(np.minimum(np.where(np.isnan(celsius), -np.inf, celsius), HOTTEST))

@@ -20,7 +20,7 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
+from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.preload.friction import operating_state
 from rotordyn.preload.state import PreloadState
 from rotordyn.scene.across import across, with_stations
@@ -97,8 +97,9 @@ class Statics(Staged):
 
     @property
     def axial_force(self) -> float:
-        """External force and weight along the axis [N]."""
-        return self.conditions.pushed + self.past.weight
+        """All that acts on the shaft along the axis: forces of the conditions, those of loads
+        included, and weight, towards +x [N]."""
+        return self.conditions.total_axial_force + self.past.weight
 
     @property
     def past(self) -> Past:
@@ -211,7 +212,10 @@ class Statics(Staged):
 
     @cached_property
     def heat_balance(self) -> HeatBalance:
-        """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
+        """Temperatures at ``bearing_speed`` where the conditions have a heat flow.
+
+        Not a stage, which would be reported as skipped of every machine without a heat flow.
+        """
         known = self.memo.known("heat balance", self._axial_inputs)
         if known is None:
             known = (self.timed("heat balance", self._balanced),)
@@ -270,7 +274,7 @@ class Statics(Staged):
             self.conditions.axial_force,
             self.gravity,
             self.conditions.tension,
-            self._pushes,
+            self._point_forces,
         )
         return loading.outcomes()
 
@@ -292,11 +296,11 @@ class Statics(Staged):
             acting.axial_force,
             self.gravity,
             acting.tension,
-            self._pushes,
+            self._point_forces,
         )
 
     @property
-    def _pushes(self) -> Pushes:
+    def _point_forces(self) -> PointForces:
         """Stations and axial forces of the loads."""
         place = self.spindle.place
         return tuple((place(load.at).x, load.Fx) for load in self.conditions.loads if load.Fx)
@@ -311,7 +315,7 @@ class Statics(Staged):
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         warm = conditions.heat_flow, conditions.films
-        acting = conditions.history, self._pushes, self.bearing_speed.tobytes()
+        acting = conditions.history, self._point_forces, self.bearing_speed.tobytes()
         inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 

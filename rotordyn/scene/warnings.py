@@ -150,7 +150,7 @@ def _lost(
             "preload, or lower the loads"
         )
         return
-    angle = 360.0 * np.flatnonzero(balls) / len(balls) * (-1.0 if seat.thrust < 0 else 1.0)
+    angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
     first, last = int(angle[0]) % 360, int(balls.sum())
     yield (
         f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing from "

@@ -1,4 +1,9 @@
-"""The operating state: networks on the axis, followed through loads, shifts and speeds."""
+"""The operating state: networks on the axis, followed through loads, shifts and speeds.
+
+``plain`` reads a ``network`` with the ``laws`` of its bearings, ``rest`` mounts it, ``along``
+follows a step of its path: ``contacts`` between two events, ``conditions`` that end such a part,
+``rates`` that say how it goes on, ``settle`` after a snap.
+"""
 
 from __future__ import annotations
 

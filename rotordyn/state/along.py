@@ -28,8 +28,8 @@ from rotordyn.state.conditions import (
 )
 from rotordyn.state.contacts import State, hold
 from rotordyn.state.network import Step, pieces
-from rotordyn.state.no_equilibrium import endless, nothing
-from rotordyn.state.rates import rates, turned, velocity
+from rotordyn.state.no_equilibrium import endless, runaway
+from rotordyn.state.rates import rates, updated_contacts, velocity
 from rotordyn.state.settle import settle
 
 Array = NDArray[np.float64]
@@ -91,7 +91,7 @@ def passed(step: Step, state: State, shares: Sequence[float]) -> list[State]:
             place = shares[len(found)]
             at = hold(step, begun, place, _near(known, place)) or hold(step, begun, place)
             if at is None:
-                raise nothing(step, place, velocity(step, begun))
+                raise runaway(step, place, velocity(step, begun))
             known[place] = at
             found.append(at)
         begun, known = there, {share: there}
@@ -103,14 +103,15 @@ def parts(step: Step, state: State) -> Iterator[tuple[float, State, list[Event]]
     ``along``."""
     share, length, before, at_once = 0.0, 1.0, state, 0
     piece = pieces(step.load(0.0).laws, state.at.deflection, state.piece)
-    state = turned(step, _sided(step, replace(state, piece=piece), 0.0), 0.0)
+    state = updated_contacts(step, _sided(step, replace(state, piece=piece), 0.0), 0.0)
     yield share, state, events(before, state, share, None)
     for _ in range(PARTS):
         if share >= 1.0:
             return
         careful = not _one_way(step, state)
         part = _part(step, state, share, min(share + length, 1.0), careful=careful)
-        length = max(2.0 * (part.share - share), SHORTEST)
+        # a part that was cut short by nothing but the search: the next try goes twice as far
+        length = 1.0 if part.ended else max(2.0 * (part.share - share), SHORTEST)
         at_once = 0 if part.share > share else at_once + 1
         if at_once > AT_ONCE:
             break
@@ -121,9 +122,8 @@ def parts(step: Step, state: State) -> Iterator[tuple[float, State, list[Event]]
         elif part.ended is not None:
             known = part.ended.index if part.ended.kind == "halt" else None
             after = _sided(step, changed(step.network, before, part.ended), share)
-            state = turned(step, after, share, known)
+            state = updated_contacts(step, after, share, known)
             met = events(before, state, share, part.ended)
-        length = 1.0 if part.ended else length
         yield share, state, met
     raise endless(step, share, velocity(step, state))
 
@@ -142,13 +142,14 @@ def _sided(step: Step, state: State, share: float) -> State:
 
 
 def _snaps(before: State, after: State, share: float) -> list[Event]:
+    """The snap, of the body that moved farthest, and the contacts that are others after it."""
     way = np.abs(after.x - before.x)
     snap = [Event(share, "snap", int(way.argmax()))] if way.max() > SNAPPED else []
     return [*snap, *events(before, after, share, None)]
 
 
 def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Part:
-    """The longest smooth part from ``a``, at most to ``b``.
+    """The longest smooth part found by halving from share ``a``, at most to ``b``.
 
     ``careful``: the positions between are held against the cubic between the ends.
     """
@@ -166,10 +167,12 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
                     return part
         if b - a <= SHORTEST:
             return Part(a, state, SNAP)
+        # at most once shorter than SHORTEST: what no such part leads through is a snap
         b, careful = max(0.5 * (a + b), a + 0.9 * SHORTEST), True
 
 
 def _sample(step: Step, state: State, share: float, of: list[Condition]) -> Sample:
+    """A state with its rates and conditions ``of`` it."""
     rate = rates(step, state)
     value = measures(step, state, step.load(share), of, rate)
     return Sample(share, state, rate.x, value, slopes(step, state, of, rate))
@@ -328,6 +331,6 @@ def _snapped(step: Step, state: State, share: float) -> State:
     share = min(share + SHORTEST, 1.0)
     there = settle(step, state, share)
     if there is None:
-        raise nothing(step, share, velocity(step, state))
+        raise runaway(step, share, velocity(step, state))
     piece = pieces(step.load(share).laws, there.at.deflection)
-    return turned(step, replace(there, piece=piece), share)
+    return updated_contacts(step, replace(there, piece=piece), share)

@@ -12,7 +12,8 @@ from rotordyn.state.network import Load, Network, Step, limits
 from rotordyn.state.rates import Rates, rates
 
 Array = NDArray[np.float64]
-SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}
+SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}  # way in which friction goes on
+MODES = {1: "slip+", -1: "slip-", 0: "stick"}
 LENGTH = 1e-3  # m: what gaps and deflections are measured by
 
 
@@ -117,7 +118,7 @@ def events(before: State, after: State, share: float, ended: Condition | None) -
     for k, (was, now) in enumerate(zip(before.slip.tolist(), after.slip.tolist(), strict=True)):
         halts = ended is not None and ended.kind in ("halt", "rise", "fall")
         if was != now and (now or halts):
-            crossed.append(Event(share, {1: "slip+", -1: "slip-", 0: "stick"}[now], k))
+            crossed.append(Event(share, MODES[now], k))
     pairs = (
         (before.closed, after.closed, "close", "open"),
         (before.piece > 0, after.piece > 0, "load", "unload"),

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgesv
 
-from rotordyn.state.network import Balance, Load, Network, Step
+from rotordyn.state.network import Forces, Load, Network, Step
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -49,7 +49,7 @@ class State:
     press: Array
     rigid: Array
     piece: NDArray[np.int_]
-    at: Balance
+    at: Forces
 
     @property
     def sticks(self) -> Flags:
@@ -142,10 +142,10 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
     """
     load = step.load(share)
     joints = held(step.network, state, load.gap)
-    loose = released(step.network, state, joints)
+    loose = without_joint_forces(step.network, state, joints)
     fixed = contact_forces(step.network, loose)
     x = state.x if near is None else near
-    at = step.balance(x, load)
+    at = step.forces(x, load)
     best = np.inf
     for _ in range(ITERATIONS):
         force, miss = at.force + fixed, joints.target - joints.row @ x
@@ -153,7 +153,7 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
         placed = np.abs(miss).max(initial=0.0) <= PLACED
         left = float(np.abs(force + mu @ joints.row).max()) / (at.size + np.abs(fixed).sum() + TINY)
         if placed and (left < EXACT or (best < ENOUGH and left >= 0.5 * best)):
-            there = joined(step.network, loose, joints, x, at, mu)
+            there = with_joint_forces(step.network, loose, joints, x, at, mu)
             return None if _driven_through(step.network, there) else there
         best = min(best, left) if placed else best
         x, at = advance(step, load, fixed, x, dx, at) if placed else _moved(step, load, x, dx)
@@ -161,8 +161,8 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
 
 
 def advance(
-    step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Balance
-) -> tuple[Array, Balance]:
+    step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Forces
+) -> tuple[Array, Forces]:
     """Go along ``dx`` until the forces along it have lost at least half of what they were.
 
     ``fixed``: forces of the contacts. The forces fall along the way, as the energy is convex; where
@@ -180,11 +180,11 @@ def advance(
     return trial, there
 
 
-def _moved(step: Step, load: Load, x: Array, dx: Array) -> tuple[Array, Balance]:
-    return x + dx, step.balance(x + dx, load)
+def _moved(step: Step, load: Load, x: Array, dx: Array) -> tuple[Array, Forces]:
+    return x + dx, step.forces(x + dx, load)
 
 
-def released(network: Network, state: State, joints: Held) -> State:
+def without_joint_forces(network: Network, state: State, joints: Held) -> State:
     """The state without the forces of the held joints."""
     rigid, press, friction = state.rigid.copy(), state.press.copy(), state.friction.copy()
     rigid[_places(network, joints)] = 0.0
@@ -193,8 +193,10 @@ def released(network: Network, state: State, joints: Held) -> State:
     return replace(state, rigid=rigid, press=press, friction=friction)
 
 
-def joined(network: Network, loose: State, joints: Held, x: Array, at: Balance, mu: Array) -> State:
-    """The state at ``x`` with the forces ``mu`` of the held joints."""
+def with_joint_forces(
+    network: Network, loose: State, joints: Held, x: Array, at: Forces, mu: Array
+) -> State:
+    """The state at ``x`` with the forces ``mu`` of the held joints, put into those of ``loose``."""
     rigid, press, friction = joints.forces(mu)
     loose.rigid[_places(network, joints)] = rigid
     loose.press[joints.closed] = network.stops.side[joints.closed] * press

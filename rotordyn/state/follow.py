@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 
 from rotordyn.state.along import along
-from rotordyn.state.conditions import Event
+from rotordyn.state.conditions import MODES, Event
 from rotordyn.state.contacts import State
 from rotordyn.state.network import Network
 from rotordyn.state.no_equilibrium import NoEquilibrium
 from rotordyn.state.plain import network, steps
-from rotordyn.state.rest import at_rest
+from rotordyn.state.rest import mounted_state
 
-MODES = {0: "stick", 1: "slip+", -1: "slip-"}
 OF_BEARINGS = ("load", "unload")
 
 
@@ -41,7 +40,7 @@ def follow(description: Mapping[str, Any]) -> list[dict[str, Any]]:
     Source: Coulomb friction and unilateral contact in rate form (theory: the axial network).
     """
     parts, rest, laws = network(description)
-    state = at_rest(parts, rest)
+    state = mounted_state(parts, rest)
     answers = []
     for k, step in enumerate(steps(description, parts, rest, laws), start=1):
         try:

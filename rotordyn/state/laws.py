@@ -13,10 +13,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Protocol, cast
 
+from scipy.optimize import brentq
+
 FURTHEST = 1.0  # m: no bearing is pressed so far
 
 
-class Law(Protocol):
+class AxialLaw(Protocol):
     """F and dF/dd at a deflection; ``kinks`` [m], ascending: nothing is pressed up to the first, at
     all others the slope jumps."""
 
@@ -136,8 +138,8 @@ def _free(d: Sequence[float], force: Sequence[float], slope: float) -> float:
 class Blend:
     """(1 − share) of one law and ``share`` of another."""
 
-    old: Law
-    new: Law
+    old: AxialLaw
+    new: AxialLaw
     share: float
 
     @property
@@ -152,10 +154,8 @@ class Blend:
         return (1.0 - share) * force + share * other, (1.0 - share) * slope + share * steep
 
 
-def deflection(law: Law, load: float) -> float:
+def deflection(law: AxialLaw, load: float) -> float:
     """Deflection [m] under ``load`` [N]; NaN where the law has no such load."""
-    from scipy.optimize import brentq
-
     if isinstance(law, Power):
         return cast(float, (load / law.k) ** (1.0 / law.p))
     low = max(law.kinks[0], -FURTHEST)

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.state.laws import Blend, Law
+from rotordyn.state.laws import AxialLaw, Blend
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -25,8 +25,8 @@ SMALL = 1.0  # N: rounding is measured by at least that
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bearings:
-    """``row`` (bearings, bodies): inner against outer ring; ``side`` ±1; ``count`` in tandem;
-    ``rest``: deflection of each at rest [m]."""
+    """``row`` (bearings, bodies): inner against outer ring; all others (bearings,): ``side`` ±1 by
+    the thrust; ``count`` in tandem; ``rest``: deflection of each at rest [m]."""
 
     row: Array
     side: Array
@@ -36,7 +36,8 @@ class Bearings:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """``force`` on the body at rest, towards +x [N]; ``stiffness`` [N/m], infinite where rigid.
+    """``row`` (springs, bodies); ``force`` (springs,) on the first body at rest, towards +x [N];
+    ``stiffness`` (springs,) [N/m], infinite where rigid.
 
     ``rigid``: springs whose gap keeps its size; without those: ``soft`` [N/m], what they ``push``
     with at rest [N], all together a ``matrix`` (bodies, bodies) [N/m].
@@ -65,7 +66,8 @@ class Springs:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stops:
-    """One-sided: side·(row·x − limit) ≥ 0 [m], ``side`` +1 of a lower, −1 of an upper limit."""
+    """One-sided: side·(row·x − limit) ≥ 0 [m]; ``row`` (stops, bodies), ``side`` (stops,) +1 of a
+    lower, −1 of an upper limit."""
 
     row: Array
     side: Array
@@ -74,7 +76,7 @@ class Stops:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Frictions:
-    """Coulomb: forces on the body within ±``limit`` [N]; ``start``: those at rest."""
+    """Coulomb: forces on the first body within ±``limit`` (frictions,) [N]; ``start``: at rest."""
 
     row: Array
     limit: Array
@@ -94,16 +96,16 @@ class Network:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Load:
-    """What acts on a network: ``force`` on the bodies [N], ``shift`` of inner seats of bearings,
-    ``gap`` of springs [m], the law of every bearing."""
+    """What acts on a network: ``force`` (bodies,) [N], ``shift`` (bearings,) of the seats of inner
+    rings, ``gap`` (springs,) by which springs are displaced [m], the law of every bearing."""
 
     force: Array
     shift: Array
     gap: Array
-    laws: tuple[Law, ...]
+    laws: tuple[AxialLaw, ...]
 
 
-def limits(laws: Sequence[Law], piece: Pieces) -> tuple[Array, Array]:
+def limits(laws: Sequence[AxialLaw], piece: Pieces) -> tuple[Array, Array]:
     """Deflections (bearings,) [m] between which every law is on its ``piece``."""
     ends = [(-np.inf, *law.kinks, np.inf) for law in laws]
     low = [one[k] for one, k in zip(ends, piece.tolist(), strict=True)]
@@ -111,7 +113,7 @@ def limits(laws: Sequence[Law], piece: Pieces) -> tuple[Array, Array]:
     return np.array(low), np.array(high)
 
 
-def pieces(laws: Sequence[Law], deflection: Array, near: Pieces | None = None) -> Pieces:
+def pieces(laws: Sequence[AxialLaw], deflection: Array, near: Pieces | None = None) -> Pieces:
     """How many kinks of every law lie below its ``deflection`` (bearings,) [m].
 
     ``near``: the pieces before; they stay where the deflection is at a kink.
@@ -128,7 +130,7 @@ def pieces(laws: Sequence[Law], deflection: Array, near: Pieces | None = None) -
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Balance:
+class Forces:
     """Forces without those of stops, friction and rigid springs.
 
     ``force`` on the bodies (bodies,) [N]; ``stiffness`` (bodies, bodies) [N/m]; ``size``: the sum
@@ -154,7 +156,8 @@ class Step:
 
     @property
     def single(self) -> bool:
-        """Only one force changes: every body then moves one way (K is an M-matrix)."""
+        """Only one force changes: every body then moves one way (K is an M-matrix: its inverse has
+        no negative entry)."""
         start, end = self.start, self.end
         same = np.array_equal(start.shift, end.shift) and np.array_equal(start.gap, end.gap)
         forces = np.count_nonzero(end.force - start.force)
@@ -174,7 +177,7 @@ class Step:
             laws,
         )
 
-    def balance(self, x: Array, load: Load) -> Balance:
+    def forces(self, x: Array, load: Load) -> Forces:
         """Forces and stiffness at positions ``x`` (bodies,)."""
         bearings, springs = self.network.bearings, self.network.springs
         deflection = bearings.side * (bearings.row @ x + load.shift) + bearings.rest
@@ -182,7 +185,7 @@ class Step:
         each, slope = np.array(pairs).reshape(-1, 2).T
         push = bearings.count * bearings.side * each
         pull = springs.push - springs.soft * (springs.row @ x - load.gap)
-        return Balance(
+        return Forces(
             force=load.force + pull @ springs.row - push @ bearings.row,
             stiffness=springs.matrix + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
             size=SMALL + float(np.abs(load.force).sum() + np.abs(pull).sum() + np.abs(push).sum()),
@@ -191,7 +194,7 @@ class Step:
             slope=bearings.count * slope,
         )
 
-    def beside(self, at: Balance, load: Load, piece: Pieces) -> Balance:
+    def beside(self, at: Forces, load: Load, piece: Pieces) -> Forces:
         """The same forces; at a kink the slope of a law is that of its ``piece`` (bearings,)."""
         low, high = limits(load.laws, piece)
         inside = np.clip(at.deflection, low + EDGE, high - EDGE)
@@ -204,7 +207,7 @@ class Step:
         more = (bearings.row.T * (slope - at.slope)) @ bearings.row
         return replace(at, stiffness=at.stiffness + more, slope=slope)
 
-    def rate(self, at: Balance) -> tuple[Array, Array, float]:
+    def rate(self, at: Forces) -> tuple[Array, Array, float]:
         """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],
         over the whole step; the sum of the magnitudes of force that are added [N]."""
         a, b = self.start, self.end

@@ -33,7 +33,7 @@ def endless(step: Step, share: float, v: Array) -> NoEquilibrium:
     )
 
 
-def nothing(step: Step, share: float, v: Array) -> NoEquilibrium:
+def runaway(step: Step, share: float, v: Array) -> NoEquilibrium:
     """A body runs away; ``v`` (bodies,): rates of the positions."""
     bodies, force = step.network.bodies, step.load(share).force
     body = bodies[int(np.abs(v).argmax())]

@@ -21,7 +21,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from numbers import Real
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from bearings.errors import shown
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion
-from rotordyn.state.laws import Law, Power, RestBall, deflection, table
+from rotordyn.state.laws import AxialLaw, Power, RestBall, deflection, table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ Plain = Mapping[str, Any]
 LARGEST = 1e12  # N on a body
 BETWEEN = 9  # places between two points of a table at which it must not fall
 ROUND = 1e-9  # N
-KEYS = {
+KEYS = {  # from name on, those of a network belong to files of known answers, and are not read
     "network": "bodies laws bearings springs stops frictions path name why real answers events",
     "bearings": "inner outer s n law preload d0 name",
     "springs": "body other P K e rigid name",
@@ -53,7 +53,7 @@ LAWS = {
 }
 
 
-def network(plain: Plain) -> tuple[Network, Load, dict[str, Law]]:
+def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
     """The network, what acts on it at rest, and its laws by name.
 
     Raises
@@ -78,7 +78,7 @@ def network(plain: Plain) -> tuple[Network, Load, dict[str, Law]]:
     return parts, rest, laws
 
 
-def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, Law]) -> Iterator[Step]:
+def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, AxialLaw]) -> Iterator[Step]:
     """The steps of the path, each from where the one before ended."""
     for k, way in enumerate(_list(plain, "path"), start=1):
         end = _load(way, f"step {k} of the path", parts, rest, laws)
@@ -86,14 +86,11 @@ def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, Law]) -> 
         rest = end
 
 
-def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, Law]) -> Load:
+def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, AxialLaw]) -> Load:
+    """What acts at the end of a step; what the step does not name stays as ``before``."""
     _keys(way, KEYS["path"], at)
-    force, shift, gap, chosen = (
-        before.force.copy(),
-        before.shift.copy(),
-        before.gap.copy(),
-        list(before.laws),
-    )
+    force, shift, gap = (each.copy() for each in (before.force, before.shift, before.gap))
+    chosen = list(before.laws)
     for body, value in _mapping(way, "force", at).items():
         k = parts.bodies.index(_known(body, parts.bodies, f"{at}, force", "body"))
         force[k] = _number(value, f"{at}, force on {body}", least=-LARGEST, most=LARGEST)
@@ -110,7 +107,7 @@ def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, 
     return Load(force, shift, gap, tuple(chosen))
 
 
-def _law(given: Plain, at: str) -> Law:
+def _law(given: Plain, at: str) -> AxialLaw:
     _keys(given, " ".join(dict.fromkeys(" ".join(LAWS.values()).split())), at)
     kind = _known(given.get("kind"), LAWS, at, "kind of law")
     _keys(given, LAWS[kind], at)
@@ -130,29 +127,30 @@ def _law(given: Plain, at: str) -> Law:
     )
 
 
-def _table(given: Plain, at: str) -> Law:
+def _table(given: Plain, at: str) -> AxialLaw:
     d = [_number(value, f"{at}, d") for value in _list(given, "d")]
     force = [_number(value, f"{at}, F", least=0.0) for value in _list(given, "F")]
-    cubic = _known(given.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
-    least = 4 if cubic == "cubic" else 2
+    between = _known(given.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
+    cubic = between == "cubic"
+    least = 4 if cubic else 2
     if len(d) != len(force) or len(d) < least or any(np.diff(d) <= 0.0):
         _refuse(at, f"allowed: at least {least} deflections d that rise, and as many loads F")
-    law = table(d, force, cubic=cubic == "cubic")
-    between = np.linspace(d[:-1], d[1:], BETWEEN, axis=-1).ravel()
-    loads = [law(place)[0] for place in between.tolist()]
+    law = table(d, force, cubic=cubic)
+    places = np.linspace(d[:-1], d[1:], BETWEEN, axis=-1).ravel()
+    loads = [law(place)[0] for place in places.tolist()]
     fall = next((k for k, (one, other) in enumerate(pairwise(loads)) if other < one - ROUND), None)
     if fall is not None:
         _refuse(
             f"{at}, F",
-            f"falls beyond {between[fall]:.4g} m; allowed: loads that do not fall, between points "
+            f"falls beyond {places[fall]:.4g} m; allowed: loads that do not fall, between points "
             "either (a cubic swings beside sudden changes: give more points, or linear)",
         )
     return law
 
 
 def _bearings(
-    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, Law]
-) -> tuple[Bearings, tuple[Law, ...]]:
+    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, AxialLaw]
+) -> tuple[Bearings, tuple[AxialLaw, ...]]:
     row, side, count, rest, first = [], [], [], [], []
     for k, one in enumerate(given):
         at = f"bearing {k}"
@@ -169,7 +167,8 @@ def _bearings(
     return bearings, tuple(first)
 
 
-def _rest(one: Plain, law: Law, at: str) -> float:
+def _rest(one: Plain, law: AxialLaw, at: str) -> float:
+    """Deflection of a bearing at rest, given or by its preload [m]."""
     if one.get("d0") is not None:
         return _number(one["d0"], f"{at}, d0")
     if one.get("preload") is None:
@@ -235,6 +234,7 @@ def _frictions(given: Sequence[Plain], bodies: Sequence[str]) -> Frictions:
 
 
 def _row(one: Plain, ends: tuple[str, str], bodies: Sequence[str], at: str) -> Array:
+    """The joint of two bodies: +1 at the first, −1 at the second, the ground left out (bodies,)."""
     row = np.zeros(len(bodies))
     names = [one.get(end) for end in ends]
     if names[0] == names[1]:
@@ -282,7 +282,6 @@ def _number(
     limits += [f"above {above:g}"] if above > -math.inf else []
     limits += [f"at most {most:g}"] if most < math.inf else []
     _refuse(at, f"given {shown(value)}; allowed: a finite number {' and '.join(limits)}".rstrip())
-    return math.nan
 
 
 def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, what: str) -> str:
@@ -291,15 +290,14 @@ def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, w
         listed = ", ".join(known) or "none, there are none"
         hint = suggestion(value, known) if isinstance(value, str) else ""
         _refuse(at, f"unknown {what}: given {shown(value)}; allowed: {listed}{hint}")
-    return str(value)
+    return value
 
 
 def _keys(given: object, allowed: str, at: str) -> None:
     if not isinstance(given, Mapping):
         _refuse(at, f"given {shown(given)}; allowed: a mapping with the keys {allowed}")
-    else:
-        for key in given:
-            _known(key, allowed.split(), at, "key")
+    for key in given:
+        _known(key, allowed.split(), at, "key")
 
 
 def _list(given: Plain, key: str) -> list[Any]:
@@ -318,5 +316,5 @@ def _mapping(given: Plain, key: str, at: str = "") -> Mapping[Any, Any]:
     return dict(value)
 
 
-def _refuse(at: str, sentence: str) -> None:
+def _refuse(at: str, sentence: str) -> NoReturn:
     raise InvalidInput(f"{at}: {sentence}")

@@ -26,9 +26,10 @@ FLIPS = 400  # of one contact each
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Open:
-    """Contacts that may change: ``row`` points the way they move, with forces along it; ``acts``:
-    they hold; ``stop``: index of the stop, or −1; ``friction`` likewise."""
+class Undecided:
+    """Contacts that may change: ``row`` (contacts, bodies) points the way they move, with forces
+    along it; all others (contacts,): ``acts``: they hold; ``stop``: index of the stop, or −1;
+    ``friction`` likewise."""
 
     row: Array
     acts: Flags
@@ -63,6 +64,7 @@ def rates(step: Step, state: State) -> Rates:
 
 
 def _pace(v: Array, size: float, state: State) -> float:
+    """``Rates.pace`` [m]: without its second term bodies that are all held would have none."""
     slow = SLOW * size / max(float(state.at.stiffness.max()), TINY)
     return float(np.abs(v).max()) + slow + TINY
 
@@ -72,7 +74,7 @@ def velocity(step: Step, state: State) -> Array:
     return rates(step, state).x
 
 
-def turned(step: Step, state: State, share: float, sticks: int | None = None) -> State:
+def updated_contacts(step: Step, state: State, share: float, sticks: int | None = None) -> State:
     """The state with the contacts the path goes on with, ``share`` of the step done; friction
     ``sticks`` is known to stick.
 
@@ -89,7 +91,8 @@ def turned(step: Step, state: State, share: float, sticks: int | None = None) ->
     return _decided(step.network, state, may, _complementary(step, fixed, share, may))
 
 
-def _undecided(network: Network, state: State, sticks: int | None) -> Open:
+def _undecided(network: Network, state: State, sticks: int | None) -> Undecided:
+    """Stops that just touch or carry nothing, friction at its limit but for ``sticks``."""
     stops, frictions = network.stops, network.frictions
     gap = stops.side * (stops.row @ state.x - stops.limit)
     stop = np.flatnonzero(
@@ -100,7 +103,7 @@ def _undecided(network: Network, state: State, sticks: int | None) -> Open:
     full[[] if sticks is None else [sticks]] = False
     friction = np.flatnonzero(full)
     way = np.where(state.slip == 0, -np.sign(state.friction), state.slip)
-    return Open(
+    return Undecided(
         row=np.concatenate(
             [
                 stops.side[stop, None] * stops.row[stop],
@@ -113,7 +116,7 @@ def _undecided(network: Network, state: State, sticks: int | None) -> Open:
     )
 
 
-def _complementary(step: Step, fixed: State, share: float, may: Open) -> Flags:
+def _complementary(step: Step, fixed: State, share: float, may: Undecided) -> Flags:
     """Which of the contacts hold; ``fixed``: the state with all of them free.
 
     Those that hold are independent: without that the least-index method may go round for ever.
@@ -146,7 +149,8 @@ def _driven(row: Array, rigid: list[int], gap: Array) -> Array:
     return way
 
 
-def _decided(network: Network, state: State, may: Open, acts: Flags) -> State:
+def _decided(network: Network, state: State, may: Undecided, acts: Flags) -> State:
+    """The state in which those contacts hold that ``acts`` says, and the others move."""
     closed, press = state.closed.copy(), state.press.copy()
     slip, friction, anchor = state.slip.copy(), state.friction.copy(), state.anchor.copy()
     for k, (stop, rub) in enumerate(zip(may.stop.tolist(), may.friction.tolist(), strict=True)):

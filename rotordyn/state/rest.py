@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
 
 from rotordyn.errors import InvalidInput
-from rotordyn.state.contacts import State, contact_forces
+from rotordyn.state.contacts import State, contact_forces, independent
 from rotordyn.state.network import Load, Network, Step, pieces
 
 Array = NDArray[np.float64]
 BALANCED = 1e-6  # of the sum of forces
 
 
-def at_rest(parts: Network, load: Load) -> State:
-    """The state at rest, every position 0.
+def mounted_state(parts: Network, load: Load) -> State:
+    """The mounted state, every position 0.
 
     Raises
     ------
     InvalidInput : a body is held by nothing or by friction alone, or not in balance
     """
-    from scipy.optimize import lsq_linear
-
     _held(parts)
     step = Step(parts, load, load)
     springs, stops, frictions = parts.springs, parts.stops, parts.frictions
     x = np.zeros(len(parts.bodies))
-    at = step.balance(x, load)
+    at = step.forces(x, load)
     closed = stops.limit == 0.0
     rigid = springs.rigid
     rows = np.concatenate([springs.row[rigid], (stops.side[:, None] * stops.row)[closed]])
@@ -59,6 +56,7 @@ def at_rest(parts: Network, load: Load) -> State:
 
 
 def _held(parts: Network) -> None:
+    """Raise InvalidInput where bearings and springs do not hold a body."""
     springs = parts.springs
     holding = np.concatenate([parts.bearings.row, springs.row[springs.stiffness > 0.0]])
     held = _reached(holding, len(parts.bodies))
@@ -72,10 +70,6 @@ def _held(parts: Network) -> None:
             )
 
 
-def _reached(rows: Array, count: int) -> Iterable[bool]:
-    """Bodies that rows of ±1 join to the ground."""
-    cluster = list(range(count + 1))  # the ground last
-    for row in rows:
-        one, other = (cluster[body] for body in [*np.flatnonzero(row).tolist(), count][:2])
-        cluster = [one if member == other else member for member in cluster]
-    return [member == cluster[count] for member in cluster[:count]]
+def _reached(rows: Array, count: int) -> list[bool]:
+    """Bodies that rows of ±1 join to the ground: one more joint to it would hold nothing new."""
+    return [not independent(np.vstack([rows, to_ground]))[-1] for to_ground in np.eye(count)]

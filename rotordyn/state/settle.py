@@ -22,8 +22,8 @@ from rotordyn.state.contacts import (
     contact_forces,
     held,
     hold,
-    released,
     solve,
+    without_joint_forces,
 )
 from rotordyn.state.network import Network, Step
 
@@ -40,8 +40,8 @@ def settle(step: Step, state: State, share: float) -> State | None:
     here = _stuck(network, state)
     for _ in range(ROUNDS):
         joints = held(network, here, load.gap)
-        fixed = contact_forces(network, released(network, here, joints))
-        at = step.balance(here.x, load)
+        fixed = contact_forces(network, without_joint_forces(network, here, joints))
+        at = step.forces(here.x, load)
         miss = joints.target - joints.row @ here.x
         dx, mu = solve(at.stiffness, at.force + fixed, joints.row, miss)
         size = at.size + float(np.abs(fixed).sum()) + TINY

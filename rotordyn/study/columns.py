@@ -1,5 +1,5 @@
-"""The table of a study or an optimum read back, and what its page shows of it: any column over any
-other, points as lines across columns, the table itself."""
+"""The table of a study or an optimum read back, and what its page shows of it: a scatter chart,
+parallel coordinates, the table itself."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.page.blocks import Chart, Control, Table
 from rotordyn.page.looks import COLOURS, axis
-from rotordyn.results.kinds import Array
+from rotordyn.results.kinds import Array, Flags
 
-MOST_ROWS = 500
-FEW = 12  # values that are listed
-ACROSS = 6  # numbers beside the parameters of parallel coordinates
+MOST_ROWS = 500  # of the table on the page
+MOST_LISTED = 12  # values of what was varied; of more, lowest and highest
+ALONG = 6  # numbers beside the parameters of parallel coordinates
 LEAST = 100  # px for each axis of parallel coordinates
 LONGEST = 34  # letters of its label
 BLUE_TO_ORANGE = [[0.0, COLOURS[0]], [1.0, COLOURS[1]]]  # seen on light and on dark
 
 
 class Column(NamedTuple):
-    """What was varied or what came of it: its heading, its words, and as numbers the values or, of
-    ``words`` that are none, their places among ``kinds``."""
+    """A column: its heading, its cells as ``words``, and as numbers ``values`` (points,), NaN of
+    empty cells. Of words that are no numbers these are places among ``kinds``, the different ones.
+    """
 
     heading: str
     words: Sequence[str]
@@ -35,7 +35,7 @@ class Column(NamedTuple):
 
     @property
     def moves(self) -> bool:
-        """It is a number that is not the same at all points."""
+        """Whether it is a number that is not the same at all points."""
         known = self.values[np.isfinite(self.values)]
         return not self.kinds and known.size > 0 and float(np.ptp(known)) > 0.0
 
@@ -44,7 +44,7 @@ class Group(NamedTuple):
     """Points of a kind, and how they are marked: ``chosen`` (points,)."""
 
     name: str
-    chosen: NDArray[Any]
+    chosen: Flags
     marker: dict[str, Any]
 
 
@@ -88,7 +88,7 @@ def _varied(columns: Sequence[Column]) -> Iterator[tuple[str, str]]:
             values = np.unique(each.values)
             few = ", ".join(f"{v:.6g}" for v in values)
             many = f"{values[0]:.6g} to {values[-1]:.6g}, {len(values)} values"
-            yield each.heading, few if len(values) <= FEW else many
+            yield each.heading, few if len(values) <= MOST_LISTED else many
 
 
 def plain_group(count: int) -> Group:
@@ -97,21 +97,22 @@ def plain_group(count: int) -> Group:
     return Group("points", np.ones(count, dtype=bool), marker)
 
 
-def trade_off(
+def scatter(
     varied: Sequence[Column],
     shown: Sequence[Column],
     groups: Sequence[Group],
     start: tuple[int, int],
-    note: str = "",
 ) -> Chart:
-    """Any of them over any other, a mark for every point; those at ``start``, of all, at first."""
+    """Any column over any other, a mark for every point.
+
+    ``start``: places among all of the columns that are across and up at first.
+    """
     columns = [*varied, *shown]
-    names = [each.heading for each in columns]
-    points = [
-        ", ".join(f"{each.heading} {each.words[k]}" for each in varied)
-        for k in range(len(columns[0].words))
-    ]
     values = np.array([each.values for each in columns])
+    words = [
+        ", ".join(f"{each.heading} {each.words[k]}" for each in varied)
+        for k in range(values.shape[1])
+    ]
     traces = [
         {
             "mode": "markers",
@@ -120,67 +121,63 @@ def trade_off(
                 along: {"by": (number,), "values": values[:, group.chosen]}
                 for number, along in enumerate("xy")
             },
-            "text": [points[k] for k in np.flatnonzero(group.chosen)],
+            "text": [words[k] for k in np.flatnonzero(group.chosen)],
             "hovertemplate": "%{x:.5g}, %{y:.5g}<br>%{text}<extra></extra>",
             "marker": group.marker,
         }
         for group in groups
         if group.chosen.any()
     ]
-    moving: dict[str, Any] = {}
-    ticks = [_ticks(each) for each in columns]
-    for number, which in enumerate(("xaxis", "yaxis")):
-        moving[f"{which}.title.text"] = {"by": (number,), "values": names}
-        for key in ("tickmode", "tickvals", "ticktext"):
-            moving[f"{which}.{key}"] = {
-                "by": (number,),
-                "values": [each.get(key) for each in ticks],
-            }
     layout = {
         "xaxis": axis(""),
         "yaxis": axis(""),
         "showlegend": len(traces) > 1,
-        "moving": moving,
+        "moving": _moving("xaxis", 0, columns) | _moving("yaxis", 1, columns),
     }
+    names = [each.heading for each in columns]
     controls = [
         Control(word, names, start=at) for word, at in zip(("across", "up"), start, strict=True)
     ]
-    words = f"Choose two numbers to see what one costs in the other; point at a mark. {note}"
-    return Chart("Trade-off", traces, layout, controls, note=words.strip(), wide=True, tall=480)
+    note = "Choose two numbers to see what one costs in the other; point at a mark."
+    return Chart("Trade-off", traces, layout, controls, note=note, wide=True, tall=480)
 
 
-def _ticks(column: Column) -> dict[str, Any]:
-    if not column.kinds:
-        return {"tickmode": "auto"}
-    places = list(range(len(column.kinds)))
-    return {"tickmode": "array", "tickvals": places, "ticktext": list(column.kinds)}
+def _moving(which: str, control: int, columns: Sequence[Column]) -> dict[str, Any]:
+    """What an axis takes from the column that its control has chosen: title and ticks."""
+    looks = {
+        "title.text": [each.heading for each in columns],
+        "tickmode": ["array" if each.kinds else "auto" for each in columns],
+        "tickvals": [[*range(len(each.kinds))] or None for each in columns],
+        "ticktext": [[*each.kinds] or None for each in columns],
+    }
+    return {f"{which}.{key}": {"by": (control,), "values": v} for key, v in looks.items()}
 
 
-def across(
+def parallel_coordinates(
     title: str, varied: Sequence[Column], shown: Sequence[Column], colour: Column | None = None
 ) -> Chart:
-    """Parallel coordinates: every point a line over parameters and numbers, in the ``colour`` of
-    one of them, the last by default."""
-    chosen = [*varied, *_different(shown)[:ACROSS]]
+    """Every point as a line over what was varied and some numbers, in the ``colour`` of one of
+    these, the last by default."""
+    chosen = [*varied, *_different(shown)[:ALONG]]
     colour = colour or chosen[-1]
-    known = np.isfinite([each.values for each in chosen]).all(axis=0)
-    dimensions = []
-    for each in chosen:
-        long = len(each.heading) > LONGEST
-        label = f"…{each.heading[1 - LONGEST :]}" if long else each.heading
-        dimension: dict[str, Any] = {"label": label, "values": each.values[known]}
-        if each.kinds:
-            dimension |= {"tickvals": list(range(len(each.kinds))), "ticktext": list(each.kinds)}
-        dimensions.append(dimension)
+    known = np.asarray(np.isfinite([each.values for each in chosen]).all(axis=0))
     trace = {
         "type": "parcoords",
-        "dimensions": dimensions,
+        "dimensions": [_dimension(each, known) for each in chosen],
         "line": {"color": colour.values[known], "colorscale": BLUE_TO_ORANGE},
         "labelangle": -12,
     }
     layout = {"margin": {"l": 90, "r": 90, "t": 120, "b": 30}}
     note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
     return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=LEAST * len(chosen))
+
+
+def _dimension(column: Column, known: Flags) -> dict[str, Any]:
+    """An axis of parallel coordinates; the end of a long heading tells most."""
+    heading = column.heading
+    label = f"…{heading[1 - LONGEST :]}" if len(heading) > LONGEST else heading
+    ticks = {"tickvals": [*range(len(column.kinds))], "ticktext": [*column.kinds]}
+    return {"label": label, "values": column.values[known]} | (ticks if column.kinds else {})
 
 
 def _different(columns: Sequence[Column]) -> list[Column]:

@@ -14,7 +14,9 @@ from rotordyn.study.point import Outcome, Study
 if TYPE_CHECKING:
     import xarray as xr
 
+DATASET = "study.nc"
 POINT = "point"
+OF_RESULTS = ": "  # in the name of a variable that belongs to an analysis, not in those of paths
 
 
 def gathered(
@@ -82,7 +84,9 @@ def _stacked(design: Design, name: str, kept: Mapping[int, Mapping[str, xr.Datas
     whole = whole.assign_coords({POINT: [*kept]}).reindex({POINT: np.arange(design.count)})
     grid = design.sampling == "grid"
     whole = _unravelled(design, whole) if grid else whole.drop_vars(POINT)
-    names = {each: f"{name}: {each}" for each in (*whole.data_vars, *whole.coords, *whole.dims)}
+    names = {
+        each: f"{name}{OF_RESULTS}{each}" for each in (*whole.data_vars, *whole.coords, *whole.dims)
+    }
     own = {each: new for each, new in names.items() if each not in design.dims}
     return whole.rename(own)
 

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.study.dataset import DATASET
 from rotordyn.study.figures import figures
 from rotordyn.study.point import Study
 from rotordyn.study.solve import Progress, solved
-from rotordyn.study.summary import summary, write_points
+from rotordyn.study.summary import SUMMARY, summary, write_points
 from rotordyn.whole import whole_files
-
-DATASET, SUMMARY = "study.nc", "summary.txt"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +45,9 @@ def deliver(
     data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
     text = summary(study, outcomes)
     with whole_files(folder) as place:
-        data.to_netcdf(place / DATASET, engine="h5netcdf")
+        # NetCDF lists the names of such coordinates between spaces.
+        spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
+        data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
         write_points(place, study, outcomes)
         (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
         if draw:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import repeat
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.case.case import Case
 from rotordyn.case.study import MOST_POINTS as MOST
@@ -17,7 +16,8 @@ from rotordyn.case.study import SAMPLED, SAMPLINGS
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
-from rotordyn.study.parameter import Parameter, is_whole, parameters
+from rotordyn.results.kinds import Array
+from rotordyn.study.parameter import Parameter, is_whole, parameters, require_whole
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -29,7 +29,7 @@ class Design:
 
     parameters: tuple[Parameter, ...]
     sampling: str
-    shares: NDArray[np.float64] | None = None
+    shares: Array | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -54,24 +54,24 @@ class Design:
         if self.shares is not None:
             shares = self.shares[number]
             return {p.path: p.at(float(s)) for p, s in zip(self.parameters, shares, strict=True)}
-        return {p.path: p.values[k] for p, k in zip(self.parameters, self._of(number), strict=True)}
+        return {p.path: p.values[k] for p, k in self._places(number)}
 
     def labels(self, number: int) -> dict[str, Any]:
         """The same as coordinates: numbers in SI units, or words."""
         values = self.point(number)
         if self.shares is None:
-            places = zip(self.parameters, self._of(number), strict=True)
-            return {p.path: p.labels[k] for p, k in places}
+            return {p.path: p.labels[k] for p, k in self._places(number)}
         return {p.path: _label(p, values[p.path]) for p in self.parameters}
 
-    def _of(self, number: int) -> Sequence[int]:
-        """Place of a point among the values of every parameter."""
+    def _places(self, number: int) -> Iterator[tuple[Parameter, int]]:
+        """Every parameter, and the place of a point among its values."""
         if self.sampling != "grid":
-            return [number] * len(self.parameters)
-        return [int(k) for k in np.unravel_index(number, self.shape)]
+            return zip(self.parameters, repeat(number))
+        return zip(self.parameters, map(int, np.unravel_index(number, self.shape)), strict=True)
 
 
 def _label(of: Parameter, value: Any) -> Any:
+    """The coordinate of a sampled value, which is the very object that its list holds."""
     if of.ends is not None:
         return value
     return of.labels[next(k for k, each in enumerate(of.values) if each is value)]
@@ -109,11 +109,7 @@ def design(
                 f"{each.path}: a {sampling} needs values: list them, or give the span a count"
             )
     whole = Design(found, sampling)
-    if sampling == "list":
-        lengths = {len(each.values) for each in found}
-        if len(lengths) > 1:
-            given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
-            raise InvalidInput(f"a list has as many values of every path: got {given}")
+    _require_fitting(whole)
     if whole.count > MOST:
         raise InvalidInput(
             f"the grid has {whole.count:.3g} points: allowed are up to {MOST:g}; take fewer values "
@@ -122,15 +118,26 @@ def design(
     return whole
 
 
-def _shares(sampling: str, size: int, samples: Any, seed: Any) -> NDArray[np.float64]:
+def _require_fitting(whole: Design) -> None:
+    found = whole.parameters
+    if whole.sampling == "grid":
+        for each in found:
+            if len(set(each.labels)) < len(each.labels):
+                raise InvalidInput(f"{each.path}: a value is listed twice; a grid takes each once")
+    elif len({len(each.values) for each in found}) > 1:
+        given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
+        raise InvalidInput(f"a list has as many values of every path: got {given}")
+
+
+def _shares(sampling: str, size: int, samples: Any, seed: int) -> Array:
+    """A sample (samples, size) in [0, 1)."""
     from scipy.stats import qmc
 
     if not is_whole(samples, 1, MOST):
         raise InvalidInput(
             f"samples: given {shown(samples)}; {sampling} needs a whole number, up to {MOST:g}"
         )
-    if not is_whole(seed, 0):
-        raise InvalidInput(f"seed: given {shown(seed)}; allowed: a whole number from 0 up")
+    require_whole("seed", seed, 0)
     if sampling == "latin-hypercube":
         return np.asarray(qmc.LatinHypercube(size, rng=seed).random(samples))
     if samples & (samples - 1):
@@ -139,6 +146,4 @@ def _shares(sampling: str, size: int, samples: Any, seed: Any) -> NDArray[np.flo
             f"samples: given {samples}; a Sobol sequence is balanced for powers of two alone: "
             f"take {near}"
         )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # of a single point
-        return np.asarray(qmc.Sobol(size, rng=seed).random(samples))
+    return np.asarray(qmc.Sobol(size, rng=seed).random(samples))

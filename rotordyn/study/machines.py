@@ -22,16 +22,17 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.values import Values, values_of
 from rotordyn.study.neighbours import Neighbours
 
-MOST_SPEEDS = 9
+EVENLY = 9  # speeds, beside those that an analysis needs
 
 
 def lean(case: Case) -> Case:
-    """The case at few of its speeds, its analyses asked for what has a range alone."""
+    """The case with its analyses asked for what has a range alone, at few of its speeds: evenly
+    from the first to the last, and next to those that an analysis needs."""
     case = certain(case)
     kept = {speed for name, spec in case.analyses.items() for speed in analysis(name).speeds(spec)}
     speeds = np.array(case.speeds)
     rows = {int(np.abs(speeds - speed).argmin()) for speed in kept}
-    rows |= {round(k) for k in np.linspace(0.0, len(speeds) - 1.0, min(MOST_SPEEDS, len(speeds)))}
+    rows |= {round(k) for k in np.linspace(0.0, len(speeds) - 1.0, min(EVENLY, len(speeds)))}
     specs = {name: analysis(name).lean(spec) for name, spec in case.analyses.items()}
     return replace(case, speeds=tuple(case.speeds[k] for k in sorted(rows)), analyses=specs)
 

@@ -1,8 +1,12 @@
 """Machines that differ little, solved one after another in one process.
 
-What the last ones have in common with the next is not solved again. Their errors are the same to a
-few percent: a finer model looks for them at every tenth machine, and at the next one again where
-they are not well below what the accuracy allows.
+Stages that the next machine has in common with the last ones are not solved again.
+
+A check by a finer model, which takes the place of the first one where the error of that is too
+large, takes time. Machines that differ little have nearly the same error, so that one check serves
+several: the first machine of a process is checked, and if its error is at most half of what the
+accuracy allows, the nine that follow are not; if it is more, the very next one is. A machine that
+is not checked keeps its first model, and its own error is not known.
 
 Theory: docs/theory/refinement.md.
 """
@@ -17,27 +21,27 @@ from rotordyn.job.solving import solve
 from rotordyn.scene.checks import Checks
 from rotordyn.scene.stage import Memo
 
-LATEST = 2  # values of a stage kept beside the first
-EVERY = 10  # machine is solved with a finer model too
-WELL_BELOW = 0.5  # of the error allowed
+LATEST = 2  # values of a stage kept, beside the first: that of the nominal machine, if any
+PER_CHECK = 10  # machines, the checked one included, for which the error of one stands
+SMALL = 0.5  # share of the error allowed up to which it stands for others
 
 
 @dataclass
 class Neighbours:
-    """``memo``: stages of machines solved so far; ``unchecked``: how many more are solved before
-    errors are looked for again."""
+    """``memo``: stages of machines solved so far; ``unchecked``: how many machines are left until
+    one is checked."""
 
     memo: Memo = field(default_factory=Memo)
     unchecked: int = 0
 
     @property
-    def none(self) -> bool:
-        """True before the first machine."""
+    def empty(self) -> bool:
+        """Whether no stage of a machine has been solved yet."""
         return not self.memo.values
 
     def solve(self, case: Case, *, checked: bool = False) -> tuple[Answers, float | None]:
-        """The answers to a case, and their largest error over what the accuracy allows, None where
-        it was not looked for; ``checked``: it is in any case.
+        """The answers to a case, and their largest error as a share of that allowed; None if the
+        machine is not checked. ``checked``: check it whatever the last ones showed.
 
         Raises
         ------
@@ -52,5 +56,5 @@ class Neighbours:
         if not checks.wanted:
             self.unchecked -= 1
             return answers, None
-        self.unchecked = EVERY - 1 if checks.worst <= WELL_BELOW else 0
+        self.unchecked = PER_CHECK - 1 if checks.worst <= SMALL else 0
         return answers, checks.worst

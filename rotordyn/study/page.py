@@ -14,22 +14,24 @@ from rotordyn.page.blocks import Block, Printed, Table, Text, sections
 from rotordyn.page.html import Page, write
 from rotordyn.study.columns import (
     Column,
-    across,
+    parallel_coordinates,
     plain_group,
     read_columns,
+    scatter,
     table_of,
-    trade_off,
     varied_table,
 )
-from rotordyn.study.optimum.page import TRIALS, optimum_page
-from rotordyn.study.summary import NUMBER
+from rotordyn.study.dataset import DATASET, OF_RESULTS
+from rotordyn.study.journal import JOURNAL
+from rotordyn.study.optimum.page import optimum_page
+from rotordyn.study.optimum.trials import JOURNAL as TRIALS
+from rotordyn.study.summary import SUMMARY, TABLE, alike
 
-STUDY, TABLE, POINTS, SUMMARY = "study.nc", "points.csv", "points.jsonl", "summary.txt"
 MOST_REASONS = 12
 
 
-class Held(NamedTuple):
-    """What is read of the folder of a study."""
+class StudyFolder(NamedTuple):
+    """What is read of the folder of a study; ``origin``: rows of a table, name and value."""
 
     title: str
     summary: str
@@ -60,8 +62,8 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
         write(path, optimum_page(folder))
     elif any(os.path.exists(folder / name) for name in FILES):
         write(path, identification_page(folder))
-    elif any(os.path.exists(folder / name) for name in (STUDY, POINTS)):
-        write(path, _page(_read(folder)))
+    elif any(os.path.exists(folder / name) for name in (DATASET, JOURNAL)):
+        write(path, _study_page(_read(folder)))
     else:
         from rotordyn.job import open as opened
 
@@ -69,15 +71,16 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
     return path
 
 
-def _read(folder: Path) -> Held:
+def _read(folder: Path) -> StudyFolder:
     import xarray as xr
 
     try:
-        with xr.open_dataset(folder / STUDY, engine="h5netcdf") as data:
-            about, count = dict(data.attrs), len(data.coords)
+        with xr.open_dataset(folder / DATASET, engine="h5netcdf") as data:
+            about = dict(data.attrs)
+            count = sum(OF_RESULTS not in str(name) for name in data.coords)
         point, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
-        written = datetime.fromtimestamp((folder / STUDY).stat().st_mtime, UTC)
+        written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)
         title, source = str(about["title"]), str(about["source"])
         varied, numbers, (sentences, warnings) = columns[:count], columns[count:-2], columns[-2:]
     except (OSError, ValueError, KeyError, IndexError) as error:
@@ -85,12 +88,15 @@ def _read(folder: Path) -> Held:
             f"{folder} holds a study that is not complete, or of another version ({error}): the "
             "same rotordyn sweep goes on with it"
         ) from None
-    origin = [("made with", source), ("date", f"{written:%Y-%m-%d %H:%M UTC}")]
-    origin.append(("SHA-256 of what was read", str(about.get("digest", ""))))
-    return Held(title, summary, point, varied, numbers, sentences, warnings, origin)
+    origin = [
+        ("made with", source),
+        ("date", f"{written:%Y-%m-%d %H:%M UTC}"),
+        ("SHA-256 of what was read", str(about.get("digest", ""))),
+    ]
+    return StudyFolder(title, summary, point, varied, numbers, sentences, warnings, origin)
 
 
-def _page(held: Held) -> Page:
+def _study_page(held: StudyFolder) -> Page:
     count, lost = len(held.sentences.words), sum(map(bool, held.sentences.words))
     warned = sum(map(bool, held.warnings.words))
     said = f"{'✕' if lost == count else '⚠' if lost or warned else '✓'} {count} points"
@@ -106,7 +112,7 @@ def _page(held: Held) -> Page:
     )
 
 
-def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
+def _blocks(held: StudyFolder) -> Iterator[tuple[str, Block]]:
     for title, column in (("Not solved", held.sentences), ("Warnings", held.warnings)):
         if said := [*_counted(column.words)]:
             yield "Verdict", Text(said, listed=True, title=title)
@@ -116,8 +122,8 @@ def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
     if shown:
         first = next((k for k, each in enumerate(held.varied) if not each.kinds), 0)
         groups, start = [plain_group(len(held.point.words))], (first, len(held.varied))
-        yield "Trade-off", trade_off(held.varied, shown, groups, start)
-        yield "Points across", across("Points across", held.varied, shown)
+        yield "Trade-off", scatter(held.varied, shown, groups, start)
+        yield "Points across", parallel_coordinates("Points across", held.varied, shown)
     else:
         yield "Trade-off", Text(["No number changes over what was varied."])
     columns = [held.point, *held.varied, *held.numbers, held.sentences]
@@ -126,11 +132,8 @@ def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
 
 
 def _counted(cells: Sequence[str]) -> Iterator[str]:
-    """Each sentence of the points once, those that differ by numbers alone together."""
-    alike: dict[str, list[str]] = {}
-    for sentence in (each for cell in cells for each in cell.split(" | ") if each):
-        alike.setdefault(NUMBER.sub("", sentence), []).append(sentence)
-    found = sorted(alike.values(), key=len, reverse=True)
+    """Each kind of sentence once, with how many points have it."""
+    found = alike(each for cell in cells for each in cell.split(" | ") if each)
     for each in found[:MOST_REASONS]:
         points = f"{len(each)} point{'s' if len(each) > 1 else ''}"
         yield f"{points}{', such as' if len(set(each)) > 1 else ''}: {each[0]}"

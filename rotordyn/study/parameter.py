@@ -12,6 +12,7 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
+from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
@@ -113,13 +114,17 @@ def parameter(case: Case, path: str, asked: object) -> Parameter:
         raise InvalidInput(f"{path}: a list of values or a Span is needed, got {shown(asked)}")
     if not len(asked):
         raise InvalidInput(f"{path}: the list is empty, at least one value is needed")
-    kind = _kind_of_model(case, path)
+    kind = kind_of_model(case, path)
     values = tuple(_given(value, kind) for value in asked)
     found = [_taken(case, path, value) for value in values]
     labels = tuple(_label(each, word) for (each, _), word in zip(found, asked, strict=True))
-    if len(set(labels)) < len(labels):
+    plain = all(isinstance(each, str | float | int | np.generic) for each in asked)
+    if len(set(labels)) < len(labels) and not plain:  # words of what is no word tell little
         labels = tuple(f"{label} ({k + 1})" for k, label in enumerate(labels))
-    return Parameter(path, values, labels, quantity=found[0][1])
+    quantity = found[0][1]
+    if quantity is not None and any(isinstance(label, str) for label in labels):
+        labels = tuple(_with_unit(label, quantity) for label in labels)
+    return Parameter(path, values, labels, quantity=quantity)
 
 
 def _spanned(case: Case, path: str, span: Span) -> Parameter:
@@ -135,8 +140,11 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
     whole, ends = isinstance(low, int), (float(low), float(high))
     if span.count is None:
         return Parameter(path, ends=ends, quantity=quantity, whole=whole, log=span.log)
-    if not is_whole(span.count, 2):
-        raise InvalidInput(f"{path}: a span has at least 2 points, got {shown(span.count)}")
+    if not is_whole(span.count, 2, MOST_POINTS):
+        raise InvalidInput(
+            f"{path}: a span has at least 2 points and at most {MOST_POINTS:g}, got "
+            f"{shown(span.count)}"
+        )
     spread = np.geomspace if span.log else np.linspace
     values = [float(f"{value:.15g}") for value in spread(*ends, span.count)]
     if whole:
@@ -144,7 +152,7 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
     return Parameter(path, tuple(values), tuple(values), ends, quantity, whole, span.log)
 
 
-def _kind_of_model(case: Case, path: str) -> Any:
+def kind_of_model(case: Case, path: str) -> Any:
     """The kind of model that a name at ``path`` means; None where names are just words."""
     old = next((value for value, _ in found_at(case, path)), None)
     return next((name for kind, name in MODELS.items() if isinstance(old, kind)), None)
@@ -180,9 +188,23 @@ def _label(kept: Any, given: object) -> Any:
     return shown(kept)
 
 
+def _with_unit(label: Any, quantity: Quantity) -> Any:
+    """A number beside words, as a word."""
+    if isinstance(label, str):
+        return label
+    unit = usual_unit(quantity, [label])
+    return f"{label / parse_unit(unit).scale if unit else label:.12g} {unit}".rstrip()
+
+
 def is_whole(value: object, least: int, most: float = math.inf) -> bool:
     """Whether a value given in Python is a whole number between two others."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def require_whole(name: str, value: object, least: int) -> None:
+    """Refuse a value given in Python that is no whole number from ``least`` up."""
+    if not is_whole(value, least):
+        raise InvalidInput(f"{name}: given {shown(value)}; allowed: a whole number from {least} up")
 
 
 def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
@@ -195,4 +217,6 @@ def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
     if not isinstance(asked, Mapping) or not asked:
         raise InvalidInput("nothing is varied: map at least one dotted path to its values")
     for path, values in asked.items():
+        if not isinstance(path, str):
+            raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'speeds'")
         yield parameter(case, path, values)

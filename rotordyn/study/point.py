@@ -69,7 +69,7 @@ def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
     are many, the compiled solver of bearings is loaded for them.
     """
     known = _unpacked(packed)
-    first = known.neighbours.none
+    first = known.neighbours.empty
     begin = time.perf_counter()
     try:
         found = outcome(known.study, number, known.neighbours)
@@ -83,6 +83,7 @@ def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
 
 
 def _expect(case: Case, seconds: float) -> None:
+    """Tell the solvers of its bearings how much time compiled ones would save."""
     for grooves in {seat.bearing.grooves for seat in case.spindle.seats} if case.spindle else ():
         expect(seconds, geometry(grooves))
 
@@ -95,7 +96,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     InvalidInput : its values contradict one another
     NoSolution : no speed has a solution
     """
-    case = lean(changed(study.case, study.design.point(number)), study.results)
+    case = _numbers_alone(changed(study.case, study.design.point(number)), study.results)
     neighbours = neighbours or Neighbours()
     answers, error = neighbours.solve(case, checked=bool(study.results))
     return Outcome(
@@ -108,7 +109,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     )
 
 
-def lean(case: Case, whole: Sequence[str]) -> Case:
+def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
     """The case asked for numbers alone, but for analyses whose results are kept ``whole``."""
     specs = {
         name: spec if name in whole else analysis(name).lean(spec)

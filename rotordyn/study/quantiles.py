@@ -12,7 +12,6 @@ two corners, machines of which all tolerances are off at once.
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -20,14 +19,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.results.kinds import Array
+
 COVERED = 95.0  # % of machines within the range
 POINTS = 4096
 EDGE = 0.02  # share so near to an end that the nominal value is that end
-CHUNK = 512  # numbers at once
+CHUNK = 512  # numbers at once, for the memory of their sums
 POWERS = (1.0, 2.0 / 3.0, 1.0 / 3.0, 0.0)  # 0: the logarithm
-# Half width of the range of a sum of n even distributions, over their half width times √n.
-OFTEN = 1.96 / math.sqrt(3.0)
+# Of a sum of n even distributions: half width of its 95 % range, over theirs times √n.
+HALF_RANGE = 1.96 / math.sqrt(3.0)
 
 
 class Effect(NamedTuple):
@@ -174,7 +174,7 @@ def corner_shares(slopes: Array, nominal: Array) -> Array:
     towards = np.ones(slopes.shape[1])
     if len(slopes):
         towards = np.linalg.svd(slopes, full_matrices=False)[2][0]
-    way = min(1.0, OFTEN / math.sqrt(slopes.shape[1])) * np.where(towards >= 0.0, 1.0, -1.0)
+    way = min(1.0, HALF_RANGE / math.sqrt(slopes.shape[1])) * np.where(towards >= 0.0, 1.0, -1.0)
     return np.array([_off(nominal, sign * way) for sign in (1.0, -1.0)])
 
 
@@ -183,8 +183,7 @@ def _off(nominal: Array, way: Array) -> Array:
 
 
 def _points(count: int) -> Array:
+    """Shares (POINTS, count) spread evenly, the same again each time."""
     from scipy.stats import qmc
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)
-        return np.asarray(qmc.Sobol(count, rng=0).random(POINTS))
+    return np.asarray(qmc.Sobol(count, rng=0).random(POINTS))

@@ -14,11 +14,11 @@ from rotordyn.case.library import is_path
 from rotordyn.case.node import Node
 from rotordyn.case.read import in_order, load
 from rotordyn.case.reading import Reading
-from rotordyn.case.study import ABSENT, SPACINGS, OptimumFile, SpanEntry, StudyFile
+from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry, StudyFile
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
-from rotordyn.study.parameter import Span, parameter
+from rotordyn.study.parameter import Span, kind_of_model, parameter
 
 if TYPE_CHECKING:
     from rotordyn.study.optimum.problem import Problem
@@ -41,8 +41,9 @@ def read_study(path: str | Path) -> Study:
     try:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
-        word = str(refusal).partition(":")[0]
-        raise read.refused((word,) if read.root.child(word) else (), str(refusal)) from None
+        word = str(refusal).partition(":")[0]  # sentences begin with the key, where there is one
+        at = (word,) if read.root.child(word) else ()
+        raise read.refused(at, str(refusal).removeprefix(f"{word}: " if at else "")) from None
 
 
 def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
@@ -54,9 +55,9 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
     NoSolution : the case as it stands has none
     """
     read = _opened(path, OptimumFile)
+    from rotordyn.study.optimum.goals import Goal, Limit
     from rotordyn.study.optimum.problem import as_it_stands
     from rotordyn.study.optimum.solve import problem_of
-    from rotordyn.study.optimum.wish import Goal, Limit
 
     wishes: dict[str, list[Any]] = {"goals": [], "limits": []}
     for key, kind in (("goals", Goal), ("limits", Limit)):
@@ -65,11 +66,13 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
             given = item.plain()
             if "absent" in given:
                 given["absent"] = given["absent"] == ABSENT[1]
+            for bound in BOUNDS & given.keys():
+                given[bound] = _in_words(given[bound])
             try:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
                 raise read.refused((key, k), str(refusal)) from None
-    try:
+    try:  # sentences on a goal or limit quote what it reads, which finds its line
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:
@@ -81,6 +84,13 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
         ]
         raise read.refused(places[0] if places else (), str(refusal)) from None
     return problem, {name: read.asked[name] for name in ("trials", "seed")}
+
+
+def _in_words(bound: Any) -> Any:
+    """A number of a file as text, which needs a unit where what is read has one."""
+    if isinstance(bound, list):
+        return [_in_words(each) for each in bound]
+    return str(bound) if isinstance(bound, float | int) else bound
 
 
 @dataclass(frozen=True)
@@ -138,7 +148,7 @@ def case_of(reference: str, root: Node) -> Case:
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
-    """What is asked of every path; faults are reported at their lines."""
+    """Values or span of every path; faults are reported at their lines."""
     if not isinstance(node.value, dict) or not node.value:
         reading.faults.at(node, (), "nothing is varied: map at least one dotted path to values")
         return {}
@@ -146,6 +156,7 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
 
 
 def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
+    """Values or span of one path, whose ends have the unit of what stands there in the case."""
     before = len(reading.faults.reported)
     asked: Any = None
     if isinstance(node.value, dict):
@@ -156,6 +167,12 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
             asked = Span(low, high, found["points"], log)
     elif isinstance(node.value, list):
         asked = [value_at(reading, case, path, item) for item in node.value]
+        if kind_of_model(case, path):  # their files stand beside that of the study
+            beside = Path(node.file).parent
+            asked = [
+                str(beside / Path(v).expanduser()) if isinstance(v, str) and is_path(v) else v
+                for v in asked
+            ]
     else:
         reading.faults.at(node, (), "a list of values is needed, or a span: {from: …, to: …}")
     if len(reading.faults.reported) == before:

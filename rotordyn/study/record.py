@@ -1,19 +1,50 @@
-"""Lines of JSON on disk as they come, below one that says of what they are.
+"""Lines of JSON on disk as they come, so that a study that was stopped goes on where it was.
 
-Of trials of an optimum and searches of an identification. A last line that was cut short is cut
-away.
+A line for every point of a sweep, trial of an optimum or search of an identification, in the order
+in which they were solved. The first line is the signature of the study. A line that was cut short
+by a kill stands last and is cut away. Floats are read back bit for bit.
 """
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 from rotordyn.errors import InvalidInput
+from rotordyn.whole import locked
+
+
+@contextmanager
+def alone(folder: Path, what: str) -> Iterator[None]:
+    """Keep other processes from solving ``what`` into a folder meanwhile.
+
+    Raises
+    ------
+    InvalidInput : another one does; the folder cannot be made
+    """
+    lock = None
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
+    try:
+        lock = locked(folder)
+    except BlockingIOError:
+        raise InvalidInput(
+            f"{folder}: another process solves the {what} of a study there: wait for it, or choose "
+            "another folder"
+        ) from None
+    except OSError:  # a file system without locks
+        pass
+    try:
+        yield
+    finally:
+        if lock is not None:
+            os.close(lock)
 
 
 def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, Any]]:
@@ -25,30 +56,30 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
     InvalidInput : it holds something else, or cannot be written
     """
     head = {kind: signature}
+    begin = json.dumps(head).encode() + b"\n"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            if any(path.parent.iterdir()):
-                raise InvalidInput(
-                    f"{path.parent}: is a folder with other things in it, and no {kind}: choose "
-                    "another"
-                )
-            path.write_text(json.dumps(head) + "\n", encoding="utf-8")
-        raw = path.read_bytes()
+        if not path.exists() and any(path.parent.iterdir()):
+            raise InvalidInput(
+                f"{path.parent}: is a folder with other things in it, and no {kind}: choose another"
+            )
+        raw = path.read_bytes() if path.exists() else b""
+        if begin.startswith(raw):  # new, or killed before a line was kept
+            path.write_bytes(begin)
+            return []
         whole = raw[: raw.rfind(b"\n") + 1]
+        first, *lines = [json.loads(line) for line in whole.splitlines()]
+        if first != head:
+            raise InvalidInput(
+                f"{path.parent}: holds the {what} of another {kind}: choose another folder, or "
+                "remove that one"
+            )
         if len(whole) < len(raw):
             os.truncate(path, len(whole))
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    try:
-        first, *lines = [json.loads(line) for line in whole.splitlines()]
     except ValueError:
         raise unreadable(path, what) from None
-    if first != head:
-        raise InvalidInput(
-            f"{path.parent}: holds the {what} of another {kind}: choose another folder, or remove "
-            "that one"
-        )
     return lines
 
 

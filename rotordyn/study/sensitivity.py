@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from rotordyn.case.asked import Asked, certain, within_case
@@ -20,12 +19,11 @@ from rotordyn.case.tolerance import Tolerance
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.results.headline import Number
+from rotordyn.results.kinds import Array
 from rotordyn.study.machines import Machines, lean
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Array = NDArray[np.float64]
 
 
 class Derivatives(NamedTuple):

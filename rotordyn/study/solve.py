@@ -16,17 +16,20 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
+from rotordyn.quantity import suggestion
+from rotordyn.study import record
 from rotordyn.study.dataset import gathered
 from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
-from rotordyn.study.parameter import is_whole
+from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_point
 from rotordyn.study.workers import solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
     import xarray as xr
 
-LONG = 3600.0  # s that a study may take unasked
+HOUR = 3600.0  # s
+LONG = HOUR  # that a study may take unasked
 Progress = Callable[[int, int], None]
 
 
@@ -43,16 +46,21 @@ def study_of(
     """A study held against its case; see ``sweep``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a study takes a case, as rotordyn.load gives it; got {shown(case)}")
+    _require("analyses", analyses, case)
     if len(analyses):
         case = restricted(case, tuple(analyses))
-    for name in results:
-        if name not in case.analyses:
-            raise InvalidInput(
-                f"results: given {shown(name)}; this study has the analyses "
-                f"{', '.join(case.analyses)}"
-            )
+    _require("results", results, case)
     case = replace(case, variants={}, uncertain=None)
     return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
+
+
+def _require(key: str, given: Sequence[str], case: Case) -> None:
+    for name in given:
+        if name not in case.analyses:
+            raise InvalidInput(
+                f"{key}: given {shown(name)}; this study has the analyses "
+                f"{', '.join(case.analyses)}{suggestion(name, case.analyses)}"
+            )
 
 
 @typed(InvalidInput, besides=["case"])
@@ -119,13 +127,13 @@ def solved(
     yes: bool = False,
 ) -> tuple[xr.Dataset, dict[int, Outcome]]:
     """The Dataset of a study and the outcome of every point; see ``sweep``."""
-    if workers is not None and not is_whole(workers, 1):
-        raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
+    if workers is not None:
+        require_whole("workers", workers, 1)
     count, most = study.design.count, workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
-        found = journal.known()
-        with journal:
+        with record.alone(place, "points"):
+            found = journal.begin()
             progress(len(found), count)
             for outcome in _outcomes(study, found, most, cluster, yes=yes):
                 journal.add(outcome)
@@ -148,7 +156,7 @@ def _outcomes(
     if least > LONG and not yes and cluster is None:
         raise InvalidInput(
             f"the study has {study.design.count} points, {len(left)} of them to solve: about "
-            f"{least / LONG:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
+            f"{least / HOUR:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
             "points"
         )
     if cluster is not None:

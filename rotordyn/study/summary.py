@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from rotordyn.study.design import Design
 from rotordyn.study.parameter import Parameter
 from rotordyn.study.point import Outcome, Study
 
+SUMMARY, TABLE = "summary.txt", "points.csv"
 MOST_SENTENCES = 4
 NUMBER = re.compile(r"\d[\d.]*")
 STEADY = 1e-9  # relative range of a number that nothing changes
@@ -56,21 +57,25 @@ def _sentences(outcomes: Outcomes) -> Iterator[str]:
     for sentence, times in said.most_common(MOST_SENTENCES):
         yield f"not solved ({times} points): {sentence}"
     if len(said) > MOST_SENTENCES:
-        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in points.csv"
+        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {TABLE}"
 
 
 def _warnings(outcomes: Outcomes) -> Iterator[str]:
-    """The most frequent ones; those that differ by numbers alone count together."""
-    alike: dict[str, list[str]] = {}
-    for row in outcomes.values():
-        for sentence in row.warnings:
-            alike.setdefault(NUMBER.sub("", sentence), []).append(sentence)
-    found = sorted(alike.values(), key=len, reverse=True)
+    """The most frequent ones."""
+    found = alike(sentence for row in outcomes.values() for sentence in row.warnings)
     for each in found[:MOST_SENTENCES]:
         more = ", such as" if len(set(each)) > 1 else ""
         yield f"WARNING ({len(each)} points{more}): {each[0]}"
     if len(found) > MOST_SENTENCES:
-        yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in points.csv"
+        yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in {TABLE}"
+
+
+def alike(sentences: Iterable[str]) -> list[list[str]]:
+    """Sentences that differ by numbers alone together, the most frequent kind first."""
+    kinds: dict[str, list[str]] = {}
+    for sentence in sentences:
+        kinds.setdefault(NUMBER.sub("", sentence), []).append(sentence)
+    return sorted(kinds.values(), key=len, reverse=True)
 
 
 def _errors(outcomes: Outcomes) -> Iterator[str]:
@@ -122,4 +127,4 @@ def write_points(folder: Path, study: Study, outcomes: Outcomes) -> None:
         columns.append((head, ["" if math.isnan(v) else f"{v:.9g}" for v in values]))
     columns.append(("not solved", [outcomes[k].sentence for k in order]))
     columns.append(("warnings", [" | ".join(outcomes[k].warnings) for k in order]))
-    write_table(folder / "points.csv", columns)
+    write_table(folder / TABLE, columns)

@@ -17,6 +17,8 @@ from rotordyn.report.datasets import dataset
 from tests.hostile.numbers import unexplained
 from tests.oracles.spindles import CASES
 
+pytestmark = pytest.mark.usefixtures("draft")
+
 FILES = sorted(CASES.glob("*.yaml"))
 NAMES = [path.stem for path in FILES]
 

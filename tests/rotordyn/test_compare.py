@@ -23,6 +23,8 @@ from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
+pytestmark = pytest.mark.usefixtures("draft")
+
 TURNING = {"speeds": (2000 * RPM, 24000 * RPM), "analyses.frf.slices": ()}
 
 

@@ -22,6 +22,8 @@ from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
+pytestmark = pytest.mark.usefixtures("draft")
+
 
 def small(**changes: object) -> Case:
     """The flagship at three speeds and few frequencies."""

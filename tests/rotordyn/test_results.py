@@ -24,6 +24,8 @@ from rotordyn.results.declaration import declared
 from rotordyn.view import apart
 from tests.oracles.spindles import RPM, case, pairs
 
+pytestmark = pytest.mark.usefixtures("draft")
+
 TIMES = ("stages", "figures", "versions")
 
 

@@ -252,7 +252,7 @@ def test_within_the_held_force_the_sleeve_stays() -> None:
     path = history(dynamic_preload(rubbing(), np.zeros(1), LAW), 1900.0)
     (start,) = path.run_up()
     fallen = path.loaded(0, start, [1600.0, -1000.0])[-1]
-    most = path.held(0, fallen, -1000.0, 2000.0)
+    most = path.force_to_slide(0, fallen, -1000.0, 2000.0)
     for share, moves in ((0.995, False), (1.005, True)):
         there = path.loaded(0, fallen, [-1000.0 + share * most], path.under(0, -1000.0))[-1]
         assert bool(abs(there.x[1] - fallen.x[1]) > 1e-12) is moves

@@ -24,7 +24,7 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, length, moments
+from rotordyn.preload.history import Moment, moments, most_moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
@@ -213,7 +213,7 @@ def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
     speeds = [10.0, 20.0, 30.0]
     before, through, after = moments(Past(steps), speeds, 0.0)
     assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
-    assert length(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+    assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
 
 
 def test_a_history_longer_than_allowed_is_refused_before_it_begins(

@@ -9,7 +9,7 @@ import rotordyn
 from rotordyn.errors import NoSolution
 from rotordyn.preload import play
 from rotordyn.preload.history import history
-from rotordyn.preload.play import axial
+from rotordyn.preload.play import axial_run_up
 from rotordyn.scene.scene import Scene
 from rotordyn.study.identification.along_axis import RPM
 
@@ -30,7 +30,7 @@ def test_same_path_as_event_by_event(name: str) -> None:
     scene = Scene(case.spindle, case.conditions, speed)
     path = history(scene.preload, 1900.0)
     force = np.linspace(-1800.0, 1500.0, 7)
-    found = axial(scene.grounded, scene.law, speed)
+    found = axial_run_up(scene.grounded, scene.law, speed)
     rest = path.run_up()
     for row, start in enumerate(rest):
         assert not isinstance(start, str)
@@ -47,13 +47,13 @@ def test_weight_shifts_what_is_rest() -> None:
     """At rest without further force nothing has moved, whatever the static force."""
     case = rotordyn.load("mfw2310")
     for force in (0.0, -209.0):
-        found = axial(case.spindle, case.conditions.law, np.zeros(1), force)
+        found = axial_run_up(case.spindle, case.conditions.law, np.zeros(1), force)
         assert found.shift == pytest.approx(0.0, abs=1e-12)
 
 
 def test_nothing_holds_the_shaft() -> None:
     case = rotordyn.vary(rotordyn.load("mfw2310"), {FRONT + "stop_travel": np.inf})
-    found = axial(case.spindle, case.conditions.law, np.zeros(1))
+    found = axial_run_up(case.spindle, case.conditions.law, np.zeros(1))
     with pytest.raises(NoSolution, match="no axial equilibrium under -100000 N"):
         found.under(0, [-1e5])
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -12,10 +10,10 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
-from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.spindles import RPM, answers, mfw2310, pairs, scene, system_of
+from rotordyn.scene.spec import Setting
+from tests.oracles.spindles import RPM, answers, conditions, mfw2310, pairs, scene, system_of
 
 HERE = 0.1
 
@@ -93,9 +91,9 @@ def test_one_way_coupling_answers_one_way() -> None:
 
 @pytest.mark.parametrize("entry", [("y", "z"), ("x", "y"), ("thx", "thz"), ("z", "x")])
 def test_radial_stiffness_refuses_what_it_would_leave_out(entry: tuple[str, str]) -> None:
-    spindle = replace(with_support({entry: 1e6}), points=mfw2310().points)
-    with pytest.raises(InvalidInput, match="support 'seal' couples plane y or the axis"):
-        answers(spindle, (0,), {"stiffness": StiffnessSpec("Oc2", 100.0, 1, ("full",))})
+    setting = Setting(with_support({entry: 1e6}), conditions(), (0.0,))
+    ((_, sentence),) = StiffnessSpec("Oc2", 100.0, 1, ("full",)).faults_on(setting)
+    assert sentence.startswith("support 'seal' couples plane y or the axis")
 
 
 def test_radial_stiffness_takes_what_lies_beside_its_plane() -> None:

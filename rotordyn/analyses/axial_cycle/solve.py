@@ -37,6 +37,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     force, at = _places(listed)
     steps = len(preload.speed) * (2 * spec.steps + 3)
     require_history(f"axial_cycle: {steps} steps", 0, steps)
+    of_seat = preload.network.arrangement.bearing_of_seat
     path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
     seats, sleeves = scene.spindle.seats, scene.spindle.sleeves
     shape = (len(preload.speed), len(BRANCHES), len(force))
@@ -58,11 +59,11 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
             continue
         for k, states in enumerate(branches):
             position[row, k] = [state.x for state in states]
-            load[row, k] = [_seat_load(scene, state) for state in states]
+            load[row, k] = [state.at.load[of_seat] for state in states]
             friction[row, k], stop[row, k] = _sleeves(path, states)
             stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
         held[row] = [
-            path.held(row, state, value, reach)
+            path.force_to_slide(row, state, value, reach)
             for state, value in zip(branches[0], force.tolist(), strict=True)
         ]
     return AxialCycleResult(
@@ -103,15 +104,6 @@ def _branches(path: History, row: int, start: State, force: Array) -> list[list[
     return [[*falling[::-1], top], [falling[-1], *rising]]
 
 
-def _seat_load(scene: Scene, state: State) -> Array:
-    load = np.zeros(len(scene.spindle.seats))
-    for bearing, one in zip(
-        scene.preload.network.arrangement.bearings, state.at.load.tolist(), strict=True
-    ):
-        load[list(bearing.seats)] = one
-    return load
-
-
 def _sleeves(path: History, states: list[State]) -> tuple[Array, Array]:
     """Friction and stop forces on every sleeve (states, sleeves)."""
     network = path.network
@@ -122,7 +114,7 @@ def _sleeves(path: History, states: list[State]) -> tuple[Array, Array]:
 
 def _stiffness(path: History, row: int, states: list[State], force: Array, way: float) -> Array:
     """Slope of the force over the displacement of the shaft, going on ``way`` [N/m]."""
-    soft = [path.softness(row, s, f, way) for s, f in zip(states, force.tolist(), strict=True)]
+    soft = [path.compliance(row, s, f, way) for s, f in zip(states, force.tolist(), strict=True)]
     return 1.0 / np.array(soft)
 
 

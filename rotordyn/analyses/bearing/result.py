@@ -84,6 +84,9 @@ class BearingMapResult:
     groove_rating: float = quantity(unit="N", label="dynamic load rating of the grooves")
     limiting: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY_LOAD, unit="N", label="equivalent load")
+    rating_factor: Array = quantity(
+        *BY_LOAD, unit="1", label="factor on the dynamic rating by heat"
+    )
     static_safety: Array = quantity(
         *BY_LOAD, unit="1", label="static safety S0", infinite=(NO_LOAD,)
     )

@@ -22,6 +22,7 @@ from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM
 from rotordyn.results.kinds import Array
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.lubrication import hot_rating
 
 SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
 RESULTS = {AXIAL: BearingMapResult, RADIAL: RadialMapResult, MOMENT: MomentMapResult}
@@ -195,8 +196,10 @@ def _life(
     """Life and safety; heat and film where there is oil."""
     state = solved.state
     lived = bearings.life.life_of(state, spec.dynamic_rating)
+    hot = hot_rating(solved.temperature)
     computed: dict[str, Array] = {
-        "revolutions": lived.revolutions,
+        "revolutions": lived.revolutions * hot**3,
+        "rating_factor": hot,
         "equivalent_load": lived.equivalent_load,
         "static_safety": bearings.life.static_safety(state),
         **dict.fromkeys(("contact_heat", "spin_heat", "viscous_heat", "film"), np.asarray(np.nan)),

@@ -9,7 +9,7 @@ from rotordyn.description import Faults, ascending, repeated
 from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
 from rotordyn.scene.heat_flow import MountedHeatFlow
-from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
+from rotordyn.scene.lubrication import ELLIPSE, LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Spec
 
 TILTS = ("free", "blocked")
@@ -49,7 +49,7 @@ class BearingMapSpec(Spec):
         str,
         Choice(LOSS_MODELS),
         "`ellipse` or `palmgren` ([theory](theory/life.md#friction-and-heat))",
-    ] = LOSS_MODELS[0]
+    ] = ELLIPSE
     heat_flow: Annotated[
         MountedHeatFlow | None,
         "conductances by which heat leaves: temperatures, growth and preload then follow from it, "
@@ -83,8 +83,9 @@ class BearingMapSpec(Spec):
             )
 
     def _oil_faults(self) -> Faults:
-        for name in ("heat_flow", "films"):
-            if getattr(self, name) and self.lubricant is None:
+        asked = {"heat_flow": self.heat_flow, "films": self.films, "heat": self.heat != ELLIPSE}
+        for name in asked if self.lubricant is None else ():
+            if asked[name]:
                 yield (name,), f"{name} needs an oil: give lubricant"
         if self.heat_flow is not None and self.combined:
             yield ("heat_flow",), "is made for axial loads alone: give loads and nothing else"

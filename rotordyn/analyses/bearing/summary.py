@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
-from rotordyn.results.balls import of_a_pair, pressed, slipping
+from rotordyn.results.balls import of_a_pair, pressed, slipping, softened
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
 from rotordyn.results.headline import Number, ends
@@ -190,5 +190,9 @@ def warnings(result: BearingMapResult) -> list[str]:
         slipping(load, result.speed, values)
         for load, values in zip(loads, result.slipping.T, strict=True)
     ]
-    sentences += [of_a_pair(result.dynamic_rating, result.groove_rating), *_overheated(result)]
+    sentences += [
+        of_a_pair(result.dynamic_rating, result.groove_rating),
+        softened(result.rating_factor, result.speed),
+        *_overheated(result),
+    ]
     return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

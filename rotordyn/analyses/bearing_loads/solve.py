@@ -25,11 +25,11 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
     azimuth = np.full((len(seats), most), np.nan)
     balls = {name: np.full((*load.shape[:2], most), np.nan) for name in OF_BALLS}
     for k, (seat, (state, column)) in enumerate(zip(seats, states, strict=True)):
-        turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0
+        turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0  # from the frame of the bearing
         load[:, k], moved[:, k] = state.load[:, column] * turn, state.displacement[:, column] * turn
         count = seat.bearing.balls
-        way = -1.0 if seat.thrust < 0 else 1.0
-        azimuth[k, :count] = np.mod(way * 2.0 * math.pi * np.arange(count) / count, 2.0 * math.pi)
+        angle = seat.thrust * 2.0 * math.pi * np.arange(count) / count
+        azimuth[k, :count] = np.mod(angle, 2.0 * math.pi)
         for name, whole in balls.items():
             whole[:, k, :count] = getattr(state, name)[:, column]
     share, lost = _losses(scene, spec, balls["inner_load"])
@@ -57,6 +57,7 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
 def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, NDArray[np.intp]]:
     """Share of the loads at which the first ball of a bearing loses its contact, and which one."""
     share, ball = np.full(inner.shape[:2], np.nan), np.zeros(inner.shape[:2], dtype=np.intp)
+    # states that keep every ball loaded under the whole loads are not followed on the way there
     light = (np.nan_to_num(inner, nan=np.inf).min(axis=2) <= 0.0).any(axis=1)
     rows = np.flatnonzero(light & scene.preload.usable & scene.unloaded.net.converged)
     if not (scene.loaded and spec.loss_steps and rows.size):

@@ -30,8 +30,9 @@ class LifeResult:
     ``revolutions``: reference life L10r of ISO/TS 16281; ``life``: the same as time, infinite at
     rest; ``modified_life``: L_nm with the lubricant and the reliability. ``limiting``: the contact
     that fails first. ``groove_rating``: C from the grooves; ``dynamic_rating``: the one used.
-    ``set_life``: until the first bearing fails. ``spectrum_life``, ``spectrum_set_life``: under the
-    load spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
+    ``rating_factor``: on ``dynamic_rating``, below 1 above 150 °C. ``set_life``: until the first
+    bearing fails. ``spectrum_life``, ``spectrum_set_life``, ``spectrum_safety``: under the load
+    spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
     ``shoulder_margin``: least angle from the end of a contact ellipse to the shoulder, NaN where no
     shoulder diameter is known; ``lost_load``: share of a ball's load that the shoulder takes away.
     ``viscosity_ratio`` κ, ``film``: least thickness, ``film_ratio`` Λ, and heat are NaN without a
@@ -153,6 +154,7 @@ class LifeResult:
     )
     dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
+    rating_factor: Array = quantity(*BY, unit="1", label="factor on the dynamic rating by heat")
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")
     set_life: Array = quantity(
         "speed",
@@ -170,6 +172,13 @@ class LifeResult:
         label="life under the spectrum",
         printed=HOURS,
         absent=(Absence("without a load spectrum"),),
+    )
+    spectrum_safety: Array = quantity(
+        "bearing",
+        unit="1",
+        label="least static safety S0 under the spectrum",
+        absent=(Absence("without a load spectrum"),),
+        infinite=(Absence("without load"),),
     )
     spectrum_set_life: float = quantity(
         unit="s",

@@ -18,6 +18,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.results.display import RPM
+from rotordyn.scene.lubrication import hot_rating
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -36,6 +37,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     known: dict[tuple[int, float], Values] = {}
     columns: list[Values] = []
     warm, rows = _temperatures(scene), scene.bearing_row
+    hot = _rating_factor(spec, warm)[rows]
     oiled = _oil_temperatures(scene, spec, warm)
     for (balls, column), rating in zip(state.seat_states(), ratings[0], strict=True):
         key = (id(balls), float(rating))
@@ -50,8 +52,9 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
 
     stressed = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
     fields = {name: joined(name) for name in columns[0]}
-    lives = bearings.life.set_life(fields["life"], axis=1)
-    spectrum = _spectrum(scene, spec, ratings[0])
+    for name in ("revolutions", "life", "modified_life"):
+        fields[name] = fields[name] * hot**3
+    spectrum, safety = _spectrum(scene, spec, ratings[0])
     oil = spec.lubricant
     return LifeResult(
         speed=scene.speed,
@@ -61,8 +64,10 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         groove_rating=ratings[1],
         static_rating=ratings[2],
         ring_stress=np.where(good[:, None], stressed[rows], np.nan),
-        set_life=lives,
+        rating_factor=np.where(good[:, None], hot, np.nan),
+        set_life=bearings.life.set_life(fields["life"], axis=1),
         spectrum_life=spectrum,
+        spectrum_safety=safety,
         spectrum_set_life=float(bearings.life.set_life(spectrum)),
         viscosity=math.nan if oil is None else float(oil.oil.kinematic(oil.temperature)),
         reliability=spec.reliability,
@@ -86,6 +91,12 @@ def _temperatures(scene: Scene) -> Array:
             for place, rise in enumerate((rises.balls, rises.inner, rises.outer)):
                 warm[:, k, place] = rise + known.reference
     return warm
+
+
+def _rating_factor(spec: LifeSpec, warm: Array) -> Array:
+    """On C by the hottest of rings, balls and oil (speeds, bearings)."""
+    oil = np.nan if spec.lubricant is None else spec.lubricant.temperature
+    return hot_rating(np.fmax(np.fmax.reduce(warm, axis=-1), oil))
 
 
 def _oil_temperatures(scene: Scene, spec: LifeSpec, warm: Array) -> dict[int, Array]:
@@ -194,26 +205,29 @@ def _least(margin: Array) -> Array:
     return np.where(np.isfinite(least), least, np.nan)
 
 
-def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
-    """Life of every bearing under the load spectrum [s], NaN without one (bearings,)."""
+def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> tuple[Array, Array]:
+    """Life [s] and least static safety of every bearing under the load spectrum, NaN without one
+    (bearings,)."""
     if not spec.spectrum:
-        return np.full(len(rating), np.nan)
-    lives = np.array(
-        [_step_life(scene, place, step, rating) for place, step in enumerate(spec.spectrum)]
-    )
+        nothing = np.full(len(rating), np.nan)
+        return nothing, nothing
+    steps = [_step(scene, spec, place, rating) for place in range(len(spec.spectrum))]
+    lives, safety = (np.array(each) for each in zip(*steps, strict=True))
     shares = [step.share for step in spec.spectrum]
-    return np.asarray(bearings.life.mean_life(shares, lives))
+    return np.asarray(bearings.life.mean_life(shares, lives)), safety.min(axis=0)
 
 
-def _step_life(scene: Scene, place: int, step: LoadStep, rating: Array) -> Array:
-    """Life of every bearing under one step alone [s], infinite at rest; with the loads of the
-    conditions besides.
+def _step(
+    scene: Scene, spec: LifeSpec, place: int, rating: Array
+) -> tuple[list[float], list[float]]:
+    """Life of every bearing under one step alone [s], infinite at rest, and its static safety; with
+    the loads of the conditions besides.
 
     Raises
     ------
     InvalidInput : loads under which the machine, or a bearing, has no state
     """
-    given = scene.conditions
+    given, step = scene.conditions, spec.spectrum[place]
     conditions = replace(
         given,
         axial_force=given.axial_force + step.axial_force,
@@ -225,22 +239,23 @@ def _step_life(scene: Scene, place: int, step: LoadStep, rating: Array) -> Array
             f"life: spectrum[{place}] at {step.speed * RPM.factor:.6g} rpm has no physical "
             f"solution: {there.outcome[0]}; change the loads or the speed of this step"
         )
-    lives = []
-    for seat, (balls, column), load_rating in zip(
-        scene.spindle.seats, there.preload.seat_states(), rating, strict=True
+    hot = rating * _rating_factor(spec, _temperatures(there))[0]
+    lives, safety = [], []
+    for seat, (balls, column), rated in zip(
+        scene.spindle.seats, there.preload.seat_states(), hot, strict=True
     ):
-        radial = step.radial.get(seat.name, 0.0)
-        if radial > 0.0:
-            revolutions = _under_radial_load(scene, step, seat, balls, column, float(load_rating))
-            if math.isnan(revolutions):
-                raise InvalidInput(
-                    f"life: spectrum[{place}].radial.{seat.name}: no state under this load: given "
-                    f"{radial:.6g} N; allowed: what the bearing bears; lower it"
-                )
-        else:
-            revolutions = float(bearings.life.reference_life(balls, float(load_rating))[0, column])
+        state, at = balls, column
+        if step.radial.get(seat.name, 0.0) > 0.0:
+            state, at = _under_radial_load(scene, step, seat, balls, column), 0
+        revolutions = float(bearings.life.reference_life(state, float(rated)).flat[at])
+        if math.isnan(revolutions):
+            raise InvalidInput(
+                f"life: spectrum[{place}].radial.{seat.name}: no state under this load: given "
+                f"{step.radial[seat.name]:.6g} N; allowed: what the bearing bears; lower it"
+            )
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
-    return np.array(lives)
+        safety.append(float(bearings.life.static_safety(state).flat[at]))
+    return lives, safety
 
 
 def _under_radial_load(
@@ -249,16 +264,14 @@ def _under_radial_load(
     seat: BearingSeat,
     balls: BearingState,
     column: int,
-    rating: float,
-) -> float:
-    """Revolutions of a bearing that keeps its axial load and growth, untilted; NaN without a
-    state."""
+) -> BearingState:
+    """A bearing that keeps its axial load and growth, untilted."""
     law, operation = seat.law(scene.law), balls.operation
     static, growth = (
         each.reshape(operation.shape)[:1, column]
         for each in (operation.static_growth, operation.growth)
     )
-    state = seat.bearing.equilibrium(
+    return seat.bearing.equilibrium(
         load=[float(balls.load[0, column, 0]), step.radial[seat.name], 0.0, np.nan, np.nan],
         displacement=[np.nan, np.nan, np.nan, 0.0, 0.0],
         speed=[step.speed],
@@ -266,4 +279,3 @@ def _under_radial_load(
         growth=growth,
         **asdict(law),
     )
-    return float(bearings.life.reference_life(state, rating)[0])

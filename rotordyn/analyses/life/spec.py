@@ -20,7 +20,7 @@ from rotordyn.quantity import (
 )
 from rotordyn.results.display import RPM
 from rotordyn.scene.loads import PointLoad
-from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
+from rotordyn.scene.lubrication import ELLIPSE, LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Setting, Spec, placed
 
 RELIABILITIES = (0.90, 0.95, 0.96, 0.97, 0.98, 0.99)
@@ -68,9 +68,11 @@ class LifeSpec(Spec):
         Choice(LOSS_MODELS),
         "`ellipse`: sliding in the contact ellipses; `palmgren`: his load-dependent moment; the "
         "viscous part is Palmgren's in both ([theory](theory/life.md#friction-and-heat))",
-    ] = LOSS_MODELS[0]
+    ] = ELLIPSE
 
     def _faults(self) -> Faults:
+        if self.heat != ELLIPSE and self.lubricant is None:
+            yield ("heat",), "heat needs an oil: give lubricant"
         total = sum(step.share for step in self.spectrum)
         if self.spectrum and known(total) and abs(total - 1.0) > _SUM:
             yield (

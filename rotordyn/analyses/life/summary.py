@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import LifeResult
-from rotordyn.results.balls import of_a_pair
+from rotordyn.results.balls import of_a_pair, softened
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
 from rotordyn.results.headline import Number, ends
@@ -35,7 +35,10 @@ def summary(result: LifeResult) -> list[str]:
             unbroken(f"{name} {hours(life / HOUR)}")
             for name, life in zip(result.bearing, result.spectrum_life, strict=True)
         )
-        lines.append(f"spectrum   L10r [h] {lives}; set {hours(result.spectrum_set_life / HOUR)}")
+        lines.append(
+            f"spectrum   L10r [h] {lives}; set {hours(result.spectrum_set_life / HOUR)}; "
+            f"S0 from {number(float(result.spectrum_safety.min()))}"
+        )
     if math.isfinite(result.viscosity):
         grade = f"{100.0 * result.reliability:g} %"
         lines.append(
@@ -135,27 +138,20 @@ def warnings(result: LifeResult) -> list[str]:
 def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     if doubt := of_a_pair(result.dynamic_rating[k], result.groove_rating[k]):
         yield doubt
-    if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
-        yield (
-            f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
-            f"from {where} on; lower the load or take a larger bearing"
-        )
-    elif where := _first(result, result.pressure[:, k] > HIGHEST):
-        yield (
-            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: life is shorter "
-            "than computed; lower the load"
-        )
-    if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
-        yield (
-            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
-            "than computed; lower the load"
-        )
+    yield from _overloaded(result, k)
+    if hot := softened(result.rating_factor[:, k], result.speed):
+        yield hot
     if where := _first(result, result.shoulder_margin[:, k] < 0.0):
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         lost = 100.0 * np.nanmax(result.lost_load[:, k])
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
             f"{lost:.2g} % of its load; lower the load or raise the shoulder"
+        )
+    if result.spectrum_safety[k] < LEAST_SAFETY:
+        yield (
+            f"static safety {result.spectrum_safety[k]:.2g} under the load spectrum is below "
+            f"{LEAST_SAFETY:g}; lower the load or take a larger bearing"
         )
     turning = result.speed > 0.0
     if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
@@ -175,6 +171,29 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         yield (
             f"life {hours(float(np.nanmin(lives)) / HOUR)} h is below the target of "
             f"{hours(result.target / HOUR)} h; lower load or speed, or take a larger bearing"
+        )
+
+
+def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
+    if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
+        yield (
+            f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
+            f"from {where} on; lower the load or take a larger bearing"
+        )
+    elif where := _first(result, result.pressure[:, k] > HIGHEST):
+        yield (
+            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: life is shorter "
+            "than computed; lower the load"
+        )
+    if result.spectrum_safety[k] < LEAST_SAFETY:
+        yield (
+            f"static safety {result.spectrum_safety[k]:.2g} under the load spectrum is below "
+            f"{LEAST_SAFETY:g}; lower the load or take a larger bearing"
+        )
+    if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
+        yield (
+            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
+            "than computed; lower the load"
         )
 
 

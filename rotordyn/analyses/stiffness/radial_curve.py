@@ -17,7 +17,7 @@ from rotordyn.preload.under_load import leaving
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
-NOTHING = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
+LOST = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -77,7 +77,7 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     outcome = np.full(len(start), "", dtype=object)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
-    least, lightest = NOTHING * here.lightest, [here.lightest]
+    least, lightest = LOST * here.lightest, [here.lightest]
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan

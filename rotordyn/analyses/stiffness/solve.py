@@ -16,9 +16,9 @@ from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
-from rotordyn.errors import InvalidInput
+from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.balance import Balance
-from rotordyn.preload.friction import remembered
+from rotordyn.preload.friction import with_friction
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.display import RPM
@@ -44,20 +44,7 @@ class Variant:
 
 
 def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
-    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …).
-
-    Raises
-    ------
-    InvalidInput : a support couples plane y or the axis to other motions
-    """
-    for support in scene.spindle.supports:
-        if support.out_of_plane:
-            raise InvalidInput(
-                f"support '{support.name}' couples plane y or the axis to other motions: the "
-                "radial stiffness is solved in plane y alone"
-            )
-    if scene.spindle.housings:
-        raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
+    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant] = {}
@@ -135,7 +122,7 @@ def _nonlinear(
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
-    return radial_curve(problem, problem.begun(state, distinct), force).at(place)
+    return radial_curve(problem, problem.first_point(state, distinct), force).at(place)
 
 
 def _as_variant(curve: RadialCurve) -> Variant:
@@ -148,17 +135,9 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
     other = _as_variant(usual)
     deflection, tangent = other.deflection.copy(), other.tangent.copy()
     outcome = other.outcome.astype(object)
-    differs = np.zeros(len(rows), dtype=bool)
-    for push, sleeve in zip(
-        scene.preload.network.arrangement.pushes, scene.spindle.sleeves, strict=True
-    ):
-        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
-        if travel != sleeve.stop_travel:
-            nearer = min(travel, sleeve.stop_travel)
-            differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
-    anew = np.flatnonzero(differs)
+    anew = _where_travels_matter(scene, spec, usual)
     if anew.size:
-        state = remembered(scene.preload.with_travels(spec.second_stop, rows[anew]))
+        state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
@@ -172,6 +151,19 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
     return Variant(deflection, tangent, outcome.astype(str))
 
 
+def _where_travels_matter(
+    scene: Scene, spec: StiffnessSpec, usual: RadialCurve
+) -> NDArray[np.intp]:
+    """Usable speeds at which a sleeve comes to the nearer of both its stops, or the curve ends."""
+    matters = np.zeros(len(usual.outcome), dtype=bool)
+    for body, sleeve in enumerate(scene.spindle.sleeves, start=SHAFT + 1):
+        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
+        if travel != sleeve.stop_travel:
+            nearer = min(travel, sleeve.stop_travel)
+            matters |= ~(usual.reach[:, body] < nearer - REACHED) | (usual.outcome != "")
+    return np.flatnonzero(matters)
+
+
 def _linear(
     scene: Scene, spec: StiffnessSpec, rotor: StaticRotor, name: str, force: Array
 ) -> Variant:
@@ -181,7 +173,7 @@ def _linear(
     if name == "constant_preload":
         rest = scene.preload.rest_loads()
         stiffness, outcome = _constant_preload(scene, rest)
-        load = _by_seat(scene.preload, rest)
+        load = rest[None, scene.preload.network.arrangement.bearing_of_seat]
         rotor = _rotor(scene, spec, load)
         load = np.repeat(load, len(outcome), axis=0)
         buckled = scene.buckled(load, stiffness, scene.state_speed)
@@ -210,7 +202,10 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
     carries = carried > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
     for k in np.flatnonzero(~carries):
         blocks[:, list(bearings[k].seats)] = np.nan
-        outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"
+        outcome[outcome == ""] = (
+            f"bearing {names[k]} carries no load at rest: raise the preload or lower the axial "
+            "force"
+        )
     carrying = [int(k) for k in np.flatnonzero(carries)]
     load = np.zeros((len(state.speed), len(carrying), 5))
     load[..., 0] = rest[carrying]
@@ -221,15 +216,11 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             k = carrying[place]
             blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
             lost = (held.state.outcome[:, column] != "") & (outcome == "")
-            outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
+            outcome[lost] = (
+                f"bearing {names[k]} has no equilibrium under its load at rest: raise the preload "
+                "or lower the speed"
+            )
     return blocks, outcome
-
-
-def _by_seat(state: PreloadState, load: Array) -> Array:
-    """A load of every bearing as that of every seat (1, seats)."""
-    bearings = state.network.arrangement.bearings
-    seats = {seat: load[k] for k, bearing in enumerate(bearings) for seat in bearing.seats}
-    return np.array([[seats[seat] for seat in sorted(seats)]])
 
 
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:

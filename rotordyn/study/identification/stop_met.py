@@ -74,6 +74,6 @@ class StopMet(Axial):
             moved = free.idle[row, body] - free.mounted[body]
         else:
             path = [self.highest or 0.0, self.lowest or 0.0, self.highest or 0.0, self.force]
-            moved = free.under(row, path)[-1, body] + free.still[body] - free.mounted[body]
-        way = free.instants[row].slides[body - 1].way
-        return np.array([sleeve.stop_travel + way * moved])
+            moved = free.under(row, path)[-1, body] + free.standstill[body] - free.mounted[body]
+        direction = free.at[row].sleeves[body - 1].push.direction
+        return np.array([sleeve.stop_travel + direction * moved])

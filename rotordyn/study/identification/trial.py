@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from rotordyn.case.case import Case
 from rotordyn.errors import NoSolution
-from rotordyn.preload.play import Axial, Tables, axial
+from rotordyn.preload.play import AxialRunUp, BearingCurves, axial_run_up
 from rotordyn.scene.scene import Scene
 from rotordyn.study.neighbours import Neighbours
 
@@ -21,9 +22,9 @@ Array = NDArray[np.float64]
 
 @dataclass
 class Known:
-    """What trials of one process share: tables of bearings, stages of scenes."""
+    """What trials of one process share: axial curves of bearings, stages of scenes."""
 
-    tables: Tables = field(default_factory=Tables)
+    curves: BearingCurves = field(default_factory=BearingCurves)
     neighbours: Neighbours = field(default_factory=Neighbours)
 
 
@@ -56,31 +57,36 @@ class Trial:
         return results
 
     @cached_property
-    def axial(self) -> Axial:
+    def axial(self) -> AxialRunUp:
         """Shaft and sleeves along the axis, with friction, run up through the axial speeds."""
         return self.along()
 
     def cycle(
         self, row: int, falling: Array, rising: Array, lowest: float | None, highest: float | None
     ) -> tuple[Array, Array]:
-        """Shifts of the bodies on both branches, as ``Axial.cycle``; each cycle solved once."""
+        """Shifts of the bodies on both branches, as ``AxialRunUp.cycle``; each solved once."""
         key = row, falling.tobytes(), rising.tobytes(), lowest, highest
         if key not in self._cycles:
             self._cycles[key] = self.axial.cycle(row, falling, rising, lowest, highest)
         return self._cycles[key]
 
-    def along(self, without_stop: str | None = None) -> Axial:
+    def along(self, without_stop: str = "") -> AxialRunUp:
         """The same, a sleeve's stop left out."""
-        assert self.case.spindle is not None, "measurements of a spindle"
-        scene = Scene(self.case.spindle, self.case.conditions, np.array(self.axial_speeds))
-        return axial(
+        spindle = self.case.spindle
+        assert spindle is not None, "measurements of a spindle"
+        sleeves = tuple(
+            replace(sleeve, stop_travel=math.inf) if sleeve.name == without_stop else sleeve
+            for sleeve in spindle.sleeves
+        )
+        spindle = replace(spindle, sleeves=sleeves) if without_stop else spindle
+        scene = Scene(spindle, self.case.conditions, np.array(self.axial_speeds))
+        return axial_run_up(
             scene.grounded,
             scene.law,
             scene.speed,
             scene.axial_force,
             self.case.conditions.temperatures,
-            self.known.tables,
-            without_stop,
+            self.known.curves,
         )
 
 

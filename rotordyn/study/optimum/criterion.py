@@ -18,7 +18,7 @@ from rotordyn.results.declaration import declared
 from rotordyn.results.kinds import Array
 from rotordyn.units import parse_unit
 
-ALIKE = 1e-9  # of a coordinate: the same place
+ALIKE = 1e-9  # relative difference of coordinates that are the same
 
 
 class Reading(NamedTuple):
@@ -69,6 +69,11 @@ class Criterion:
             )
         if self.where:
             raise InvalidInput(f"{shown(self.of)}: where selects of a variable, not of a number")
+        if len({each.unit for each in found}) > 1:
+            several = ", ".join(dict.fromkeys(each.name for each in found))
+            raise InvalidInput(
+                f"{shown(self.of)}: these numbers have several units: name one of {several}"
+            )
         return Reading(_known(np.array([each.value for each in found])), found[0].unit)
 
     def _variable(self, result: Any) -> Reading:
@@ -92,7 +97,8 @@ class Criterion:
                     f"{shown(self.of)}: no coordinate {shown(coordinate)}; allowed: "
                     f"{', '.join(dims) or 'none'}{suggestion(coordinate, dims)}"
                 )
-            places = _places(self.of, coordinate, getattr(result, coordinate), asked)
+            unit = declared(result)[coordinate].metadata["printed"].unit
+            places = _places(self.of, coordinate, getattr(result, coordinate), asked, unit)
             values = values.take(places, axis=dims.index(coordinate))
         return Reading(_known(values.reshape(-1) * printed.factor), printed.unit)
 
@@ -105,7 +111,7 @@ def _known(values: Array) -> Array:
     return values[~np.isnan(values)]
 
 
-def _places(of: str, name: str, entries: Any, asked: object) -> list[int]:
+def _places(of: str, name: str, entries: Any, asked: object, unit: str) -> list[int]:
     """Which entries of a coordinate are meant."""
     if not _is_number(entries):
         words = [str(each) for each in entries]
@@ -120,7 +126,12 @@ def _places(of: str, name: str, entries: Any, asked: object) -> list[int]:
     ends = asked if isinstance(asked, list | tuple) else (asked, asked)
     if len(ends) != 2:
         raise InvalidInput(f"{shown(of)}: {name} takes one number or two, got {shown(asked)}")
-    low, high = (amount(each, "") for each in ends)
+    try:
+        for each in ends:
+            amount(each, unit)  # of its kind
+        low, high = (amount(each, "") for each in ends)
+    except InvalidInput as refusal:
+        raise InvalidInput(f"{shown(of)}: {name}: {refusal}") from None
     room = ALIKE * max(abs(low), abs(high))
     inside = (values >= low - room) & (values <= high + room)
     if not inside.any():
@@ -138,18 +149,18 @@ def amount(given: object, unit: str) -> float:
     ------
     InvalidInput : no number; a unit of another kind than ``unit``
     """
-    word, _, its = str(given).strip().partition(" ")
+    word, _, suffix = str(given).strip().partition(" ")
     try:
         value = float(word)
-        own, to = parse_unit(its), parse_unit(unit) if unit not in ("", "-") else None
+        written, printed = parse_unit(suffix), parse_unit(unit) if unit not in ("", "-") else None
     except (ValueError, InvalidInput):
-        if its and its == unit:
+        if suffix and suffix == unit:  # such as "1e6 mm/min", a unit of prints alone
             return float(word)
         raise InvalidInput(
             f"not a number with a unit: given {shown(given)}" + (f", in {unit}" if unit else "")
         ) from None
-    if to is None:
-        return value * own.scale
-    if isinstance(given, str) and own.dimension != to.dimension:
+    if printed is None:
+        return value * written.scale
+    if isinstance(given, str) and written.dimension != printed.dimension:
         raise InvalidInput(f"expected a number in {unit}: given {shown(given)}")
-    return value * (own.scale if isinstance(given, str) else 1.0) / to.scale
+    return value * (written.scale if isinstance(given, str) else 1.0) / printed.scale

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import is_dataclass
 from pathlib import Path
 from typing import Any
 
 import rotordyn.study.optimum.solve as optimum
+from rotordyn.case.library import is_path
+from rotordyn.case.read import load
+from rotordyn.case.varied import unlike
+from rotordyn.case.vary import changed
 from rotordyn.case.written import write_changed
+from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.quantity import Quantity
 from rotordyn.study.optimum.problem import Problem, Trial
-from rotordyn.study.optimum.solve import Optimum, Progress
-from rotordyn.study.optimum.summary import summary, write_about, write_trials
+from rotordyn.study.optimum.solve import Optimum
+from rotordyn.study.optimum.summary import BEST, SUMMARY, summary, write_about, write_trials
+from rotordyn.study.solve import Progress
 from rotordyn.whole import whole_files
-
-BEST, SUMMARY = "best.yaml", "summary.txt"
 
 
 def deliver(
@@ -37,12 +44,11 @@ def deliver(
     found = optimum.solved(problem, trials, seed, workers, folder, progress)
     text = summary(found)
     with whole_files(folder) as place:
+        if found.best is not None:
+            text += _write_best(problem, found.best, place / BEST)
         (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
         write_trials(place, found)
         write_about(place, found)
-        if found.best is not None:
-            title = f"{problem.case.title or problem.case.name}: the best"
-            write_changed(problem.case, _as_written(problem, found.best), place / BEST, title=title)
         if draw:
             from rotordyn.figures.draw import draw_one
             from rotordyn.study.optimum.figures import figures
@@ -52,12 +58,49 @@ def deliver(
     return found, text
 
 
+def _write_best(problem: Problem, best: Trial, path: Path) -> str:
+    """Write the best as a case; a line that says so where a file cannot say what it is.
+
+    What the file of the case says of its models holds for those that were tried only if written
+    again: the file is read, and what differs of it is written beside the choices.
+    """
+    wanted = changed(problem.case, problem.values(best.number))
+    title = f"{problem.case.title or problem.case.name}: the best"
+    changes = _as_written(problem, best)
+    try:
+        for _ in range(2):
+            write_changed(problem.case, changes, path, title=title)
+            left = unlike(load(path), wanted)
+            if not left:
+                return ""
+            changes |= {way: _in_file(value, of) for way, (value, of) in left.items()}
+        why = f"it would differ in {', '.join(list(left)[:3])}"
+    except InvalidInput as refusal:
+        why = str(refusal).replace(f"{path}:", "line ").replace("\n", "; ")
+    path.unlink(missing_ok=True)
+    return f"\n\nThere is no {BEST}, which cannot be written: {why}."
+
+
 def _as_written(problem: Problem, trial: Trial) -> dict[str, Any]:
-    """Values by path as a file says them."""
-    labels = problem.labels(trial.number)
+    """Values by path as a file says them; those within others behind them."""
+    values, labels = problem.values(trial.number), problem.labels(trial.number)
+    parameters = sorted(problem.parameters, key=lambda p: p.path.count("."))
     return {
-        p.path: f"{labels[p.path]!r} {p.unit}".strip()
-        if p.unit and isinstance(labels[p.path], float | int)
-        else labels[p.path]
-        for p in problem.parameters
+        p.path: _in_file(
+            labels[p.path] if is_dataclass(values[p.path]) else values[p.path], p.quantity
+        )
+        for p in parameters
     }
+
+
+def _in_file(value: Any, quantity: Quantity | None) -> Any:
+    """A value as a file says it, numbers to the last digit, files by their whole path."""
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        if quantity is None:
+            return value
+        return (
+            f"{value!r} {quantity.coherent_unit}".strip()
+            if math.isfinite(value)
+            else quantity.written(value)
+        )
+    return str(Path(value).resolve()) if isinstance(value, str) and is_path(value) else value

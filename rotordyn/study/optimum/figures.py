@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -20,8 +20,9 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.results.kinds import Array, Flags
+from rotordyn.study.figures import abscissa, end_of, word_ticks
+from rotordyn.study.optimum.problem import Trial
 from rotordyn.study.optimum.solve import Optimum
-from rotordyn.study.parameter import Parameter
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,7 +47,7 @@ def _over_choices(found: Optimum) -> Figure:
     rows = -(-count // COLUMNS)
     height = 22.0 + ROW * rows
     goal = shortened(problem.goals[0].words, LONGEST)
-    title = f"trials: {goal} [{_unit(found, 0)}] over what was chosen"
+    title = f"trials: {goal} [{found.units[0]}] over what was chosen"
     figure = new_figure(height=height, title=title)
     boxes = grid_boxes(figure, rows, COLUMNS, margins=(16.0, 5.0, 20.0, 14.0), gaps=(18.0, 18.0))
     cost = [each.goals[0] if each.goals else np.nan for each in found.trials]
@@ -54,15 +55,15 @@ def _over_choices(found: Optimum) -> Figure:
     number = np.arange(len(cost), dtype=float)
     for k, box in enumerate(boxes[:count]):
         axes = add_axes(figure, box)
-        if k == 0:
-            _points(axes, found, number, np.array(cost), good)
-            axes.set_xlabel("trial", fontsize=FONT_SIZE - 1.0)
-        else:
+        if k:
             p = problem.parameters[k - 1]
             labels = [problem.labels(each.number)[p.path] for each in found.trials]
-            _points(axes, found, _abscissa(p, labels), np.array(cost), good)
-            _named(axes, p)
-        if k == 0:
+            _points(axes, found, abscissa(p, labels), np.array(cost), good)
+            axes.set_xlabel(end_of(p.heading, LONGEST), fontsize=FONT_SIZE - 1.0)
+            word_ticks(axes, p)
+        else:
+            _points(axes, found, number, np.array(cost), good)
+            axes.set_xlabel("trial", fontsize=FONT_SIZE - 1.0)
             handles, words = axes.get_legend_handles_labels()
             figure.legend(
                 handles,
@@ -84,43 +85,26 @@ def _points(axes: Axes, found: Optimum, x: Array, y: Array, good: Flags) -> None
     axes.margins(x=0.05, y=0.08)
 
 
-def _abscissa(p: Parameter, labels: list[object]) -> Array:
-    if p.numeric:
-        return np.array([float(p.displayed(label)) for label in labels])
-    return np.array([float(p.labels.index(label)) for label in labels])
-
-
-def _named(axes: Axes, p: Parameter) -> None:
-    heading = p.heading
-    heading = heading if len(heading) <= LONGEST else "…" + heading[1 - LONGEST :]
-    axes.set_xlabel(heading, fontsize=FONT_SIZE - 1.0)
-    if not p.numeric:
-        axes.set_xticks(range(len(p.labels)), [shortened(str(w), 14) for w in p.labels])
-
-
-def _unit(found: Optimum, place: int) -> str:
-    return next((each.units[place] for each in found.trials if each.units), "")
-
-
 def _front(found: Optimum) -> Figure:
     """Two goals against each other."""
     figure = new_figure(height=100.0, title="trade-off of two goals")
     axes = add_axes(figure, (24.0, 20.0, 130.0, 62.0))
     for good, look, words in ((True, "o", "keeps all limits"), (False, "x", "breaks a limit")):
-        x, y = _pairs(found, [t for t in found.trials if t.goals and t.feasible is good])
+        x, y = _pairs([t for t in found.trials if t.goals and t.feasible is good])
         colour = BLUE if good else GREY
         axes.plot(x, y, look, ms=2.5, color=colour, alpha=0.5, label=words)
-    x, y = _pairs(found, list(found.front))
+    x, y = _pairs(found.front)
     axes.plot(x, y, "-D", ms=4.0, lw=1.0, color=ORANGE, mec="black", mew=0.4, label="front")
     start = found.start.goals
     axes.plot(*start, "^", ms=6.0, color="black", label="the case as it stands")
-    axes.set_xlabel(f"{shortened(found.problem.goals[0].words, 70)} [{_unit(found, 0)}]")
-    axes.set_ylabel(f"{shortened(found.problem.goals[1].words, LONGEST)} [{_unit(found, 1)}]")
+    axes.set_xlabel(f"{shortened(found.problem.goals[0].words, 70)} [{found.units[0]}]")
+    axes.set_ylabel(f"{shortened(found.problem.goals[1].words, LONGEST)} [{found.units[1]}]")
     axes.legend(fontsize=FONT_SIZE - 1.0, loc="best")
     axes.margins(0.06)
     return head(figure, found.problem.case.title or found.problem.case.name)
 
 
-def _pairs(found: Optimum, trials: list[object]) -> tuple[Array, Array]:
-    pairs = np.array([each.goals for each in trials]).reshape(-1, 2)  # type: ignore[attr-defined]
+def _pairs(trials: Sequence[Trial]) -> tuple[Array, Array]:
+    """Both goals (trials,) of trials that have a solution."""
+    pairs = np.array([each.goals for each in trials]).reshape(-1, 2)
     return pairs[:, 0], pairs[:, 1]

@@ -11,6 +11,7 @@ from rotordyn.study.optimum.trials import Trials
 LEVELS = 7  # of the second goal, between the best of either
 ENDS = 0.4  # of the trials go to the best of each goal alone
 STARTS = 12  # known places a search of a level starts from
+STEEP = 1e3  # growth of the first cost, over it, where the second is a level above its level
 
 
 def cost_of(problem: Problem, goal: int) -> Cost:
@@ -22,8 +23,11 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
     """Front of two goals: the best of each, then of the first with the second held at levels."""
     costs = [cost_of(problem, k) for k in (0, 1)]
     most = trials.most - len(trials.made)
+    if problem.choices <= most:
+        search(problem, trials, costs[0], most, seed)
+        return front(problem, trials)
     for cost in costs:
-        search(problem, trials, cost, int(0.5 * ENDS * most), seed, iter(trials.made))
+        search(problem, trials, cost, int(0.5 * ENDS * most), seed, list(trials.made))
     found = front(problem, trials)
     if len(found) > 1:
         ends = costs[1](found[-1]), costs[1](found[0])
@@ -32,7 +36,7 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
             share = max(int((1.0 - ENDS) * most / LEVELS), 1)
             held = _held(costs, float(level))
             near = sorted(trials.made.values(), key=lambda t: (not t.feasible, held(t)))
-            starts = iter([each.number for each in near[:STARTS]])
+            starts = [each.number for each in near[:STARTS]]
             search(problem, trials, held, min(share, left), seed, starts)
     return front(problem, trials)
 
@@ -43,7 +47,7 @@ def _held(costs: list[Cost], level: float) -> Cost:
     def cost(trial: Trial) -> float:
         first, second = costs[0](trial), costs[1](trial)
         size = abs(level) or 1.0
-        return first + 1e3 * abs(first) * max(second - level, 0.0) / size
+        return first + STEEP * abs(first) * max(second - level, 0.0) / size
 
     return cost
 

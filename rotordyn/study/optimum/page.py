@@ -17,19 +17,18 @@ from rotordyn.page.looks import COLOURS, FAINT, INK
 from rotordyn.study.columns import (
     Column,
     Group,
-    across,
+    parallel_coordinates,
     read_columns,
+    scatter,
     table_of,
-    trade_off,
     varied_table,
 )
-from rotordyn.study.optimum.summary import ABOUT, TABLE
+from rotordyn.study.optimum.summary import ABOUT, BEST, SUMMARY, TABLE
 
-TRIALS, BEST, SUMMARY = "trials.jsonl", "best.yaml", "summary.txt"
 ENDS = 2  # columns of the table behind goals and limits: whether all are kept, why not solved
 
 
-class Held(NamedTuple):
+class OptimumFolder(NamedTuple):
     """What is read of the folder: what is known ``about`` the search, and its table in parts."""
 
     about: dict[str, Any]
@@ -63,12 +62,13 @@ def optimum_page(folder: Path) -> Page:
     )
 
 
-def _read(folder: Path) -> Held:
+def _read(folder: Path) -> OptimumFolder:
     try:
         about = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
         trial, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
-        best = (folder / BEST).read_text(encoding="utf-8") if about["best"] is not None else ""
+        file = folder / BEST
+        best = file.read_text(encoding="utf-8") if file.exists() else ""
         written = datetime.fromtimestamp((folder / ABOUT).stat().st_mtime, UTC)
         count = about["parameters"]
         parts = columns[:count], columns[count:-ENDS], columns[-ENDS:]
@@ -77,10 +77,10 @@ def _read(folder: Path) -> Held:
             f"{folder} holds an optimum that is not complete, or of another version ({error}): the "
             "same rotordyn optimise goes on with it"
         ) from None
-    return Held(about, summary, best, trial, *parts, f"{written:%Y-%m-%d %H:%M UTC}")
+    return OptimumFolder(about, summary, best, trial, *parts, f"{written:%Y-%m-%d %H:%M UTC}")
 
 
-def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
+def _blocks(held: OptimumFolder) -> Iterator[tuple[str, Block]]:
     about = held.about
     head, *rows = about["rows"]
     yield "Verdict", Table("The case and what was found", head, rows)
@@ -91,8 +91,8 @@ def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
     yield "What may be chosen", varied_table("What was tried", held.varied)
     goals, limits = held.values[: about["goals"]], held.values[about["goals"] :]
     shown = [*goals, *(each for each in limits if each.moves)]
-    yield "Trade-off", _trade_off(held, shown)
-    yield "Trials across", across("Trials across", held.varied, shown, goals[0])
+    yield "Trade-off", _scatter(held, shown)
+    yield "Trials across", parallel_coordinates("Trials across", held.varied, shown, goals[0])
     columns = [held.trial, *held.varied, *held.values, *held.ends]
     yield "Trials", table_of("Trials", columns, TABLE)
     if held.best:
@@ -104,7 +104,7 @@ def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
     )
 
 
-def _trade_off(held: Held, shown: list[Column]) -> Chart:
+def _scatter(held: OptimumFolder, shown: list[Column]) -> Chart:
     """Two goals over one another at first, or the goal over the first number that is chosen."""
     about, count = held.about, len(held.trial.words)
     kept = np.array([word == "yes" for word in held.ends[0].words])
@@ -119,4 +119,4 @@ def _trade_off(held: Held, shown: list[Column]) -> Chart:
     first = next((k for k, each in enumerate(held.varied) if not each.kinds), 0)
     goal = len(held.varied)
     start = (goal, goal + 1) if about["goals"] > 1 else (first, goal)
-    return trade_off(held.varied, shown, groups, start)
+    return scatter(held.varied, shown, groups, start)

@@ -20,7 +20,7 @@ from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.study.neighbours import Neighbours
-from rotordyn.study.optimum.wish import LARGEST, Goal, Limit
+from rotordyn.study.optimum.goals import LARGEST, Goal, Limit
 from rotordyn.study.parameter import Parameter
 
 DIGITS = 10  # of a share: trials closer than that are one
@@ -90,8 +90,12 @@ class Problem:
 
 @dataclass(frozen=True)
 class Trial:
-    """What a place came to: worst values of the goals, as printed, and margins of the limits with
-    the value read there; ``units`` of both in turn. ``sentence``: why there are none."""
+    """What a place, its ``number``, came to.
+
+    ``goals``: worst values, as printed; ``margins`` of the limits, shares of their bounds, and
+    ``readings``, the values with these; ``units`` of goals, then limits. ``sentence``: why there
+    are none, or why some speeds have none. ``seconds``: to solve it.
+    """
 
     number: Place
     goals: tuple[float, ...] = ()

@@ -9,7 +9,7 @@ limits (COBYQA, Ragonneau & Zhang, 2024).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from itertools import product
 from typing import Any
@@ -30,15 +30,20 @@ Cost = Callable[[Trial], float]
 
 
 def search(
-    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Iterator[Place]
+    problem: Problem,
+    trials: Trials,
+    cost: Cost,
+    most: int,
+    seed: int,
+    known: Sequence[Place] = (),
 ) -> None:
-    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places."""
+    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places too."""
     with suppress(Spent):
         if problem.choices <= most:
             trials.at([tuple(map(float, x)) for x in product(*_numbers(problem))])
             return
         begin = len(trials.made)
-        _evolve(problem, trials, cost, int(BROAD * most), seed, list(known))
+        _evolve(problem, trials, cost, int(BROAD * most), seed, known)
         if not problem.whole.all():
             _follow(problem, trials, cost, begin + most)
 
@@ -48,16 +53,18 @@ def _numbers(problem: Problem) -> list[range]:
 
 
 def _energy(trial: Trial, cost: Cost, scale: float) -> float:
+    """What differential evolution makes least: the rules of Deb as one number."""
     return cost(trial) / scale if trial.feasible else BROKEN + trial.violation
 
 
 def _scale(trials: Trials, cost: Cost) -> float:
+    """The largest cost so far, over which each lies well below ``BROKEN``."""
     sizes = [abs(cost(t)) for t in trials.made.values() if t.goals and np.isfinite(cost(t))]
     return max(sizes, default=1.0) or 1.0
 
 
 def _evolve(
-    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: list[Place]
+    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Sequence[Place]
 ) -> None:
     from scipy.optimize import differential_evolution
     from scipy.stats import qmc
@@ -109,6 +116,7 @@ def _combination(problem: Problem, place: Place) -> tuple[float, ...]:
 
 
 def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int) -> None:
+    """A search between the ends, its whole numbers those of ``start``; costs over that of it."""
     from scipy.optimize import NonlinearConstraint, minimize
 
     free = ~problem.whole

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,17 +20,17 @@ from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
 from rotordyn.quantity import suggestion
 from rotordyn.study.optimum.front import cost_of, trade_off
-from rotordyn.study.optimum.problem import Place, Problem, Trial, as_it_stands
+from rotordyn.study.optimum.goals import Goal, Limit
+from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
 from rotordyn.study.optimum.search import search
 from rotordyn.study.optimum.trials import Trials
-from rotordyn.study.optimum.wish import Goal, Limit
-from rotordyn.study.parameter import is_whole, parameters
+from rotordyn.study.parameter import is_whole, parameters, require_whole
+from rotordyn.study.solve import Progress
 
 if TYPE_CHECKING:
     import xarray as xr
 
 BINDING = 1e-3  # margin of a limit, or share of a way between ends, that holds the best back
-Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,11 @@ class Optimum:
     trials: tuple[Trial, ...]
     best: Trial | None
     front: tuple[Trial, ...] = ()
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Printed units of what goals, then limits, read."""
+        return self.start.units
 
     @property
     def nearest(self) -> Trial:
@@ -92,10 +98,19 @@ class Optimum:
         lines = ["No trial keeps all limits."]
         for k, limit in enumerate(self.problem.limits):
             top = max(solved, key=lambda t, k=k: t.margins[k])  # type: ignore[misc]
-            unit = top.units[len(self.problem.goals) + k]
+            unit = self.units[len(self.problem.goals) + k]
             if top.margins[k] < 0.0:
-                value = f"{top.readings[k]:.4g} {unit}"
-                lines.append(f"{limit.words}: cannot be kept, the nearest reads {value}.")
+                value = top.readings[k]
+                nearest = (
+                    f"nearest reads {value:.4g} {unit}" if value == value else "value is absent"
+                )
+                lines.append(f"{limit.words}: cannot be kept, the {nearest}.")
+        absent = [
+            goal.words
+            for k, goal in enumerate(self.problem.goals)
+            if all(math.isnan(each.goals[k]) for each in solved)
+        ]
+        lines += [f"{words}: no trial has a value." for words in absent]
         if len(lines) == 1:
             broken = [
                 limit.words
@@ -117,10 +132,9 @@ class Optimum:
             p.path: ("trial", np.array([row[p.path] for row in rows]), {"units": p.unit})
             for p in self.problem.parameters
         }
-        units = next((each.units for each in self.trials if each.units), ())
         for k, goal in enumerate(self.problem.goals):
             values = [each.goals[k] if each.goals else np.nan for each in self.trials]
-            columns[goal.words] = ("trial", values, {"units": units[k] if units else ""})
+            columns[goal.words] = ("trial", values, {"units": self.units[k]})
         for k, limit in enumerate(self.problem.limits):
             rooms = [each.margins[k] if each.margins else np.nan for each in self.trials]
             columns[f"margin: {limit.words}"] = ("trial", rooms, {"units": "1"})
@@ -214,18 +228,16 @@ def solved(
         raise InvalidInput(
             f"trials: given {shown(trials)}; allowed: a whole number up to {MOST_TRIALS}"
         )
-    if not is_whole(seed, 0):
-        raise InvalidInput(f"seed: given {shown(seed)}; allowed: a whole number from 0 up")
-    if workers is not None and not is_whole(workers, 1):
-        raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
+    require_whole("seed", seed, 0)
+    if workers is not None:
+        require_whole("workers", workers, 1)
     start = as_it_stands(problem)
     place = None if folder is None else Path(folder)
     made = Trials(problem, trials, workers or processors(), place, progress)
     if len(problem.goals) == 2:
         found = tuple(trade_off(problem, made, seed))
     else:
-        nowhere: Iterator[Place] = iter(())
-        search(problem, made, cost_of(problem, 0), trials, seed, nowhere)
+        search(problem, made, cost_of(problem, 0), trials, seed)
         found = ()
     good = [each for each in made.made.values() if each.feasible]
     best = min(good, key=cost_of(problem, 0), default=None)

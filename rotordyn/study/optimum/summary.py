@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from rotordyn import __version__
+from rotordyn.case.varied import found_at
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
 from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
+from rotordyn.study.parameter import Parameter
 
-TABLE, ABOUT = "trials.csv", "optimum.json"
+SUMMARY, TABLE, ABOUT, BEST = "summary.txt", "trials.csv", "optimum.json", "best.yaml"
 
 
 def summary(found: Optimum) -> str:
@@ -43,9 +45,9 @@ def _lines(found: Optimum) -> Iterator[str]:
         yield ""
         yield f"trade-off: {len(found.front)} machines, none better in both goals"
         for each in (found.front[0], found.front[len(found.front) // 2], found.front[-1]):
-            goals = zip(problem.goals, each.goals, each.units, strict=False)
+            goals = zip(problem.goals, each.goals, found.units, strict=False)
             ways = (f"{g.words} {value:.4g} {unit}" for g, value, unit in goals)
-            chosen = (f"{p.path} {written(problem, p, each)}" for p in problem.parameters)
+            chosen = (f"{p.path} {_chosen(problem, p, each)}" for p in problem.parameters)
             yield from wrapped(f"- {', '.join(ways)}: {', '.join(chosen)}")
 
 
@@ -53,7 +55,7 @@ def _beside(found: Optimum) -> list[tuple[str, ...]]:
     """What was chosen, goals and limits: of the case as it stands, and of the best."""
     heads = ("the case as it stands", "best" if found.best else "nearest, no best")
     chosen = [
-        (p.heading, _as_it_stands(found, p), written(found.problem, p, found.nearest))
+        (p.heading, _present(found.problem, p), _chosen(found.problem, p, found.nearest))
         for p in found.problem.parameters
     ]
     return [("", *heads), *chosen, *_readings(found)]
@@ -78,42 +80,44 @@ def write_about(folder: Path, found: Optimum) -> None:
     (folder / ABOUT).write_text(text, encoding="utf-8")
 
 
-def _as_it_stands(found: Optimum, p: Any) -> str:
-    from rotordyn.case.varied import found_at
-
-    values = [value for value, _ in found_at(found.problem.case, p.path)]
-    kept = {_word(p, value) for value in values}
-    return kept.pop() if len(kept) == 1 else ""
+def _present(problem: Problem, p: Parameter) -> str:
+    """The value that the case has; none where items under ``*`` have several."""
+    words = {_word(p, value) for value, _ in found_at(problem.case, p.path)}
+    return words.pop() if len(words) == 1 else "–"
 
 
-def _word(p: Any, value: Any) -> str:
-    if isinstance(value, float | int) and math.isfinite(value):
+def _word(p: Parameter, value: Any) -> str:
+    if isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value):
         return f"{p.displayed(value):.6g}"
-    return str(getattr(value, "name", "") or value)[:40] if isinstance(value, str) else ""
+    if isinstance(value, str):
+        return value[:40]
+    return next((str(w) for w, each in zip(p.labels, p.values, strict=False) if each == value), "–")
 
 
-def written(problem: Problem, p: Any, trial: Trial) -> str:
-    """The value of a parameter, in its usual unit."""
+def _chosen(problem: Problem, p: Parameter, trial: Trial) -> str:
+    """The value of a parameter at a trial, in its usual unit."""
     value = problem.labels(trial.number)[p.path]
     return f"{p.displayed(value):.6g}" if isinstance(value, float | int) else str(value)
 
 
 def _readings(found: Optimum) -> Iterator[tuple[str, ...]]:
     """Goals and limits, of the case as it stands and of the best."""
-    problem, both = found.problem, (found.start, found.nearest)
-    for k, goal in enumerate(problem.goals):
-        yield (f"{goal.words} [{_unit(both, k)}]", *(_value(t.goals, k) for t in both))
-    for k, limit in enumerate(problem.limits):
-        unit = _unit(both, len(problem.goals) + k)
-        yield (f"{limit.words} [{unit}]", *(_value(t.readings, k) for t in both))
+    both = found.start, found.nearest
+    for k, (each, unit) in enumerate(_asked(found)):
+        cells = (number(read[k], 3) if (read := _read(t)) else "no solution" for t in both)
+        yield (f"{each} [{unit}]", *cells)
 
 
-def _unit(trials: tuple[Trial, ...], place: int) -> str:
-    return next((each.units[place] for each in trials if each.units), "")
+def _asked(found: Optimum) -> Iterator[tuple[str, str]]:
+    """Words and printed unit of every goal, then every limit."""
+    problem = found.problem
+    words = [*(g.words for g in problem.goals), *(limit.words for limit in problem.limits)]
+    yield from zip(words, found.units, strict=True)
 
 
-def _value(values: tuple[float, ...], place: int) -> str:
-    return number(values[place], 3) if values else "no solution"
+def _read(trial: Trial) -> tuple[float, ...]:
+    """What goals, then limits, read of a trial; empty without a solution."""
+    return (*trial.goals, *trial.readings)
 
 
 def write_trials(folder: Path, found: Optimum) -> None:
@@ -123,17 +127,13 @@ def write_trials(folder: Path, found: Optimum) -> None:
     columns: list[Column] = [("trial", list(range(len(labels))))]
     for p in problem.parameters:
         columns.append((p.heading, [p.displayed(row[p.path]) for row in labels]))
-    units = next((each.units for each in found.trials if each.units), ())
-    names = [goal.words for goal in problem.goals] + [limit.words for limit in problem.limits]
-    for k, name in enumerate(names):
-        values = [_row(each, k) for each in found.trials]
-        head = f"{name} [{units[k]}]" if units and units[k] else name
-        columns.append((head, values))
+    for k, (name, unit) in enumerate(_asked(found)):
+        head = f"{name} [{unit}]" if unit else name
+        columns.append((head, _cells([_read(each) for each in found.trials], k)))
     columns.append(("keeps all limits", ["yes" if t.feasible else "no" for t in found.trials]))
     columns.append(("not solved", [each.sentence for each in found.trials]))
     write_table(folder / TABLE, columns)
 
 
-def _row(trial: Trial, place: int) -> str:
-    values = (*trial.goals, *trial.readings)
-    return f"{values[place]:.9g}" if values and not math.isnan(values[place]) else ""
+def _cells(rows: Sequence[tuple[float, ...]], k: int) -> list[str]:
+    return [f"{row[k]:.9g}" if row and not math.isnan(row[k]) else "" for row in rows]

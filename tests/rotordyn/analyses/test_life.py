@@ -101,6 +101,18 @@ def test_catalogue_rating_scales_life_with_its_cube() -> None:
     assert np.isnan(plain.spectrum_set_life)
 
 
+def test_hot_ratings_shorten_lives_with_their_cube() -> None:
+    """C falls to 0.73 at 200 °C, whatever it is of: the speeds of the case or a load spectrum."""
+    spectrum = (LoadStep(share=1.0, speed=6000 * RPM),)
+    cool, hot = (
+        of_grinding(LifeSpec(replace(OIL, temperature=t), spectrum=spectrum)) for t in (50.0, 200.0)
+    )
+    for name in ("revolutions", "life", "set_life", "spectrum_life"):
+        assert getattr(hot, name) == pytest.approx(0.73**3 * getattr(cool, name)), name
+    assert (hot.spectrum_safety == cool.spectrum_safety).all()
+    assert hot.spectrum_safety == pytest.approx(hot.static_safety[0])
+
+
 def test_reliability_shortens_life() -> None:
     usual, safe = (of_grinding(LifeSpec(OIL, reliability=r)) for r in (0.90, 0.99))
     assert safe.modified_life == pytest.approx(0.25 * usual.modified_life)
@@ -222,6 +234,11 @@ def test_words() -> None:
         (LifeSpec(dynamic_ratings={"a": 37_400.0}), "give that of one bearing"),
         (LifeSpec(target=1e6 * 3600.0), "is below the target of 1000000 h"),
         (LifeSpec(replace(OIL, temperature=200.0)), "κ below 0.1 up to 100 rpm"),
+        (LifeSpec(replace(OIL, temperature=200.0)), "down to 73 % there"),
+        (
+            LifeSpec(spectrum=(LoadStep(share=1.0, speed=6000 * RPM, axial_force=100e3),)),
+            "under the load spectrum is below 2",
+        ),
     ],
 )
 def test_warnings(spec: LifeSpec, sentence: str) -> None:
@@ -265,6 +282,7 @@ def test_stress_of_a_fit_by_hand() -> None:
     ("make", "sentence"),
     [
         (lambda: LifeSpec(spectrum=STEPS[:2]), r"shares add up to 90 %"),
+        (lambda: LifeSpec(heat="palmgren"), "heat needs an oil"),
         (lambda: LifeSpec(reliability=0.93), "not one of its choices"),
         (lambda: Lubrication(32e-6, 68e-6, 40.0), "not below viscosity_40"),
         (lambda: Lubrication(32e-6, 5e-6, 400.0), "temperature out of range"),

@@ -509,6 +509,7 @@ def bearing(count: int = 13, warm: float = np.nan) -> BearingMapResult:
         groove_rating=36e3,
         limiting=np.full(k.shape, "o"),
         equivalent_load=load * ones + 0.0 * s,
+        rating_factor=1.0 * ones + 0.0 * s,
         static_safety=30.0 * ones - 5.0 * s,
         contact_heat=10.0 * s * ones,
         spin_heat=5.0 * s * ones,

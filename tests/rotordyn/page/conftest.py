@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import rotordyn
+from docs.site.runs import case_run
 from rotordyn.job import deliver
 
 OPTIONS = [
@@ -44,13 +45,12 @@ def evil_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def flagship(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page of the flagship."""
+def flagship(runs: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of the flagship, in a copy of its run."""
     pytest.importorskip("plotly", reason="the extra report is not installed")
     folder = tmp_path_factory.mktemp("page") / "mfw2310"
-    return (
-        deliver(rotordyn.load("mfw2310"), folder, figures=False, report=True).folder / "report.html"
-    )
+    shutil.copytree(case_run(rotordyn.load("mfw2310"), runs), folder)
+    return rotordyn.write_report(folder, folder / "report.html")
 
 
 @pytest.fixture(scope="session")

@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 
 import rotordyn
+from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
-from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
@@ -110,14 +110,10 @@ def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_every_kind_of_case_has_a_page(name: str, tmp_path: Path) -> None:
+def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) -> None:
     pytest.importorskip("plotly", reason="the extra report is not installed")
     case = rotordyn.load(name)
-    speeds = case.speeds[:: max(1, len(case.speeds) // 4)]
-    with unchecked():
-        case = replace(case, speeds=speeds)
-        few = {n: replace(each, speeds=speeds) for n, each in case.variants.items()}
-    results = rotordyn.run(replace(case, variants=few))
+    results = rotordyn.open(case_run(case, runs))
     text = results.report(tmp_path / "page.html").read_text(encoding="utf-8")
     read = words(text)
     for part in results.parts.values():
@@ -160,9 +156,9 @@ def test_an_analysis_without_a_page_of_its_own_has_a_section(
     )
 
 
-def test_a_report_costs_a_run_little(evil_folder: Path, tmp_path: Path) -> None:
+def test_a_report_costs_a_run_little(flagship: Path, tmp_path: Path) -> None:
     """Time of the processor, once the code is loaded; the largest part compresses plotly.js."""
-    results = rotordyn.run(rotordyn.load("mfw2310"))
+    results = rotordyn.open(flagship.parent)
     results.report(tmp_path / "first.html")
     begin = time.process_time()
     page = results.report(tmp_path / "page.html")
@@ -177,6 +173,7 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         "title: <b>Two</b> models\ncase: grinding_spindle\n"
         "vary:\n  spindle.bearings.*.model: [vex70, s6014e]\n"
         "  spindle.sleeves.rear.spring.preload: [600 N, 900 N, 1200 N]\nanalyses: [preload]\n"
+        "results: [preload]\n"
     )
     folder = tmp_path / "out"
     assert cli.main(["sweep", str(study), "-o", str(folder), "--no-figures", "--workers", "1"]) == 0

@@ -19,6 +19,7 @@ import rotordyn
 from rotordyn import Span, sweep
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
+from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job import restricted
 from rotordyn.study import neighbours, point, solve, workers
@@ -35,6 +36,15 @@ ROOT = Path(__file__).parents[3]
 def case() -> Case:
     whole = rotordyn.load("grinding_spindle")
     return rotordyn.vary(whole, {"speeds": (0.0, 400.0 * math.pi)})
+
+
+SPRINGS = {SPRING: Span(800.0, 1600.0, 16)}
+
+
+@pytest.fixture(scope="module")
+def alone(case: Case) -> Any:
+    """``SPRINGS`` solved by one process that nobody kills."""
+    return sweep(case, SPRINGS, analyses=["preload"], workers=1)
 
 
 def _study(case: Case, **how: Any) -> Any:
@@ -71,23 +81,23 @@ def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
             assert np.array_equal(whole, alone["campbell"]["frequency"].values, equal_nan=True)
 
 
-@pytest.mark.parametrize(("well_below", "looked"), [(0.5, [0, 3]), (0.0, [0, 1, 2, 3, 4])])
-def test_errors_are_looked_for_at_some_points_and_at_all_where_they_are_large(
-    case: Case, monkeypatch: pytest.MonkeyPatch, well_below: float, looked: list[int]
+@pytest.mark.parametrize(("small", "checked"), [(0.5, [0, 3]), (0.0, [0, 1, 2, 3, 4])])
+def test_some_points_are_checked_and_all_where_errors_are_large(
+    case: Case, monkeypatch: pytest.MonkeyPatch, small: float, checked: list[int]
 ) -> None:
     """And numbers are those of single runs."""
-    monkeypatch.setattr(neighbours, "WELL_BELOW", well_below)
-    monkeypatch.setattr(neighbours, "EVERY", 3)
+    monkeypatch.setattr(neighbours, "SMALL", small)
+    monkeypatch.setattr(neighbours, "PER_CHECK", 3)
     asked = {SPRING: Span(800.0, 1600.0, 5)}
     study, held = study_of(case, asked, analyses=["preload", "campbell"]), neighbours.Neighbours()
     found = [point.outcome(study, k, held) for k in range(5)]
-    assert [each.number for each in found if each.error is not None] == looked
+    assert [each.number for each in found if each.error is not None] == checked
     assert all(0.0 < each.error < 1.0 for each in found if each.error is not None)
     alone = {name: value for name, (value, _) in point.outcome(study, 4).numbers.items()}
     here = {name: value for name, (value, _) in found[4].numbers.items()}
     assert here == pytest.approx(alone, rel=1e-12, nan_ok=True)
     said = summary(study, {each.number: each for each in found})
-    assert f"errors by refinement, at {len(looked)} points: at most" in said
+    assert f"errors by refinement, at {len(checked)} points: at most" in said
 
 
 def test_several_processes_give_the_same(case: Case) -> None:
@@ -111,6 +121,11 @@ def test_a_study_goes_on_where_it_was_stopped(case: Case, tmp_path: Path) -> Non
     _study(case, workers=1, folder=tmp_path / "s")
     journal = tmp_path / "s" / "points.jsonl"
     lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(lines[0][:9])  # cut short while it was begun
+    _study(case, workers=1, folder=tmp_path / "s")
+    assert [json.loads(line)["point"] for line in journal.read_bytes().splitlines()[1:]] == [
+        *range(4)
+    ]
     journal.write_bytes(b"".join(lines[:3]) + lines[3][:40])  # cut short while it was written
     done: list[int] = []
     again = _study(case, workers=1, folder=tmp_path / "s", progress=lambda k, _: done.append(k))
@@ -129,9 +144,11 @@ def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="and no study"):
         _study(case, folder=tmp_path / "mine")
     (tmp_path / "odd").mkdir()
-    (tmp_path / "odd" / "points.jsonl").write_text("[1, 2]\n")
-    with pytest.raises(InvalidInput):
-        _study(case, folder=tmp_path / "odd")
+    for words in ("[1, 2]\n", "notes"):
+        (tmp_path / "odd" / "points.jsonl").write_text(words)
+        with pytest.raises(InvalidInput):
+            _study(case, folder=tmp_path / "odd")
+        assert (tmp_path / "odd" / "points.jsonl").read_text() == words
     assert os.listdir(tmp_path / "mine") == ["notes.txt"]
 
 
@@ -142,7 +159,7 @@ def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) ->
     assert _study(case, workers=1, yes=True)["sentence"].values.tolist() == [["", ""], ["", ""]]
 
 
-def test_killed_processes_are_replaced(case: Case, tmp_path: Path) -> None:
+def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -> None:
     """A worker is killed while it solves: its points are solved by another, none twice."""
     killed: list[int] = []
     done: list[int] = []
@@ -156,14 +173,12 @@ def test_killed_processes_are_replaced(case: Case, tmp_path: Path) -> None:
             killed.append(int(children[0]))
             os.kill(killed[0], signal.SIGKILL)
 
-    asked = {SPRING: Span(800.0, 1600.0, 24)}
     how: Any = {"analyses": ["preload"], "folder": tmp_path / "s"}
-    found = sweep(case, asked, workers=2, progress=progress, **how)
+    found = sweep(case, SPRINGS, workers=2, progress=progress, **how)
     assert killed
     assert (found["sentence"].values == "").all()
     lines = (tmp_path / "s" / "points.jsonl").read_text().splitlines()[1:]
-    assert sorted(json.loads(line)["point"] for line in lines) == list(range(24))
-    alone = sweep(case, asked, analyses=["preload"], workers=1)
+    assert sorted(json.loads(line)["point"] for line in lines) == list(range(16))
     same(found, alone)
 
 
@@ -233,24 +248,26 @@ def test_an_interrupted_study_says_that_it_goes_on(tmp_path: Path) -> None:
     assert "the same command goes on" in complaints
 
 
-def test_faults_of_a_study_file_have_their_lines(tmp_path: Path) -> None:
+def test_faults_of_a_study_file_have_their_lines(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
     text = STUDY.replace("800 N", "800 mm").replace("springs", "springs\nsampling: sobl")
     (tmp_path / "bad.yaml").write_text(text)
-    running = _command("sweep", "bad.yaml", cwd=tmp_path)
-    said, complaints = running.communicate()
-    assert (running.returncode, said) == (2, "")
+    assert main(["sweep", "bad.yaml"]) == 2
+    said, complaints = capsys.readouterr()
+    assert said == ""
     assert "bad.yaml:3:" in complaints
     assert "did you mean sobol" in complaints
     (tmp_path / "bad.yaml").write_text(STUDY.replace("800 N", "800 mm"))
-    running = _command("sweep", "bad.yaml", cwd=tmp_path)
-    assert "'mm' is not a unit of force" in running.communicate()[1]
+    assert main(["sweep", "bad.yaml"]) == 2
+    assert "'mm' is not a unit of force" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
-def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case) -> None:
+def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case, alone: Any) -> None:
     from distributed import LocalCluster
 
-    asked = {SPRING: Span(800.0, 1600.0, 16)}
     killed: list[int] = []
     with LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
@@ -262,9 +279,8 @@ def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case) -> None:
                 os.kill(killed[0], signal.SIGKILL)
 
         address = cluster.scheduler_address
-        found = sweep(case, asked, analyses=["preload"], cluster=address, progress=progress)
+        found = sweep(case, SPRINGS, analyses=["preload"], cluster=address, progress=progress)
     assert killed
-    alone = sweep(case, asked, analyses=["preload"], workers=1)
     same(found, alone)
 
 

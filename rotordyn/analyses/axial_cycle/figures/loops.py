@@ -14,22 +14,22 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     add_axes,
+    evenly,
     grid_boxes,
     mark_few_points,
     new_figure,
     speed_ticks,
 )
+from rotordyn.preload.arrangement import SHAFT
 from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SHAFT = 0
-
 
 def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
     """Displacement under force, and loads over displacement: first, middle and last speed."""
-    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 130.0)
     boxes = grid_boxes(figure, 2, len(picked), margins=(16.0, 6.0, 12.0, 9.0), gaps=(9.0, 17.0))
     for place, index in enumerate(picked):
@@ -82,7 +82,7 @@ def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
     """Cyclic force within which friction holds the sleeves, over its mean: some of the speeds at
     which it does."""
     known = np.flatnonzero(np.isfinite(result.held_force).any(axis=1))
-    picked = known[np.unique(np.linspace(0, len(known) - 1, speeds).round().astype(int))]
+    picked = known[evenly(len(known), speeds)]
     figure = new_figure(168.0, 90.0)
     axes = add_axes(
         figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"

@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
-from rotordyn.figures.style import CYCLE, DASHES, FONT_SIZE, add_axes, grid_boxes, new_figure
+from rotordyn.figures.style import (
+    CYCLE,
+    DASHES,
+    FONT_SIZE,
+    add_axes,
+    evenly,
+    grid_boxes,
+    new_figure,
+)
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
@@ -20,7 +28,7 @@ SIDE = 52.0  # mm
 def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     """A rose per bearing, seen along +x with y to the right and z up: first, middle, last speed."""
     good = np.flatnonzero(~np.isnan(result.axial_load).any(axis=1))
-    picked = good[np.unique(np.linspace(0, max(good.size - 1, 0), speeds).round().astype(int))]
+    picked = good[evenly(good.size, speeds)]
     across = min(ACROSS, len(result.bearing))
     down = -(-len(result.bearing) // across)
     figure = new_figure(SIDE * across + 10.0, SIDE * down + 18.0)

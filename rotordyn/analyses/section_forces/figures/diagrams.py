@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     add_axes,
+    evenly,
     grid_boxes,
     new_figure,
 )
@@ -125,7 +126,7 @@ def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) ->
 def speeds_shown(result: SectionForcesResult) -> list[Curve]:
     """First, middle and last speed with a solution; one where all are alike."""
     rows = np.flatnonzero(np.isfinite(result.torque).all(axis=1))
-    picked = rows[np.unique(np.linspace(0, rows.size - 1, SPEEDS).round().astype(int))]
+    picked = rows[evenly(rows.size, SPEEDS)]
     if all(_alike(getattr(result, name)[picked]) for name in FORCES):
         picked = picked[-1:]
     return [Curve(f"{result.speed[k] * RPM.factor:.0f} rpm", result, int(k)) for k in picked]

@@ -15,6 +15,7 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     add_axes,
+    evenly,
     grid_boxes,
     mark_few_points,
     new_figure,
@@ -53,7 +54,7 @@ def stiffness_figure(
 def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> Figure:
     """Deflection under force at the first, the middle and the last speed, a line per variant."""
     figure = new_figure(168.0, 80.0)
-    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    picked = evenly(result.speed.size, speeds)
     boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 6.0, 12.0, 9.0), gaps=(6.0, 0.0))
     largest = float(np.nanmax(result.deflection[picked])) * MICROMETRE.factor
     where = f" at {point}" if point else ""

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
 from rotordyn.figures.curves import draw_columns
 from rotordyn.figures.legends import legend
-from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
+from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_figure
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
 
 def load_figure(result: ThermalPreloadResult, speeds: int = 3) -> Figure:
     """A panel at the first, the middle and the last speed."""
-    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 80.0)
     boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 5.0, 12.0, 9.0), gaps=(11.0, 0.0))
     for place, (index, box) in enumerate(zip(picked, boxes, strict=True)):

@@ -13,6 +13,7 @@ import bearings
 from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult, motion
 from rotordyn.analyses.bearing.solve import answer, tangent_error
 from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.bearing.summary import warnings
 from rotordyn.analyses.known import matches
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.reference import Reference
@@ -197,6 +198,7 @@ def test_frozen_dynamics_of_a_third_contact() -> None:
         ({"moments": (1.0,), "tilt": "blocked"}, "takes no moment"),
         ({"moments": (2.0, 1.0)}, r"moments\[1\]: not in ascending order"),
         ({"loads": (1.0,), "films": True}, "films needs an oil: give lubricant"),
+        ({"loads": (1.0,), "heat": "palmgren"}, "heat: heat needs an oil: give lubricant"),
         ({"loads": (1.0,), "heat_flow": FLOW}, "heat_flow needs an oil: give lubricant"),
         ({"loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL, "films": True}, "one of the two"),
         ({"radial_loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL}, "axial loads alone"),
@@ -237,6 +239,17 @@ def test_films_are_those_of_the_bearing_alone() -> None:
     assert found.film_growth[0, 0] == 0.0
     assert found.film_growth[1, 0] > 0.5e-6
     assert (bare.film_growth == 0.0).all()
+
+
+def test_hot_oil_lowers_the_rating_and_says_so() -> None:
+    """To 0.42 at 250 °C; lives fall with its cube."""
+    cool, hot = (
+        answer(VEX70, Conditions(), SPEED[:2], BearingMapSpec((610.0,), lubricant=oil))
+        for oil in (OIL, replace(OIL, temperature=250.0))
+    )
+    assert hot.revolutions == pytest.approx(0.42**3 * cool.revolutions)
+    assert any("hotter than 150 °C from 0 rpm on: the dynamic" in each for each in warnings(hot))
+    assert not any("hotter" in each for each in warnings(cool))
 
 
 def test_temperatures_are_those_of_the_bearing_alone() -> None:

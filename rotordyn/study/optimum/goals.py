@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -69,6 +70,10 @@ class Limit:
     def __post_init__(self) -> None:
         if self.at_least is None and self.at_most is None and self.outside is None:
             raise InvalidInput(f"limit of {shown(self.of)}: give at_least, at_most or outside")
+        if self.outside is not None and not _is_pair(self.outside):
+            raise InvalidInput(
+                f"limit of {shown(self.of)}: outside takes [from, to], got {shown(self.outside)}"
+            )
 
     @property
     def criterion(self) -> Criterion:
@@ -92,16 +97,34 @@ class Limit:
             return (LARGEST if self.absent else -LARGEST), np.nan
         rooms = np.full(values.shape, np.inf)
         if self.at_least is not None:
-            low = amount(self.at_least, reading.unit)
+            low = self._bound(self.at_least, reading)
             rooms = np.minimum(rooms, (values - low) / (abs(low) or 1.0))
         if self.at_most is not None:
-            high = amount(self.at_most, reading.unit)
+            high = self._bound(self.at_most, reading)
             rooms = np.minimum(rooms, (high - values) / (abs(high) or 1.0))
         if self.outside is not None:
-            low, high = (amount(end, reading.unit) for end in self.outside)
+            low, high = (self._bound(end, reading) for end in self.outside)
+            if not low < high:
+                raise InvalidInput(
+                    f"limit of {shown(self.of)}: outside goes from low to high, got "
+                    f"{_span(self.outside)}"
+                )
             rooms = np.minimum(rooms, np.maximum(low - values, values - high) / (abs(high) or 1.0))
         worst = int(np.argmin(rooms))
         return float(np.clip(rooms[worst], -LARGEST, LARGEST)), float(values[worst])
+
+    def _bound(self, given: float | str, reading: Reading) -> float:
+        try:
+            value = amount(given, reading.unit)
+        except InvalidInput as refusal:
+            raise InvalidInput(f"limit of {shown(self.of)}: {refusal}") from None
+        if not math.isfinite(value):
+            raise InvalidInput(f"limit of {shown(self.of)}: a bound is a number, got {given}")
+        return value
+
+
+def _is_pair(given: object) -> bool:
+    return isinstance(given, list | tuple) and len(given) == 2
 
 
 def _named(of: Criterion) -> str:
