@@ -28,6 +28,7 @@ _PARTS = re.compile(
     r"|<!-- begin (?P<part>[\w-]+) -->.*?<!-- end (?P=part) -->",
     re.S | re.M,
 )
+DRAW = ("run", "sweep", "optimise", "identify")  # commands that draw
 # Figures of the pages: name under docs/figures -> page that runs it, file that the run leaves.
 PICTURES = {
     f"grinder_{name}.png": ("tutorial/first_run.md", f"out/grinder/{name}.png")
@@ -64,7 +65,7 @@ def blocks(page: str) -> Iterator[Block]:
 def run_page(page: Path, folder: Path, *, draw: bool = True) -> dict[str, str]:
     """What the blocks of a page print, by name of the generated part.
 
-    ``folder``: where they run; ``draw``: runs draw their figures.
+    ``folder``: where they run; ``draw``: commands draw their figures.
 
     Raises
     ------
@@ -109,7 +110,7 @@ def _command(line: str, *, draw: bool) -> str:
         raise RuntimeError(f"no command of rotordyn: {line}")
     target = words.index(">") if ">" in words else len(words)
     argv = words[1:target]
-    if argv[0] == "run" and not draw:
+    if argv[0] in DRAW and "--no-figures" not in argv and not draw:
         argv.append("--no-figures")
     screen = io.StringIO()
     with contextlib.redirect_stdout(screen), contextlib.redirect_stderr(screen):

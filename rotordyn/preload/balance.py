@@ -271,7 +271,7 @@ class Balance:
         start = np.where(alive[:, None], guess[0], near.coordinates)
         if self.network.one_branch:
             first = problem._at([start, *guess[1:]], near)
-            problem, there, converged = self._searched(first, force, alive, Balance.advance, 1)
+            problem, there, converged = problem._searched(first, force, alive, Balance.advance, 1)
             converged &= there.bearings.follows(near.bearings)
             if not (alive & ~converged).any():
                 return problem, there, converged

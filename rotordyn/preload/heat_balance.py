@@ -27,7 +27,6 @@ Array = NDArray[np.float64]
 Solve = Callable[[Temperatures], "PreloadState"]
 TOLERANCE = 1e-3  # K
 MOST = 80
-RPM = 30.0 / np.pi
 
 
 class Flow(NamedTuple):
@@ -80,7 +79,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
     words[active] = "temperatures of the bearings do not settle"
     said = tuple(
         f"{word} at {rpm:.0f} rpm" if word else ""
-        for word, rpm in zip(words, speed * RPM, strict=True)
+        for word, rpm in zip(words, speed * 30.0 / np.pi, strict=True)
     )
     return HeatBalance(_tables(here, speed, names, flow), said)
 

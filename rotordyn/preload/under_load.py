@@ -221,7 +221,7 @@ def _as_state(
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
     mounted = _by_seat(state.mounted, balance.bearings)
-    state = replace(state, network=network, mounted=mounted, net=net)
+    state = replace(state, network=network, mounted=mounted, net=net, family=None)
     return replace(state, outcome=words, lateral=lateral)
 
 

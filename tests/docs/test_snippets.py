@@ -22,7 +22,12 @@ by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROO
 
 
 @by_name
-def test_blocks_of_a_page_run_and_print_what_it_shows(page: Path, tmp_path: Path) -> None:
+def test_blocks_of_a_page_run_and_print_what_it_shows(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In this process alone: other tests start workers, and what they print is the same."""
+    for room in ("study.solve", "study.optimum.solve", "study.identification.solve"):
+        monkeypatch.setattr(f"rotordyn.{room}.processors", lambda: 1)
     printed = run_page(page, tmp_path, draw=False)
     shown = parts(page.read_text(encoding="utf-8"))
     for name, printed_now in printed.items():

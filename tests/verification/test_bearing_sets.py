@@ -156,8 +156,8 @@ def test_a_printed_pair() -> None:
         machine = spindle("DB", SetPreload(class_force=force), made)
         found = state(machine).preload
         rigidity += [found.seat_stiffness()[0, :, 0, 0].sum()]
-        low, high = 2.0 * force, 4.0 * force
-        for _ in range(12):  # to 5e-4 of the force
+        low, high = 2.5 * force, 3.5 * force
+        for _ in range(9):  # to 2e-3 of the force
             middle = 0.5 * (low + high)
             pushed = state(machine, axial_force=middle).preload
             low, high = (low, middle) if "unloaded" in pushed.outcome[0] else (middle, high)

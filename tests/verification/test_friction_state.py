@@ -19,7 +19,7 @@ from rotordyn.analyses.axial_cycle.solve import answer as axial_cycle
 from rotordyn.analyses.preload.solve import answer as preload_answer
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -125,9 +125,18 @@ def test_the_curve_of_a_sleeve_that_slides_does_not_follow_the_steps() -> None:
     assert curves[0][-1] < 0.999 * smooth[-1], "friction makes it stiffer"
 
 
-def _curve(steps: int, limit: float = FRICTION) -> np.ndarray[Any, Any]:
-    spec = StiffnessSpec(point="Oc2", max_force=3000.0, steps=steps, variants=("nonlinear",))
-    result = stiffness_answer(scene(rubbing(limit), [0.0]), spec)
+def test_a_sleeve_that_slides_back_rubs_from_where_it_turns() -> None:
+    """The force of the curve takes a static one away, then passes it."""
+    pull = (PointLoad(at="Oc2", Fy=-2500.0),)
+    curves = [_curve(steps, most=5000.0, loads=pull) for steps in (4, 16)]
+    assert curves[0][1:] == pytest.approx(curves[1][4::4], rel=1e-7)
+
+
+def _curve(
+    steps: int, limit: float = FRICTION, most: float = 3000.0, **conditions: Any
+) -> np.ndarray[Any, Any]:
+    spec = StiffnessSpec(point="Oc2", max_force=most, steps=steps, variants=("nonlinear",))
+    result = stiffness_answer(scene(rubbing(limit), [0.0], **conditions), spec)
     return np.asarray(result.deflection[0, 0])
 
 
@@ -221,13 +230,13 @@ def test_a_history_longer_than_allowed_is_refused_before_it_begins(
 ) -> None:
     speed = np.linspace(0.0, 12000.0, 50) * RPM
     past = Past((*forces(*range(1000)), HistoryStep(run_up=True), *forces(*range(3000))))
-    with within(60.0), pytest.raises(InvalidInput, match=r"151150 steps.* take about 304 s"):
+    with within(60.0), pytest.raises(TooCostly, match=r"151150 steps.* take about 304 s"):
         operating_state(rubbing(), speed, LAW, past=past)
     many = AxialCycleSpec(steps=1000)
-    with within(3.0), pytest.raises(InvalidInput, match=r"axial_cycle: 2003 steps take about 4"):
+    with within(3.0), pytest.raises(TooCostly, match=r"axial_cycle: 2003 steps take about 4"):
         axial_cycle(scene(mfw2310(), [0.0]), many)
     monkeypatch.setattr("rotordyn.preload.history.require_history", lambda *_: None)
-    with within(0.0), pytest.raises(InvalidInput, match="history: broken off"):
+    with within(0.0), pytest.raises(TooCostly, match="history: broken off"):
         operating_state(rubbing(), REST, LAW)
 
 

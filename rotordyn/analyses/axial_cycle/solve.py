@@ -30,7 +30,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
 
     Raises
     ------
-    InvalidInput : that takes more time or memory than is allowed
+    TooCostly : that takes more time or memory than is allowed
     """
     preload, rows = scene.preload, scene.bearing_row
     listed = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
