@@ -34,7 +34,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
-from bearings.grooves import Grooves
+from bearings.grooves import STEEP, WIDEST, Grooves
 from bearings.materials import STEEL, Material
 
 if TYPE_CHECKING:
@@ -274,9 +274,7 @@ class BallBearing:
     @property
     def smallest_static_growth(self) -> float:
         """Static growth below which the grooves are open beyond any contact angle taken [m]."""
-        from bearings.geometry import STEEP, WIDEST, geometry
-
-        known = geometry(self.grooves)
+        known = self.grooves
         least = WIDEST - 1.0 if known.touching and known.free_angle > STEEP else WIDEST
         return float(least * known.free_distance - known.radial_gap)
 

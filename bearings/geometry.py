@@ -13,10 +13,7 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.contact.hertz import HertzContact, contact
-from bearings.grooves import Grooves
-
-STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
-WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
+from bearings.grooves import STEEP, WIDEST, Grooves
 
 
 class Groove(NamedTuple):

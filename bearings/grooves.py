@@ -8,6 +8,9 @@ from typing import Any
 
 from bearings.materials import Material
 
+STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
+WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
+
 
 @dataclass(frozen=True, slots=True)
 class Grooves:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bearings.arguments import checked
 from bearings.arrays import Array, Flags, Index, Words
 from bearings.errors import NoEquilibrium
-from bearings.geometry import STEEP
+from bearings.grooves import STEEP
 from bearings.ring import tolerances as tol
 from bearings.ring.operation import Operation
 from bearings.ring.request import solved
