@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import Span, sweep
+from rotordyn import Goal, Span, optimise, sweep
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.library import models_root
@@ -162,6 +162,8 @@ def test_a_folder_is_one_process_at_a_time(case: Case, tmp_path: Path) -> None:
     held = locked(tmp_path)
     with pytest.raises(InvalidInput, match="another process solves the points of a study there"):
         _study(case, folder=tmp_path)
+    with pytest.raises(InvalidInput, match="another process solves the trials of a study there"):
+        optimise(case, {SPRING: Span(1.0, 9.0)}, [Goal(lowest="preload: sum")], folder=tmp_path)
     assert held is not None
     os.close(held)
     (tmp_path / "file").touch()
@@ -185,8 +187,9 @@ def test_a_point_without_its_results_is_no_point(case: Case, tmp_path: Path) -> 
 
 def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_path: Path) -> None:
     study = study_of(case, {SPRING: ["800 N"]}, analyses=["preload"])
-    with Journal(tmp_path / "s", study) as journal:
-        journal.add(Outcome(0, {"preload: sum": (800.0, "N")}))
+    journal = Journal(tmp_path / "s", study)
+    journal.begin()
+    journal.add(Outcome(0, {"preload: sum": (800.0, "N")}))
     usage = SimpleNamespace(free=1000)
     monkeypatch.setattr(deliver.shutil, "disk_usage", lambda folder: usage)
     with pytest.raises(InvalidInput, match=r"s: cannot be written: No space left"):
