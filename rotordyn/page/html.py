@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -103,7 +104,7 @@ def html(page: Page) -> str:
         contents="\n".join(links),
         body="\n".join(body),
         footer=escape(page.footer),
-        library=compressed(library()) if drawn else "",
+        library=packed_library() if drawn else "",
         content=packed(drawn),
         script=_resource("page.js"),
     )
@@ -127,6 +128,12 @@ def write(path: Path, page: Page) -> None:
                 (place / path.name).write_text(text, encoding="utf-8")
     except OSError as error:
         raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
+
+
+@cache
+def packed_library() -> str:
+    """``library`` as every page of a process holds it."""
+    return compressed(library())
 
 
 def library() -> bytes:
