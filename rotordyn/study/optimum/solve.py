@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from rotordyn.field import shown
 from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
 from rotordyn.quantity import suggestion
+from rotordyn.study import record
 from rotordyn.study.optimum.front import cost_of, trade_off
 from rotordyn.study.optimum.goals import Goal, Limit
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
@@ -233,12 +235,13 @@ def solved(
         require_whole("workers", workers, 1)
     start = as_it_stands(problem)
     place = None if folder is None else Path(folder)
-    made = Trials(problem, trials, workers or processors(), place, progress)
-    if len(problem.goals) == 2:
-        found = tuple(trade_off(problem, made, seed))
-    else:
-        search(problem, made, cost_of(problem, 0), trials, seed)
-        found = ()
+    with nullcontext() if place is None else record.alone(place, "trials"):
+        made = Trials(problem, trials, workers or processors(), place, progress)
+        if len(problem.goals) == 2:
+            found = tuple(trade_off(problem, made, seed))
+        else:
+            search(problem, made, cost_of(problem, 0), trials, seed)
+            found = ()
     good = [each for each in made.made.values() if each.feasible]
     best = min(good, key=cost_of(problem, 0), default=None)
     return Optimum(problem, start, tuple(made.made.values()), best, found)

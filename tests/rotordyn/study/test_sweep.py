@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import Span, sweep
+from rotordyn import Goal, Span, optimise, sweep
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.library import models_root
@@ -165,6 +165,8 @@ def test_a_folder_is_one_process_at_a_time(case: Case, tmp_path: Path) -> None:
     held = locked(tmp_path)
     with pytest.raises(InvalidInput, match="another process solves the points of a study there"):
         _study(case, folder=tmp_path)
+    with pytest.raises(InvalidInput, match="another process solves the trials of a study there"):
+        optimise(case, {SPRING: Span(1.0, 9.0)}, [Goal(lowest="preload: sum")], folder=tmp_path)
     assert held is not None
     os.close(held)
     (tmp_path / "file").touch()
