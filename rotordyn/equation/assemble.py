@@ -26,8 +26,6 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
-STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
-
 
 def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tuple[Component, ...]]:
     """Components that links join at any of the states, or that turn with one another; ``drawbar``:
@@ -117,8 +115,8 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
-    least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
-    stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
+    softest, none = size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    stiff = np.concatenate([none, *(each.strained(softest) for each in connections)])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
     rigid = np.concatenate([none, *held])
     rigid = rigid[rigid.any(axis=1)]
