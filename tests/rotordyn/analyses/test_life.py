@@ -21,6 +21,7 @@ from rotordyn.preload.state import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import SUPPLIES
+from tests.hostile.numbers import unexplained
 from tests.oracles.spindles import RPM, answers, case, conditions, mfw2310
 
 OIL = Lubrication("32 mm^2/s", "5.4 mm^2/s", "55 degC")  # type: ignore[arg-type]
@@ -245,6 +246,15 @@ def test_warnings(spec: LifeSpec, sentence: str) -> None:
     rpm = (100,) if spec.lubricant else (6000,)
     found = warnings(of_grinding(spec, rpm=rpm))
     assert any(sentence in words for words in found), found
+    named = [words.partition(":")[0].split()[1:] for words in found]
+    assert all(len(set(names)) == len(names) for names in named), "a bearing named twice"
+
+
+def test_every_value_that_is_no_number_is_declared() -> None:
+    still = (LoadStep(share=1.0, speed=0.0),)
+    ours = of_grinding(LifeSpec(OIL, spectrum=still), rpm=(0, 6000))
+    assert np.isnan(ours.modified_life[0]).all()
+    assert not list(unexplained(ours))
 
 
 def test_warnings_of_overloaded_bearings() -> None:
