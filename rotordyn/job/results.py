@@ -50,7 +50,7 @@ class Origin:
 
 def inputs_of(case: Case) -> tuple[str, ...]:
     """The files read, each by its folder and name."""
-    return tuple(f"{path.parent.name}/{path.name}" for path in case.files)
+    return tuple("/".join(path.absolute().parts[-2:]) for path in case.files)
 
 
 class Results(Mapping[str, "xr.Dataset"]):

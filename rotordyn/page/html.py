@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -31,6 +32,7 @@ from rotordyn.whole import whole_files
 ARROW = "\u00a0→ "  # a line breaks behind it alone
 LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
+MOST_COLUMNS = 12  # that paper holds in the usual size
 STARTS = "0123456789-+−<>. "  # of cells that hold numbers
 _FRAME = """<!doctype html>
 <html lang="en">
@@ -102,7 +104,7 @@ def html(page: Page) -> str:
         contents="\n".join(links),
         body="\n".join(body),
         footer=escape(page.footer),
-        library=compressed(library()) if drawn else "",
+        library=packed_library() if drawn else "",
         content=packed(drawn),
         script=_resource("page.js"),
     )
@@ -126,6 +128,12 @@ def write(path: Path, page: Page) -> None:
                 (place / path.name).write_text(text, encoding="utf-8")
     except OSError as error:
         raise InvalidInput(f"{path} cannot be written: {error.strerror}") from error
+
+
+@cache
+def packed_library() -> str:
+    """``library`` as every page of a process holds it."""
+    return compressed(library())
 
 
 def library() -> bytes:
@@ -198,7 +206,9 @@ def _table(table: Table, section: str) -> Iterator[str]:
     label = escape(table.title)
     shown = f'<span class="spoken">{label}</span>' if table.title == section else label
     caption = "" if table.folded else f"<caption>{shown}</caption>"
-    yield f'<div class="table" tabindex="0" role="region" aria-label="{label}"><table>{caption}'
+    many = ' class="many"' if len(table.head) > MOST_COLUMNS else ""
+    yield f'<div class="table" tabindex="0" role="region" aria-label="{label}">'
+    yield f"<table{many}>{caption}"
     if any(table.head):
         heads = "".join(f'<th scope="col">{escape(each)}</th>' for each in table.head)
         yield f"<thead><tr>{heads}</tr></thead>"

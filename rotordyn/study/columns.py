@@ -18,8 +18,8 @@ from rotordyn.results.kinds import Array, Flags
 MOST_ROWS = 500  # of the table on the page
 MOST_LISTED = 12  # values of what was varied; of more, lowest and highest
 ALONG = 6  # numbers beside the parameters of parallel coordinates
-LEAST = 100  # px for each axis of parallel coordinates
-LONGEST = 34  # letters of its label
+LEAST, SIDES = 120, 115  # px from axis to axis of parallel coordinates, and for labels beside them
+LONGEST = 28  # letters of its label
 BLUE_TO_ORANGE = [[0.0, COLOURS[0]], [1.0, COLOURS[1]]]  # seen on light and on dark
 
 
@@ -167,9 +167,10 @@ def parallel_coordinates(
         "line": {"color": colour.values[known], "colorscale": BLUE_TO_ORANGE},
         "labelangle": -12,
     }
-    layout = {"margin": {"l": 90, "r": 90, "t": 120, "b": 30}}
+    layout = {"margin": {"l": SIDES, "r": SIDES, "t": 120, "b": 30}}
+    least = LEAST * (len(chosen) - 1) + 2 * SIDES
     note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
-    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=LEAST * len(chosen))
+    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=least)
 
 
 def _dimension(column: Column, known: Flags) -> dict[str, Any]:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.study.dataset import DATASET
 from rotordyn.study.figures import figures
@@ -13,6 +17,8 @@ from rotordyn.study.point import Study
 from rotordyn.study.solve import Progress, solved
 from rotordyn.study.summary import SUMMARY, summary, write_points
 from rotordyn.whole import whole_files
+
+LEAST_ROOM = 1_000_000  # bytes that a disk has left
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,20 +46,30 @@ def deliver(
 
     Raises
     ------
-    InvalidInput : see ``sweep``; the points that are solved stay in the folder
+    InvalidInput : see ``sweep``, or the disk is full; the points that are solved stay in the folder
     """
     data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
     text = summary(study, outcomes)
-    with whole_files(folder) as place:
-        # NetCDF lists the names of such coordinates between spaces.
-        spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
-        data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
-        write_points(place, study, outcomes)
-        (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
-        if draw:
-            from rotordyn.figures.draw import draw_one
+    try:
+        _require_room(folder, 2 * data.nbytes + LEAST_ROOM)
+        with whole_files(folder) as place:
+            # NetCDF lists the names of such coordinates between spaces.
+            spaced = [name for name in data.coords if " " in str(name) and name not in data.dims]
+            data.reset_coords(spaced).to_netcdf(place / DATASET, engine="h5netcdf")
+            write_points(place, study, outcomes)
+            (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
+            if draw:
+                from rotordyn.figures.draw import draw_one
 
-            for name, drawing in figures(study, outcomes):
-                draw_one(name, drawing, place, formats)
+                for name, drawing in figures(study, outcomes):
+                    draw_one(name, drawing, place, formats)
+    except OSError as error:
+        raise InvalidInput(f"{folder}: cannot be written: {error.strerror or error}") from None
     good = sum(bool(row.numbers) for row in outcomes.values())
     return Delivered(folder, text, study.design.count, good)
+
+
+def _require_room(folder: Path, size: int) -> None:
+    """HDF5 itself, on a full disk, ends the process instead of saying so."""
+    if shutil.disk_usage(folder).free < size:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))

@@ -45,7 +45,7 @@ class Journal:
         lines = record.begun(self._path, "study", signature(self.study), "points")
         try:
             found = dict(map(_read, lines))
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, AttributeError):
             raise record.unreadable(self._path, "points") from None
         whole = self.study.results
         return {

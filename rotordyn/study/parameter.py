@@ -123,7 +123,8 @@ def parameter(case: Case, path: str, asked: object) -> Parameter:
         labels = tuple(f"{label} ({k + 1})" for k, label in enumerate(labels))
     quantity = found[0][1]
     if quantity is not None and any(isinstance(label, str) for label in labels):
-        labels = tuple(_with_unit(label, quantity) for label in labels)
+        pairs = zip(labels, found, strict=True)
+        labels = tuple(_as_word(label, value, quantity) for label, (value, _) in pairs)
     return Parameter(path, values, labels, quantity=quantity)
 
 
@@ -188,10 +189,10 @@ def _label(kept: Any, given: object) -> Any:
     return shown(kept)
 
 
-def _with_unit(label: Any, quantity: Quantity) -> Any:
+def _as_word(label: Any, value: Any, quantity: Quantity) -> str:
     """A number beside words, as a word."""
     if isinstance(label, str):
-        return label
+        return quantity.written(value) if value == math.inf else label
     unit = usual_unit(quantity, [label])
     return f"{label / parse_unit(unit).scale if unit else label:.12g} {unit}".rstrip()
 

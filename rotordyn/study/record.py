@@ -59,11 +59,11 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
     begin = json.dumps(head).encode() + b"\n"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.exists() and any(path.parent.iterdir()):
+        if not path.is_file() and any(path.parent.iterdir()):
             raise InvalidInput(
                 f"{path.parent}: is a folder with other things in it, and no {kind}: choose another"
             )
-        raw = path.read_bytes() if path.exists() else b""
+        raw = path.read_bytes() if path.is_file() else b""
         if begin.startswith(raw):  # new, or killed before a line was kept
             path.write_bytes(begin)
             return []
@@ -78,7 +78,7 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
             os.truncate(path, len(whole))
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    except ValueError:
+    except (ValueError, RecursionError):
         raise unreadable(path, what) from None
     return lines
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 HOUR = 3600.0  # s
 LONG = HOUR  # that a study may take unasked
+LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
 Progress = Callable[[int, int], None]
 
 
@@ -145,15 +147,20 @@ def solved(
 def _outcomes(
     study: Study, known: Mapping[int, Outcome], workers: int, cluster: str | None, *, yes: bool
 ) -> Iterator[Outcome]:
-    """Outcomes of what is not known yet; the first tells how long the others take."""
+    """Outcomes of what is not known yet; the first ones tell how long the others take."""
     left = [k for k in range(study.design.count) if k not in known]
     if not left:
         return
-    packed = pickle.dumps(study)
-    first = solve_point(packed, left.pop(0))
-    yield first
-    least = first.seconds * len(left) / workers
-    if least > LONG and not yes and cluster is None:
+    packed, seconds = pickle.dumps(study), math.inf
+    unasked = yes or cluster is not None
+    for _ in range(LOOKED):
+        found = solve_point(packed, left.pop(0))
+        yield found
+        seconds = min(seconds, found.seconds)
+        least = seconds * len(left) / workers
+        if least <= LONG or unasked:
+            break
+    if least > LONG and not unasked:
         raise InvalidInput(
             f"the study has {study.design.count} points, {len(left)} of them to solve: about "
             f"{least / HOUR:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "

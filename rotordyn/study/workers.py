@@ -75,6 +75,7 @@ def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Ite
     dask: Any = distributed
 
     try:
+        dask.comm.get_address_host_port(address)  # of one that is none, a client waits at its end
         client = dask.Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise InvalidInput(

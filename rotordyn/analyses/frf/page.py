@@ -56,7 +56,7 @@ def _responses(variants: Sequence[Shown]) -> Chart:
             trace = {"mode": "lines", "line": looks, "moving": moving, "yaxis": part}
             names = {"name": name if part == "y" else f"{name}, phase", "legendgroup": name}
             traces.append(trace | names | {"showlegend": len(variants) > 1 and part == "y"})
-    words = [_said(first, speed, pair) for pair in range(pairs) for speed in range(speeds)]
+    words = [_all_said(variants, speed, pair) for pair in range(pairs) for speed in range(speeds)]
     layout = {
         "xaxis": axis(
             declared(first)["frequency"].metadata["label"], "Hz", anchor="y2", showspikes=True
@@ -94,6 +94,13 @@ def _units(result: FrequencyResponse) -> list[str]:
 def _moving(result: FrequencyResponse, label: str, by: int = 0) -> dict[str, Any]:
     """The title of an axis, with the unit of the pair that a control chooses."""
     return {"by": (by,), "values": [f"{label} [{unit}]" for unit in _units(result)]}
+
+
+def _all_said(variants: Sequence[Shown], speed: int, pair: int) -> str:
+    said = [_said(variant.result, speed, pair) for variant in variants]
+    if len(said) == 1:
+        return said[0]
+    return " ".join(f"{each.title}: {words}" for each, words in zip(variants, said, strict=True))
 
 
 def _said(result: FrequencyResponse, speed: int, pair: int) -> str:

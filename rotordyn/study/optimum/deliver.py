@@ -43,18 +43,21 @@ def deliver(
     """
     found = optimum.solved(problem, trials, seed, workers, folder, progress)
     text = summary(found)
-    with whole_files(folder) as place:
-        if found.best is not None:
-            text += _write_best(problem, found.best, place / BEST)
-        (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
-        write_trials(place, found)
-        write_about(place, found)
-        if draw:
-            from rotordyn.figures.draw import draw_one
-            from rotordyn.study.optimum.figures import figures
+    try:
+        with whole_files(folder) as place:
+            if found.best is not None:
+                text += _write_best(problem, found.best, place / BEST)
+            (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
+            write_trials(place, found)
+            write_about(place, found)
+            if draw:
+                from rotordyn.figures.draw import draw_one
+                from rotordyn.study.optimum.figures import figures
 
-            for name, drawing in figures(found):
-                draw_one(name, drawing, place, formats)
+                for name, drawing in figures(found):
+                    draw_one(name, drawing, place, formats)
+    except OSError as error:
+        raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
     return found, text
 
 

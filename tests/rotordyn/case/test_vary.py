@@ -94,6 +94,17 @@ def test_all_changes_are_made_together() -> None:
             case().vary({path: value, **shift})
 
 
+def test_what_is_within_another_change_holds_in_any_order() -> None:
+    whole, one = "spindle.bearings.*.model", "spindle.bearings.a.model"
+    models = [rotordyn.model("bearings", name) for name in ("s6014e", "vex60")]
+    changes = {f"{one}.balls": 17, f"{whole}.balls": 19, one: models[0], whole: models[1]}
+    found = case().vary(changes)
+    assert [seat.bearing.balls for seat in found.spindle.seats][:2] == [17, 19]
+    sizes = [seat.bearing.ball_diameter for seat in found.spindle.seats][:2]
+    assert sizes == [each.ball_diameter for each in models]
+    assert found == case().vary(dict(reversed(changes.items())))
+
+
 def test_questions_can_be_changed_added_and_replaced() -> None:
     made = case().vary({"analyses.campbell.max_frequency": "2 kHz", "analyses.frf.slices": []})
     spec = made.analyses["campbell"]

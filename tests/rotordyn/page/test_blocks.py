@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
+from rotordyn.analyses.frf.page import _responses
+from rotordyn.job.results import inputs_of
 from rotordyn.page.blocks import Chart, Control, Markup, Shapes, Table, Text, sections
 from rotordyn.page.curves import once_named
 from rotordyn.page.html import Page, html
 from rotordyn.page.packed import packed, rounded
+from tests.rotordyn.figures import samples
 from tests.rotordyn.page.conftest import array, held
 
 
@@ -71,6 +79,28 @@ def test_the_page_has_headings_labels_and_no_script_of_others() -> None:
     assert 'scope="row"' in text
     assert "http://" not in text.split('id="library"')[0]
     assert 'src="' not in text
+
+
+def test_what_is_said_of_peaks_names_the_variant() -> None:
+    one = replace(samples.frf(1, 400), outcome=("",), resonance=np.arange(1))
+    at = np.full((1, 4, 1), 900.0)
+    two = replace(one, peak_frequency=at, peak_value=1e-9 * at + 0j, peak_damping=at)
+    shown: Any = [SimpleNamespace(title=t, result=r) for t, r in (("one", one), ("two", two))]
+    peaks = "Peaks [µm/N]: 900.0 Hz (0.9)."
+    assert _responses(shown[1:]).words[0] == peaks
+    assert _responses(shown).words[0] == f"one: No peak. two: {peaks}"
+
+
+def test_a_file_beside_the_reader_has_its_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir("/usr")
+    case: Any = SimpleNamespace(files=(Path("case.yaml"), Path("/a/b/c.yaml")))
+    assert inputs_of(case) == ("usr/case.yaml", "b/c.yaml")
+
+
+def test_paper_holds_tables_of_many_columns_in_small_print() -> None:
+    tables = [Table(f"T{k}", [str(n) for n in range(k)], [["1"] * k]) for k in (12, 13)]
+    text = html(Page("t", [], "fine", False, sections([("S", each) for each in tables])))
+    assert text.count("<table>") == text.count('<table class="many">') == 1
 
 
 def test_no_library_is_embedded_where_there_is_no_chart() -> None:

@@ -39,6 +39,18 @@ def test_values_in_step(flagship: Case) -> None:
     assert rows.labels(1) == {PRELOAD: 400.0, TRAVEL: pytest.approx(60e-6)}
 
 
+def test_values_in_step_may_repeat_and_stay_numbers(flagship: Case) -> None:
+    rows = design(flagship, {PRELOAD: [300, 300, 400], TRAVEL: ["50 um", "60 um", 6e-5]}, "list")
+    assert [rows.labels(k)[PRELOAD] for k in range(3)] == [300.0, 300.0, 400.0]
+    assert rows.parameters[1].unit == "m"
+
+
+def test_numbers_beside_words_keep_their_unit(flagship: Case) -> None:
+    stiffness = "spindle.sleeves.front.spring.stiffness"
+    found = design(flagship, {stiffness: [math.inf, 8e6, "9000 N/mm"]}).parameters[0]
+    assert found.labels == ("rigid", "8 N/um", "9 N/um")
+
+
 @pytest.mark.parametrize("sampling", ["latin-hypercube", "sobol"])
 def test_a_sample_fills_its_spans_evenly(flagship: Case, sampling: str) -> None:
     """Each of n equal parts of every span holds one point; by ratio, of its logarithm."""
@@ -81,6 +93,9 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"varied": {"conditions.kinematics": Span("a", "b")}}, "conditions.kinematics"),
     ({"varied": {PRELOAD: Span(300, 400)}}, "give the span a count"),
     ({"varied": {PRELOAD: Span(300, 400, 1)}}, "at least 2 points"),
+    ({"varied": {PRELOAD: Span(300, 400, 10**9)}}, "at most 1e+07, got 1000000000"),
+    ({"varied": {PRELOAD: [300, "0.3 kN"]}}, "a value is listed twice"),
+    ({"varied": {3: [300]}}, "not a dotted path: given 3"),
     ({"varied": {PRELOAD: [1], TRAVEL: [1e-5, 2e-5]}, "sampling": "list"}, "as many values"),
     ({"varied": {PRELOAD: [1]}, "sampling": "sobl"}, "did you mean sobol"),
     ({"varied": {PRELOAD: [1]}, "samples": 4}, "a grid has no samples"),
@@ -92,7 +107,7 @@ BAD: list[tuple[dict[str, Any], str]] = [
          | {"spindle.sleeves.rear.spring.preload": Span(1.0, 2.0, 1000)}},
         "1e+09 points: allowed are up to 1e+07",
     ),
-    ({"varied": {PRELOAD: [300.0]}, "analyses": ["campbel"]}, "campbel"),
+    ({"varied": {PRELOAD: [300.0]}, "analyses": ["campbel"]}, "analyses: given 'campbel'; this"),
     ({"varied": {PRELOAD: [300.0]}, "results": ["modes"]}, "this study has the analyses"),
     ({"varied": {PRELOAD: [300.0]}, "workers": 0}, "workers"),
 ]  # fmt: skip

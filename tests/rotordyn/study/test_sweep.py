@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,13 +20,17 @@ import rotordyn
 from rotordyn import Span, sweep
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
+from rotordyn.case.library import models_root
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job import restricted
-from rotordyn.study import neighbours, point, solve, workers
+from rotordyn.study import deliver, neighbours, point, solve, workers
+from rotordyn.study.journal import Journal
 from rotordyn.study.point import Outcome
+from rotordyn.study.read import read_study
 from rotordyn.study.solve import study_of
 from rotordyn.study.summary import summary
+from rotordyn.whole import locked
 
 SPRING = "spindle.sleeves.rear.spring.preload"
 BALLS = "spindle.bearings.*.model.balls"
@@ -152,9 +157,58 @@ def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
     assert os.listdir(tmp_path / "mine") == ["notes.txt"]
 
 
+def test_a_folder_is_one_process_at_a_time(case: Case, tmp_path: Path) -> None:
+    pytest.importorskip("fcntl", reason="this system has no locks")
+    held = locked(tmp_path)
+    with pytest.raises(InvalidInput, match="another process solves the points of a study there"):
+        _study(case, folder=tmp_path)
+    assert held is not None
+    os.close(held)
+    (tmp_path / "file").touch()
+    with pytest.raises(InvalidInput, match="file: cannot be written"):
+        _study(case, folder=tmp_path / "file")
+
+
+def test_a_point_without_its_results_is_no_point(case: Case, tmp_path: Path) -> None:
+    study = study_of(case, {SPRING: ["800 N"]}, analyses=["preload"], results=["preload"])
+    solved = Outcome(0, {"preload: sum": (800.0, "N")})
+    journal = Journal(tmp_path / "s", study)
+    assert journal.begin() == {}
+    journal.add(solved)
+    assert journal.begin() == {}
+    (tmp_path / "s" / "points").mkdir()
+    (tmp_path / "s" / "points" / "00000000.nc").write_bytes(b"half of it")
+    assert journal.begin() == {0: solved}
+    with pytest.raises(InvalidInput, match=r"00000000\.nc: cannot be read: remove it"):
+        journal.datasets(solved)
+
+
+def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_path: Path) -> None:
+    study = study_of(case, {SPRING: ["800 N"]}, analyses=["preload"])
+    journal = Journal(tmp_path / "s", study)
+    assert journal.begin() == {}
+    journal.add(Outcome(0, {"preload: sum": (800.0, "N")}))
+    usage = SimpleNamespace(free=1000)
+    monkeypatch.setattr(deliver.shutil, "disk_usage", lambda folder: usage)
+    with pytest.raises(InvalidInput, match=r"s: cannot be written: No space left"):
+        deliver.deliver(study, tmp_path / "s", draw=False)
+    assert os.listdir(tmp_path / "s") == ["points.jsonl"]
+
+
+def test_models_stand_beside_the_file_of_the_study(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "mine.yaml").write_text((models_root() / "bearings" / "vex70.yaml").read_text())
+    vary = "vary:\n  spindle.bearings.*.model: [./mine.yaml, s6014e]\n"
+    (tmp_path / "models.yaml").write_text(f"case: grinding_spindle\n{vary}")
+    monkeypatch.chdir("/")
+    found = read_study(tmp_path / "models.yaml").design.parameters[0]
+    assert found.values[0] == rotordyn.model("bearings", "vex70")
+
+
 def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solve, "LONG", 1e-3)
-    with pytest.raises(InvalidInput, match=r"4 points, 3 of them to solve: about .* h with 1 work"):
+    with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve: about .* h with 1 work"):
         _study(case, workers=1)
     assert _study(case, workers=1, yes=True)["sentence"].values.tolist() == [["", ""], ["", ""]]
 
