@@ -18,7 +18,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.results.display import RPM
-from rotordyn.scene.lubrication import hot_rating
+from rotordyn.scene.lubrication import Lubrication, hot_rating
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -165,27 +165,19 @@ def _oiled(
     if lubricant is None:
         nothing = {name: np.full_like(life, np.nan) for name in OIL_FIELDS}
         return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
-    oil = lubricant.oil
     lost = bearings.heat.losses(
         state,
-        oil,
+        lubricant.oil,
         at,
         friction=lubricant.friction,
         oil_factor=bearings.heat.OIL_FACTORS[lubricant.supply],
         model=spec.heat,
     )
-    films = bearings.film.film(state, oil, at)
-    loaded = np.asarray(state.contact_load) > 0.0
-    film = np.where(loaded, films.least, np.inf).min(axis=(-2, -1))
-    ratio = np.where(
-        loaded, films.ratio(lubricant.ball_roughness, lubricant.race_roughness), np.inf
-    )
     pitch = state.operation.grooves.pitch_diameter
-    kappa = bearings.life.viscosity_ratio(oil.kinematic(at), state.speed, pitch)
+    kappa = bearings.life.viscosity_ratio(lubricant.oil.kinematic(at), state.speed, pitch)
     static = bearings.life.static_rating(state.operation.grooves)
     limit = bearings.life.fatigue_load_limit(static, pitch)
     factor = bearings.life.life_factor(kappa, lubricant.contamination, limit, lived.equivalent_load)
-    a1 = bearings.life.reliability_factor(spec.reliability)
     return {
         "inner_heat": lost.inner,
         "outer_heat": lost.outer,
@@ -194,10 +186,21 @@ def _oiled(
         "moment": lost.moment,
         "slips": lost.slips,
         "viscosity_ratio": kappa,
-        "film": np.where(np.isfinite(film), film, 0.0),
-        "film_ratio": np.where(loaded.any(axis=(-2, -1)), ratio.min(axis=(-2, -1)), 0.0),
+        **_films(state, lubricant, at),
         "life_factor": factor,
-        "modified_life": a1 * factor * life,
+        "modified_life": bearings.life.reliability_factor(spec.reliability) * factor * life,
+    }
+
+
+def _films(state: BearingState, lubricant: Lubrication, at: Array) -> Values:
+    """Least film of the loaded contacts, and its least ratio to the roughness; 0 without load."""
+    films = bearings.film.film(state, lubricant.oil, at)
+    loaded = np.asarray(state.contact_load) > 0.0
+    some = loaded.any(axis=(-2, -1))
+    ratio = films.ratio(lubricant.ball_roughness, lubricant.race_roughness)
+    return {
+        name: np.where(some, np.where(loaded, values, np.inf).min(axis=(-2, -1)), 0.0)
+        for name, values in (("film", films.least), ("film_ratio", ratio))
     }
 
 

@@ -261,7 +261,6 @@ def test_warnings_of_overloaded_bearings() -> None:
     ours = of_grinding(LifeSpec())
     changes = {
         "static_safety": (np.full((1, 4), 1.5), "static safety 1.5 is below 2 from 6000 rpm on"),
-        "pressure": (np.full((1, 4), 3.4e9), "above 3.3 GPa from 6000 rpm on"),
         "equivalent_load": (np.full((1, 4), 12e3), "above half the dynamic rating"),
         "shoulder_margin": (np.full((1, 4), -0.01), "passes the shoulder by 0.57°"),
     }
