@@ -271,6 +271,15 @@ class BallBearing:
             return math.inf
         return grooves.free_distance * (1.0 - math.cos(grooves.free_angle))
 
+    @property
+    def smallest_static_growth(self) -> float:
+        """Static growth below which the grooves are open beyond any contact angle taken [m]."""
+        from bearings.geometry import STEEP, WIDEST, geometry
+
+        known = geometry(self.grooves)
+        least = WIDEST - 1.0 if known.touching and known.free_angle > STEEP else WIDEST
+        return float(least * known.free_distance - known.radial_gap)
+
     def equilibrium(  # noqa: PLR0913 - all of it describes one question
         self,
         *,

@@ -1,18 +1,19 @@
 """What a run may take: stages that would take longer or more memory are refused before they begin.
 
-Only where somebody asks for it, as the command line does. There Ctrl-C ends an analysis, and those
-before it are kept.
+Only where somebody asks for it, as the command line does. There a refusal ends the run as Ctrl-C
+does: what is finished is kept.
 """
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import TooCostly
 
 LONGEST = 600.0  # s, by estimate
 MOST_BYTES = 4e9
@@ -32,32 +33,37 @@ DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
 
 @dataclass(frozen=True, slots=True)
 class Allowance:
-    """Until when a run may go on, by the clock of ``time.perf_counter`` [s]."""
+    """``until`` when a run may go on, by the clock of ``time.perf_counter`` [s], and its memory."""
 
     seconds: float
     until: float
+    memory: float
 
 
 _allowance: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
 
 
 @contextmanager
-def within(seconds: float) -> Iterator[None]:
-    """Runs inside may take so long by estimate, and ``MOST_BYTES``."""
-    token = _allowance.set(Allowance(seconds, time.perf_counter() + seconds))
+def within(seconds: float = math.inf, memory: float = MOST_BYTES) -> Iterator[None]:
+    """Runs inside may take so long by estimate, and so many bytes."""
+    token = _allowance.set(Allowance(seconds, time.perf_counter() + seconds, memory))
     try:
         yield
     finally:
         _allowance.reset(token)
 
 
-def limited() -> bool:
-    """Whether runs are limited here."""
+Stop = KeyboardInterrupt | TooCostly
+STOPS = (KeyboardInterrupt, TooCostly)  # what ends a run
+
+
+def keeps_finished() -> bool:
+    """Whether runs that are ended here keep what is finished."""
     return _allowance.get() is not None
 
 
 def require_modes(name: str, speeds: int, size: int) -> None:
-    """Raise InvalidInput where eigenproblems of ``size`` coordinates at so many speeds take more
+    """Raise TooCostly where eigenproblems of ``size`` coordinates at so many speeds take more
     than is allowed."""
     rows = 2 * size
     seconds = GENERAL * float(rows) ** 3 * speeds
@@ -112,19 +118,19 @@ def _require(what: str, seconds: float, memory: float, remedy: str = REMEDY) -> 
     if allowance is None:
         return
     left = allowance.until - time.perf_counter()
-    if seconds > left or memory > MOST_BYTES:
+    if seconds > left or memory > allowance.memory:
         also = f" and {memory / 1e9:.2g} GB" if memory else ""
-        raise InvalidInput(
+        raise TooCostly(
             f"{what} take about {seconds:.3g} s{also}; allowed: "
             f"{allowance.seconds:g} s for the whole run, of which {max(left, 0.0):.0f} s are left, "
-            f"and {MOST_BYTES / 1e9:g} GB; {remedy}"
+            f"and {allowance.memory / 1e9:g} GB; {remedy}"
         )
 
 
 def require_time(name: str, how: str = "not begun") -> None:
-    """Raise InvalidInput where the time of the run is over before a stage begins, or within it."""
+    """Raise TooCostly where the time of the run is over before a stage begins, or within it."""
     allowance = _allowance.get()
     if allowance is not None and time.perf_counter() > allowance.until:
-        raise InvalidInput(
+        raise TooCostly(
             f"{name}: {how}, since {allowance.seconds:g} s for the whole run are over; {REMEDY}"
         )

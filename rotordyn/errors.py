@@ -3,6 +3,7 @@
 RotordynError
 ├── InvalidInput      exit 2   every fault found in the input, all at once
 │   └── OutputRefused exit 2   the results folder is not ours to replace
+├── TooCostly         exit 2   more time or memory than a run may take
 └── NoSolution        exit 3   no speed of the case has a physical solution
 
 Errors of the ``bearings`` package pass through; ``exit_code`` knows them too. Anything else is a
@@ -33,8 +34,13 @@ class Fault:
     message: str
 
     def __str__(self) -> str:
-        where = f"{self.file}:{max(self.line, 1)}:{max(self.column, 1)}"
+        where = f"{printable(self.file)}:{max(self.line, 1)}:{max(self.column, 1)}"
         return f"{where}: {self.path}: {self.message}" if self.path else f"{where}: {self.message}"
+
+
+def printable(text: str) -> str:
+    """``text`` on one line, control characters as spaces."""
+    return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 class RotordynError(Exception):
@@ -69,6 +75,10 @@ class OutputRefused(InvalidInput):
     """The results folder exists and was not made by rotordyn."""
 
 
+class TooCostly(RotordynError):
+    """What is asked takes more time or memory than a run may."""
+
+
 class NoSolution(RotordynError):
     """No speed asked for has a physical solution."""
 
@@ -87,7 +97,9 @@ def not_installed(module: str | None) -> str | None:
 
 def exit_code(error: BaseException) -> int:
     """Process exit code for an error (0 is never returned)."""
-    if isinstance(error, InvalidInput | InvalidBearing):
+    if isinstance(error, KeyboardInterrupt):
+        return 130
+    if isinstance(error, InvalidInput | InvalidBearing | TooCostly):
         return 2
     if isinstance(error, NoSolution | BearingError):
         return 3

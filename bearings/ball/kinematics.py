@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.ball.plane import where
+from bearings.ball.plane import some, where
 
 FLAT = 1e-6  # cos αi + cos αo below which the axis of a ball counts as radial
 
@@ -91,15 +91,28 @@ def hybrid(a: Angles) -> Partial:
     )
 
 
-def tan_beta(law: int, a: Angles) -> Partial:
+def tan_beta(law: Any, a: Angles) -> Partial:
     """tan β by the number of the hypothesis in ``bearings.ball.law.KINEMATICS``."""
-    if law == 0:
+    if not some(law != 0):
         return hybrid(a)
-    if law == 1:
+    if not some(law != 1):
         return outer_control(a)
-    if law == 2:
+    if not some(law != 2):
         return inner_control(a)
-    return geometric(a)
+    if not some(law != 3):
+        return geometric(a)
+    h, o, i, g = hybrid(a), outer_control(a), inner_control(a), geometric(a)
+    return Partial(
+        _by_law(law, h.value, o.value, i.value, g.value),
+        _by_law(law, h.by_inner, o.by_inner, i.by_inner, g.by_inner),
+        _by_law(law, h.by_outer, o.by_outer, i.by_outer, g.by_outer),
+        _by_law(law, h.by_weight, o.by_weight, i.by_weight, g.by_weight),
+    )
+
+
+def _by_law(law: Any, first: Any, second: Any, third: Any, fourth: Any) -> Any:
+    """One of four values by the number of the hypothesis, state by state."""
+    return where(law == 0, first, where(law == 1, second, where(law == 2, third, fourth)))
 
 
 def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
@@ -132,12 +145,14 @@ def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
     )
 
 
-def inner_share(law: int, weight: Any) -> tuple[Any, Any]:
+def inner_share(law: Any, weight: Any) -> tuple[Any, Any]:
     """λi and dλi/dC by the number of the law in ``bearings.ball.law.MOMENT_SHARING``.
 
     Of 2: both races carry the gyroscopic moment alike (1), the outer one all of it (0), the inner
     one (2), or each by its weight, λi = 2C/(1 + C).
     """
-    if law == 3:
-        return 2.0 * weight / (1.0 + weight), 2.0 / (1.0 + weight) ** 2
-    return (1.0, 0.0, 2.0)[law], 0.0
+    fixed = where(law == 0, 1.0, where(law == 1, 0.0, 2.0))
+    if not some(law == 3):
+        return fixed, 0.0
+    by_weight = 2.0 * weight / (1.0 + weight), 2.0 / (1.0 + weight) ** 2
+    return where(law == 3, by_weight[0], fixed), where(law == 3, by_weight[1], 0.0)

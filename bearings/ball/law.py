@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
@@ -19,12 +19,12 @@ DYNAMICS = ("resultant", "frozen", "centrifugal", "gyroscopic")
 class LawNumbers(NamedTuple):
     """What is assumed of a ball, by numbers.
 
-    Indices in ``KINEMATICS`` and ``MOMENT_SHARING``; ``friction``: μ, 0 for no limit. ``dynamics``
-    acts through the blend of the balance.
+    Indices in ``KINEMATICS`` and ``MOMENT_SHARING``, of a batch of states (s, 1);
+    ``friction``: μ, 0 for no limit. ``dynamics`` acts through the blend of the balance.
     """
 
-    kinematics: int
-    sharing: int
+    kinematics: Any
+    sharing: Any
     friction: float
 
 
@@ -79,6 +79,14 @@ class Law:
         Inner control and the geometric hypothesis end their loaded branch with a jump.
         """
         return self.kinematics in ("hybrid", "outer") or self.dynamics == "frozen"
+
+    def take(self, index: Iterable[Any]) -> Law:
+        """The law of some states of a batch: this one."""
+        return self
+
+    def each(self, change: Callable[[Law], Law]) -> Law:
+        """Another law instead."""
+        return change(self)
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:

@@ -103,6 +103,7 @@ def _together(
     done, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
         d, x, done, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
+        done &= problem.law.one_branch
     outcome = _words(done)
     cold = np.flatnonzero(~done)
     if cold.size:
@@ -124,8 +125,8 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
     """
     start = d.copy(), x.copy()
     d, x, converged = followed(problem, d, x, reached)
-    left = np.flatnonzero(reached & ~converged)
-    if left.size and problem.law.one_branch:
+    left = np.flatnonzero(reached & ~converged & problem.law.one_branch)
+    if left.size:
         part = replace(problem.take(left), loose=True)
         again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))
         d[left], x[:, left], converged[left] = again

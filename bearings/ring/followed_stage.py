@@ -95,8 +95,9 @@ def corrected(
     for then, now in zip(before, problem.faced(d, x), strict=True):
         good &= ~turned_far(then, now, tol.LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
-    if not problem.law.one_branch:
-        good &= ~_jumped(problem.geometry.ball_diameter, first, linear.balance).any(axis=-1)
+    if not np.all(one_branch := problem.law.one_branch):
+        jumped = _jumped(problem.geometry.ball_diameter, first, linear.balance)
+        good &= ~jumped.any(axis=-1) | one_branch
     if problem.free.any():
         good &= _held(problem, linear)
     return d, x, good, linear, used

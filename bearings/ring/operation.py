@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from bearings.arguments import real_numbers
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.errors import InvalidBearing, shown
 from bearings.geometry import Geometry, acting, geometry
 from bearings.grooves import Grooves
@@ -34,7 +35,7 @@ class Operation:
     """
 
     grooves: Grooves
-    law: Law
+    law: Law | Laws
     free: Flags
     load: Array
     displacement: Array
@@ -63,7 +64,13 @@ class Operation:
         row = np.broadcast_to(index, speeds.shape)
         names = ("load", "displacement", "static_growth", "growth")
         parts: dict[str, Any] = {name: getattr(self, name)[row] for name in names}
-        return replace(self, speed=speeds, shape=speeds.shape, **parts)
+        law = self.law.take(row)
+        return replace(self, law=law, speed=speeds, shape=speeds.shape, **parts)
+
+    def rows(self, index: Index) -> Operation:
+        """Some places of the first axis of the batch."""
+        whole = np.arange(len(self.speed)).reshape(self.shape)[index]
+        return replace(self.repeated(whole.ravel(), self.speed[whole.ravel()]), shape=whole.shape)
 
     def at(self, displacement: Array) -> Operation:
         """Displacements (k, …, m, 5) given around those of the points (…)."""
@@ -80,7 +87,7 @@ class Operation:
 
 def operation(
     grooves: Grooves,
-    law: Law,
+    law: Law | Laws,
     *,
     load: ArrayLike | None,
     displacement: ArrayLike | None,

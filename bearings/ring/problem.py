@@ -11,6 +11,7 @@ import numpy as np
 
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.ball.plane import Pair
 from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin
@@ -29,7 +30,7 @@ class Problem:
     """
 
     geometry: Geometry
-    law: Law
+    law: Law | Laws
     assembly: Assembly
     origin: Array
     speed: Array
@@ -90,6 +91,7 @@ class Problem:
         """The same problem for some of its states."""
         return replace(
             self,
+            law=self.law.take(index),
             origin=self.origin[:, index],
             speed=self.speed[index],
             load=self.load[index],

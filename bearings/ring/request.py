@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arrays import Array, Index, Words
+from bearings.ball.laws import Laws
 from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
@@ -53,7 +54,7 @@ def solved(
             free = operation.free & np.array([True, False, False, False, False])
             problem = replace(problem, assembly=axial_assembly(g), free=free)
         first, near = first_displacement(problem, operation.displacement[index]), None
-        if start is not None and turning and operation.law.one_branch:
+        if start is not None and turning and np.any(operation.law.one_branch):
             first, near = _neighbour(problem, operation, start, index, first)
         _store(states, index, problem, solve(problem, first, near, compiled=fast))
     shape = operation.shape
@@ -69,6 +70,8 @@ def _compiled(g: Geometry, operation: Operation) -> bool:
     """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
     from bearings.ring.compiled.states import pays
 
+    if isinstance(operation.law, Laws):  # it takes states of one law
+        return False
     balls = int(np.where(operation.axial, 1, g.balls).sum())
     return pays(balls, g)
 
@@ -108,7 +111,7 @@ def _neighbour(
         )
     near = start.ball_centre.reshape(2, len(operation.speed), -1)[:, index]
     near = near[..., : problem.assembly.balls]  # of an axial state all balls are alike
-    known = np.asarray(np.isfinite(near).all(axis=(0, 2)))
+    known = np.asarray(np.isfinite(near).all(axis=(0, 2))) & problem.law.one_branch
     there = start.displacement.reshape(-1, 5)[index]
     first = np.where(known[:, None] & problem.free, there, first)
     a = problem.centres(first)

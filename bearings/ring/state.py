@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.arrays import Array, Flags, Words
+from bearings.arrays import Array, Flags, Index, Words
 from bearings.ball.kinematics import Angles, inner_share, orbit_and_spin, tan_beta
-from bearings.ball.law import check_name
+from bearings.ball.law import Law, check_name
 from bearings.errors import InvalidBearing
 from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.operation import Operation
@@ -67,6 +67,15 @@ class BearingState:
     outcome: Words
     ball_centre: Array
 
+    def rows(self, index: Index) -> BearingState:
+        """Some places of the first axis of the batch."""
+        names = [field.name for field in fields(self)[1:-1]]
+        return BearingState(
+            self.operation.rows(index),
+            ball_centre=self.ball_centre[:, index],
+            **{name: getattr(self, name)[index] for name in names},
+        )
+
     def stiffness(self, method: str = "complete") -> Array:
         """Tangent K = ∂load/∂displacement, shape (…, 5, 5) [N/m, N/rad, N·m/rad].
 
@@ -96,6 +105,12 @@ class BearingState:
         tangent, turning = frozen_tangent(self.operation, move, balls, good)
         stiffness[turning] = tangent
         return alike(self.load, self.displacement, stiffness.reshape(*self.outcome.shape, 5, 5))
+
+    @property
+    def _law(self) -> Law:
+        law = self.operation.law
+        assert isinstance(law, Law)  # ``rows`` takes states of several laws apart
+        return law
 
     @property
     def contacts(self) -> NDArray[np.int_]:
@@ -146,7 +161,7 @@ class BearingState:
         Only "outer" and "inner" assume such a thing, and only of balls with one loaded contact a
         race.
         """
-        assumed = self.operation.law.kinematics
+        assumed = self._law.kinematics
         agrees = (self.control == assumed) | (self.control == "")
         return agrees | (assumed not in ("inner", "outer"))
 
@@ -183,7 +198,7 @@ class BearingState:
     def tan_beta(self) -> Array:
         """tan β of each ball's axis of rotation (…, balls) as the hypothesis has it, less where a
         race slips."""
-        law, g, angles = self.operation.law, self.operation.geometry, self.angles
+        law, g, angles = self._law, self.operation.geometry, self.angles
         wanted = np.asarray(tan_beta(law.numbers.kinematics, angles).value)
         if law.friction is None:
             return wanted
@@ -207,7 +222,7 @@ class BearingState:
         λo Mg/D across their resultant) give Ro fa − x̄ fr + λo fo Mg, x̄ the axial place where the
         resultant acts (0 with one groove), Ro the radius of the circle of outer groove centres.
         """
-        g, law = self.operation.geometry, self.operation.law
+        g, law = self.operation.geometry, self._law
         share = 2.0 - inner_share(law.numbers.sharing, self.race_weight)[0]
         moment = share * self.gyroscopic_moment
         along, across = self.outer_load, moment / g.ball_diameter

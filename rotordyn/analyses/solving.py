@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bearings.bearing import BallBearing
+from rotordyn.allowance import STOPS, Stop, keeps_finished, require_time
 from rotordyn.analyses.contract import Result
 from rotordyn.analyses.registry import analysis
 from rotordyn.machine.plausibility import estimates, undamped
@@ -34,7 +35,8 @@ class Answers:
 
     ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
     saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
-    that changes how the results read. Sentences. ``interrupted``: the analysis that was not ended.
+    that changes how the results read. Sentences. ``stop``: what ended the run before all analyses
+    had results.
     """
 
     results: dict[str, Result]
@@ -45,7 +47,7 @@ class Answers:
     tolerances: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-    interrupted: str = ""
+    stop: Stop | None = None
 
 
 def answer_spindle(
@@ -66,7 +68,6 @@ def answer_spindle(
     ------
     NoSolution : no speed has a physical solution
     """
-    from rotordyn.allowance import limited
     from rotordyn.numerics.threads import linear_algebra_alone
     from rotordyn.scene.plan import reasons, spared
     from rotordyn.scene.scene import Scene
@@ -83,21 +84,14 @@ def answer_spindle(
         memo=memo,
         checks=checks,
     )
-    results: dict[str, Result] = {}
-    interrupted = ""
+
+    def solve(name: str, spec: Spec) -> Result:
+        scene.progress = partial(_part, progress, name)
+        return scene.timed(f"answer {name}", partial(analysis(name).solve, scene, spec))
+
     with linear_algebra_alone():
         scene.require_solution()
-        for name, spec in analyses.items():
-            progress(name)
-            scene.progress = partial(_part, progress, name)
-            solve = partial(analysis(name).solve, scene, spec)
-            try:
-                results[name] = scene.timed(f"answer {name}", solve)
-            except KeyboardInterrupt:
-                if not (results and limited()):
-                    raise
-                interrupted = name
-                break
+        results, stop = _answered(analyses, solve, progress)
         return Answers(
             results,
             seconds=scene.clock.seconds,
@@ -107,8 +101,24 @@ def answer_spindle(
             tolerances=scene.tolerances if scene.checks.wanted else {},
             warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
             notes=scene.notes,
-            interrupted=interrupted,
+            stop=stop,
         )
+
+
+def _answered(
+    analyses: Mapping[str, Spec], solve: Callable[[str, Spec], Result], progress: Progress
+) -> tuple[dict[str, Result], Stop | None]:
+    """Results by name; those finished, and what ended them, of a run that keeps these."""
+    results: dict[str, Result] = {}
+    try:
+        for name, spec in analyses.items():
+            progress(name)
+            results[name] = solve(name, spec)
+    except STOPS as stop:
+        if not (results and keeps_finished()):
+            raise
+        return results, stop
+    return results, None
 
 
 def _part(progress: Progress, name: str, done: str) -> None:
@@ -123,29 +133,22 @@ def answer_bearing(
     progress: Progress,
 ) -> Answers:
     """Answer ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
-    from rotordyn.allowance import limited, require_time
-
-    results: dict[str, Result] = {}
     seconds: dict[str, float] = {}
-    interrupted = ""
-    for name, spec in analyses.items():
-        progress(name)
+
+    def solve(name: str, spec: Spec) -> Result:
         require_time(name)
         begin = time.perf_counter()
-        try:
-            results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
-        except KeyboardInterrupt:
-            if not (results and limited()):
-                raise
-            interrupted = name
-            break
+        result: Result = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
         seconds[name] = time.perf_counter() - begin
+        return result
+
+    results, stop = _answered(analyses, solve, progress)
     return Answers(
         results,
         seconds,
         dict.fromkeys(seconds, ""),
         warnings=tuple(estimates({"": bearing})),
-        interrupted=interrupted,
+        stop=stop,
     )
 
 

@@ -32,8 +32,9 @@ def arrange(tree: Node, faults: Faults) -> None:
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
         _thrusts(name, held)
+    _sleeves(tree, given, faults)
     if held:
-        _class(given, held[0], faults)
+        _class(given, held, faults)
 
 
 def _seats(tree: Node) -> list[Node]:
@@ -42,10 +43,25 @@ def _seats(tree: Node) -> list[Node]:
     return [seat for seat in found if isinstance(seat.value, dict)]
 
 
+def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
+    """A sleeve of the set's name would be replaced by the one that the set makes."""
+    called, sleeves = given.child("name"), tree.child("sleeves")
+    word = "set" if called is None else called.value
+    for sleeve in sleeves.value if sleeves is not None and isinstance(sleeves.value, list) else []:
+        name = sleeve.child("name") if isinstance(sleeve.value, dict) else None
+        if name is not None and name.value == word and given.child("preload") is not None:
+            faults.at(
+                name,
+                (),
+                f"the sleeve {units.shown(word)} is that of the arrangement: say in the preload "
+                "of the arrangement what it shall be, or name one of both otherwise",
+            )
+
+
 def _thrusts(name: Node, seats: list[Node]) -> None:
     """Gives seats without a thrust that of the set, drawn or mirrored as the others have theirs."""
     given = [seat.child("thrust") for seat in seats]
-    named = patterns(name.value) if name.value in SETS else ()
+    named = patterns(name.value) if name.value in [*SETS] else ()
     known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
     fitting = [
         signs
@@ -57,23 +73,43 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
             seat.value["thrust"] = replace(name, value=WORDS[sign])
 
 
-def _class(given: Node, seat: Node, faults: Faults) -> None:
-    """Replaces the class of a preload by the force that the bearing's model prints for it."""
+def _class(given: Node, seats: list[Node], faults: Faults) -> None:
+    """Replaces the class of a preload by the force that the bearings' model prints for it."""
     preload = given.child("preload")
     if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
         return
     asked = preload.value.pop("class")
+    printed = [_printed(seat) for seat in seats]
+    why = _unclear(asked, seats, printed)
+    if not why and "class_force" in preload.value:
+        why = "a class gives a class_force: given both; leave one of both out"
+    if why:
+        faults.at(asked, (), why)
+        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
+    else:
+        preload.value["class_force"] = replace(printed[0][asked.value], key=asked.key)
+
+
+def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> str:
+    """Why no force follows from the class that is asked for."""
+    for seat, known in zip(seats, printed, strict=True):
+        if asked.value not in [*known]:
+            allowed = ", ".join(known) or "none, its model prints no preloads"
+            return (
+                f"bearing {seat.name} has no such class of preload: given "
+                f"{units.shown(asked.plain())}; allowed: {allowed}"
+            )
+    forces = dict.fromkeys(str(known[asked.value].value) for known in printed)
+    if len(forces) == 1:
+        return ""
+    return (
+        f"the bearings of the set have other forces of this class: {', '.join(forces)}; give a "
+        "class_force instead"
+    )
+
+
+def _printed(seat: Node) -> dict[str, Node]:
+    """Forces of the classes that the model of a bearing prints."""
     printed = exact(seat, ("model", "preloads")) or exact(seat, ("model", "estimate", "preloads"))
     forces = printed.value if printed is not None and isinstance(printed.value, list) else []
-    known = dict(zip(CLASSES, forces, strict=False))
-    if asked.value not in known:
-        allowed = ", ".join(known) or "none, its model prints no preloads"
-        faults.at(
-            asked,
-            (),
-            f"bearing {seat.name} has no such class of preload: given "
-            f"{units.shown(asked.plain())}; allowed: {allowed}",
-        )
-        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
-    elif "class_force" not in preload.value:
-        preload.value["class_force"] = replace(known[asked.value], key=asked.key)
+    return dict(zip(CLASSES, forces, strict=False))

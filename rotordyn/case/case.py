@@ -17,7 +17,7 @@ from rotordyn.machine.assembly import unknown
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import HIDDEN, Items, Key, Name, Speed, Sweep
-from rotordyn.scene.agreement import setting_faults
+from rotordyn.scene.agreement import last_setting_faults, setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Setting, Spec
 
@@ -190,6 +190,7 @@ class Case(Description):
             yield from faults_of(self)
         if self.setting is None:
             return
+        yield from last_setting_faults(self.setting)
         for name, spec in self.analyses.items():
             yield from within(("analyses", name), spec.last_faults_on(self.setting))
         if self.conditions.element_length is not None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import stat
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ MAX_DEPTH = 40
 MAX_VALUES = 100_000
 _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
+_UNPRINTABLE = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -77,6 +79,8 @@ class _Refused(Exception):
 
 
 def _bytes(path: Path) -> bytes:
+    if _UNPRINTABLE.search(path.name):
+        raise _Refused("has control characters, or bytes that are no text, in its name: rename it")
     try:
         status = os.stat(path)
         if stat.S_ISDIR(status.st_mode):
@@ -85,7 +89,11 @@ def _bytes(path: Path) -> bytes:
             raise _Refused("is not a regular file: a file is needed")
         if status.st_size > MAX_BYTES:
             raise _Refused(f"has {status.st_size} bytes: allowed are up to {MAX_BYTES}")
-        return path.read_bytes()
+        with open(path, "rb", opener=_at_once) as file:
+            raw = file.read(MAX_BYTES + 1) or b""
+        if len(raw) > MAX_BYTES:  # of a file that grows, or that the system makes up
+            raise _Refused(f"has more than {MAX_BYTES} bytes: allowed are up to {MAX_BYTES}")
+        return raw
     except FileNotFoundError:
         raise _Refused(f"no such file{_neighbour(path)}") from None
     except (OSError, ValueError) as error:
@@ -93,7 +101,14 @@ def _bytes(path: Path) -> bytes:
         raise _Refused(f"cannot be read: {reason}") from None
 
 
+def _at_once(path: str, flags: int) -> int:
+    """Open a file so that reading it waits for nobody."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
 def _neighbour(path: Path) -> str:
+    if path.is_symlink():
+        return " at the end of this link"
     try:
         names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".yaml"]
     except (OSError, ValueError):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotordyn.case.node import Node, joined
-from rotordyn.errors import Fault, TooManyFaults
+from rotordyn.errors import Fault, TooManyFaults, printable
 
 MOST = 200  # faults, after which nothing more is read
 LONGEST_PATH, LONGEST = 160, 700  # characters of a fault
@@ -39,9 +39,9 @@ class Faults:
 
     def add(self, fault: Fault) -> None:
         """Keeps ``fault`` on one line, unless it is known."""
-        path, prefix = _printable(fault.path), f"compare.{self.variant}."
+        path, prefix = printable(fault.path), f"compare.{self.variant}."
         whose = f"variant {self.variant}: " if self.variant and not path.startswith(prefix) else ""
-        message = _printable(whose + fault.message)
+        message = printable(whose + fault.message)
         path, message = _cut(path, LONGEST_PATH), _cut(message, LONGEST)
         line = Fault(fault.file, fault.line, fault.column, path, message)
         if line not in self.reported:
@@ -51,10 +51,6 @@ class Faults:
 
     def __bool__(self) -> bool:
         return bool(self.reported)
-
-
-def _printable(text: str) -> str:
-    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def _cut(text: str, longest: int) -> str:

@@ -56,8 +56,8 @@ def find_case(reference: str | Path) -> Path:
     if os.path.exists(path):
         return path
     message = (
-        f"no such file, and no case of that name; allowed: {', '.join(names)}, or the path of a "
-        f"file{suggestion(text[:200], names)}"
+        f"no such file, and no case of that name; allowed: {_few(names)}, or the path of a file"
+        f"{suggestion(text[:200], names) or ' (rotordyn cases lists all names)'}"
     )
     raise InvalidInput([Fault(text if len(text) <= 200 else f"{text[:197]}...", 0, 0, "", message)])
 

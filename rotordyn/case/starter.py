@@ -10,7 +10,7 @@ from rotordyn.case.library import cases_root, models_root
 from rotordyn.errors import InvalidInput
 
 START = "grinding_spindle"
-_NAME = re.compile(r"\w[\w-]*")
+_NAME = re.compile(r"\w[\w-]{0,99}")
 
 
 def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
@@ -22,7 +22,9 @@ def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
     """
     name = name.removesuffix(".yaml")
     if not _NAME.fullmatch(name):
-        raise InvalidInput(f"not a name: {shown(name)}; allowed: letters, digits, _ and -")
+        raise InvalidInput(
+            f"not a name: {shown(name)}; allowed: up to 100 letters, digits, _ and -"
+        )
     case, spindle = folder / f"{name}.yaml", folder / f"{name}_spindle.yaml"
     for path in (case, spindle):
         if path.exists():

@@ -120,9 +120,16 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         for name, group in groups.items()
     }
     try:
-        return replace(old, **new)
+        made = replace(old, **new)
     except (InvalidInput, InvalidBearing) as error:
         raise InvalidInput(f"{', '.join(c.path for c in changes)}: {error}") from None
+    for name, value in new.items():
+        if getattr(made, name) is not value and getattr(made, name) != value:
+            raise groups[name][0].refused(
+                "changes nothing: what stands there follows from others of its keys, as the sleeve "
+                "of a set from its arrangement; change those"
+            )
+    return made
 
 
 def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:

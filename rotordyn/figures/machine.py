@@ -190,7 +190,7 @@ def _sleeve_middle(spindle: Spindle, sleeve: Sleeve) -> float:
 def _sleeve_words(sleeve: Sleeve) -> str:
     parts = [sleeve.spring.words]
     if math.isfinite(sleeve.spring.stiffness):
-        parts.append(f"{sleeve.spring.stiffness / 1e6:g} N/µm")
+        parts.append(sleeve.spring.rate)
     if math.isfinite(sleeve.stop_travel):
         parts.append(f"stop after {sleeve.stop_travel * 1e6:g} µm")
     return f"{sleeve.name}: {', '.join(parts)}"

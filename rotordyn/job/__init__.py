@@ -2,7 +2,8 @@
 
 from rotordyn.analyses.solving import Progress
 from rotordyn.job.delivery import Delivery, deliver
-from rotordyn.job.results import Results, run
+from rotordyn.job.results import Results
+from rotordyn.job.solved import run
 from rotordyn.job.solving import one_variant, restricted, solve, solve_variants, unsolved
 from rotordyn.job.stored import open
 

@@ -11,27 +11,32 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rotordyn.allowance import require_figures
+from rotordyn.allowance import Stop, require_figures
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
-from rotordyn.errors import InvalidInput, not_installed
+from rotordyn.errors import TooCostly, not_installed
 from rotordyn.figures.draw import Omitted, Pictures
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.pages import REPORT
-from rotordyn.job.results import Solution, SolvedResults, inputs_of, run
+from rotordyn.job.results import inputs_of
+from rotordyn.job.solved import Solution, SolvedResults, run
+
+ENDED = "figures left out: the run was ended before; rotordyn.open and plot draw them"
 
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
     """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
-    a solution. ``moved``: the folder is not the one asked for, which is in use."""
+    a solution. ``moved``: the folder is not the one asked for, which is in use; ``stop``: what
+    ended the run before all was solved."""
 
     folder: Path
     summary: str
     plan: str
     unsolved: tuple[str, ...]
     moved: bool = False
+    stop: Stop | None = None
 
 
 def deliver(
@@ -81,10 +86,12 @@ def write(
     seconds = dict(results.solution.seconds)
     with results_folder(target) as place:
         progress("figures" if figures else "files")
-        if figures:
-            drawn, omitted = _drawn(results, place.folder, seconds, formats)
+        undrawn = _undrawn(results.solution, figures)
+        if undrawn.figures:
+            drawn: dict[str, float] = {}
+            omitted = _write_numbers(results, place.folder, seconds) | undrawn
         else:
-            drawn, omitted = _written(results, place.folder, seconds)
+            drawn, omitted = _drawn(results, place.folder, seconds, formats)
         notes = (*results.notes, *omitted.sentences)
         text = results.summary_with(notes)
         (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
@@ -94,7 +101,17 @@ def write(
                 results.report(place.folder / REPORT)
         _write_record(results, place.folder, seconds, drawn, omitted)
     plan = _plan(results.solution, seconds, omitted)
-    return Delivery(place.target, text, plan, results.unsolved, moved=place.moved)
+    stop, moved = results.solution.stop, place.moved
+    return Delivery(place.target, text, plan, results.unsolved, moved=moved, stop=stop)
+
+
+def _undrawn(solution: Solution, figures: bool) -> Omitted:
+    """Figures that are not begun: nobody asks for them, or the run has been ended."""
+    if not figures:
+        return Omitted({"figures": "none are asked for"})
+    if solution.stop is not None:
+        return Omitted({"figures": "the run was ended"}, (ENDED,))
+    return Omitted()
 
 
 def _drawn(
@@ -127,17 +144,9 @@ def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
     count = figures + sum(len(each.names) for each in pictures)
     try:
         require_figures(count, sum(each.count for each in pictures))
-    except InvalidInput as error:
+    except TooCostly as error:
         return Omitted({"figures": f"{error}"}, (f"figures left out: {error}",))
     return Omitted()
-
-
-def _written(
-    results: SolvedResults, folder: Path, seconds: dict[str, float]
-) -> tuple[dict[str, float], Omitted]:
-    """Numbers alone."""
-    none = Omitted({"figures": "none are asked for"})
-    return {}, _write_numbers(results, folder, seconds) | none
 
 
 def _attempted(name: str, write: Callable[[], object]) -> Omitted:
@@ -209,7 +218,7 @@ def _write_case(case: Case, folder: Path) -> None:
     from rotordyn.case.archive import archived
     from rotordyn.report.folder import CASE
 
-    text = json.dumps(archived(case), ensure_ascii=False, allow_nan=False)
+    text = json.dumps(archived(case), allow_nan=False)
     (folder / CASE).write_text(text + "\n", encoding="utf-8")
 
 

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-import time
 from abc import abstractmethod
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from bearings.arguments import typed
-from bearings.errors import shown
 from rotordyn.analyses.registry import analysis
-from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
-from rotordyn.errors import InvalidInput
-from rotordyn.figures.style import USUAL_FORMATS
-from rotordyn.job.solving import restricted, solve, solve_variants, unsolved
+from rotordyn.errors import InvalidInput, printable
 from rotordyn.markup import preformatted, table
 
 if TYPE_CHECKING:
@@ -50,7 +43,7 @@ class Origin:
 
 def inputs_of(case: Case) -> tuple[str, ...]:
     """The files read, each by its folder and name."""
-    return tuple("/".join(path.absolute().parts[-2:]) for path in case.files)
+    return tuple(printable("/".join(path.absolute().parts[-2:])) for path in case.files)
 
 
 class Results(Mapping[str, "xr.Dataset"]):
@@ -253,182 +246,3 @@ class Results(Mapping[str, "xr.Dataset"]):
         listed = (("warning", self.warnings), ("not solved", self.unsolved), ("note", self.notes))
         rows += [(word, sentence) for word, sentences in listed for sentence in sentences]
         return table(title or name, rows) + preformatted("summary", self.summary)
-
-
-@dataclass(frozen=True, slots=True)
-class Solution:
-    """A case solved: its parts by the name of their folder, each with the case it was solved for.
-
-    A case without variants is one part, named "". ``lost``: why variants have no solution;
-    ``seconds`` by what took them. ``intervals``: how sure parts are, by their names.
-    """
-
-    case: Case
-    parts: dict[str, tuple[Case, Answers]]
-    lost: tuple[str, ...] = ()
-    seconds: dict[str, float] = field(default_factory=dict)
-    intervals: Mapping[str, Interval] = field(default_factory=dict)
-
-    @property
-    def results(self) -> dict[str, Any]:
-        """Every result by its place in the files: ``analysis`` or ``variant/analysis``."""
-        return self.by_part(lambda answers: answers.results)
-
-    def by_part(self, held: Callable[[Answers], Mapping[str, Any]]) -> dict[str, Any]:
-        """A mapping that every part's answers have, the keys led by the name of the variant."""
-        return {
-            f"{part}/{key}" if part else key: value
-            for part, (_, answers) in self.parts.items()
-            for key, value in held(answers).items()
-        }
-
-    def sentences(self, of: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
-        """What is ``of`` of every part, each sentence once, led by the name of the variant."""
-        sentences = {
-            f"{part}: {sentence}" if part else sentence: None
-            for part, (_, answers) in self.parts.items()
-            for sentence in of(answers)
-        }
-        return tuple(sentences)
-
-
-class SolvedResults(Results):
-    """Results in memory, as solving leaves them."""
-
-    def __init__(self, solution: Solution) -> None:
-        self.solution = solution
-
-    @property
-    def case(self) -> Case:
-        return self.solution.case
-
-    @cached_property
-    def summary(self) -> str:
-        return self.summary_with(self.notes)
-
-    def summary_with(self, notes: tuple[str, ...]) -> str:
-        """The summary with these ``notes``."""
-        from rotordyn.report.side_by_side import comparison_summary
-        from rotordyn.report.summary import summary
-
-        sure = [line for part in self.held_intervals.items() for line in ("", *_sure(*part))]
-        if self.case.variants:
-            shown = list(self.parts.values())
-            text = comparison_summary(self.case, shown, self.warnings, notes)
-        else:
-            text = summary(self.case, self.solution.results, self.warnings, notes)
-        return "\n".join([text, *sure])
-
-    @property
-    def held_intervals(self) -> Mapping[str, Interval]:
-        return self.solution.intervals
-
-    @cached_property
-    def warnings(self) -> tuple[str, ...]:
-        from rotordyn.report.warnings import result_warnings
-
-        solution = self.solution
-        sentences = solution.sentences(
-            lambda answers: (*answers.warnings, *result_warnings(answers.results))
-        )
-        return (*solution.lost, *sentences)
-
-    @cached_property
-    def notes(self) -> tuple[str, ...]:
-        found = self.solution.sentences(lambda answers: answers.notes)
-        if self.case.uncertain is None or self.held_intervals:
-            return found
-        return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
-
-    @cached_property
-    def origin(self) -> Origin:
-        from rotordyn.report.manifest import versions
-
-        now = datetime.now(UTC).strftime(DATE)
-        return Origin(versions(), now, self.case.digest, inputs_of(self.case))
-
-    @cached_property
-    def unsolved(self) -> tuple[str, ...]:
-        solution = self.solution
-        return (*solution.lost, *solution.sentences(lambda answers: unsolved(answers.results)))
-
-    def save(
-        self,
-        folder: str | Path,
-        *,
-        figures: bool = True,
-        formats: Sequence[str] = USUAL_FORMATS,
-    ) -> Path:
-        """Write the folder that ``rotordyn run`` writes, whole or not at all; see ``Results.save``.
-
-        Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
-        figures, among ``figures.style.FORMATS``.
-
-        Raises
-        ------
-        OutputRefused : ``folder`` holds something that is not a results folder
-        InvalidInput : it cannot be made there
-        """
-        from rotordyn.job.delivery import write
-
-        return write(self, Path(folder), figures=figures, formats=formats).folder
-
-    @cached_property
-    def parts(self) -> dict[str, Part]:
-        parts = self.solution.parts.items()
-        return {name: Part(case, answers.results) for name, (case, answers) in parts}
-
-    def _names(self) -> tuple[str, ...]:
-        return tuple(self.solution.results)
-
-    def _heading(self) -> tuple[str, str]:
-        return self.case.name, self.case.title
-
-    def _dataset(self, name: str) -> xr.Dataset:
-        from rotordyn.report.datasets import dataset
-
-        return dataset(self.solution.results[name])
-
-
-def _sure(part: str, held: Interval) -> list[str]:
-    from rotordyn.report.interval import interval_lines
-
-    return interval_lines(held, part)
-
-
-def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
-    """Solve a case: every analysis that it asks for, of every variant that it compares.
-
-    ``progress`` is called with the name of each analysis as it begins, and of a long one with how
-    far it is.
-
-    Raises
-    ------
-    NoSolution : no speed of the case, or of any of its variants, has a physical solution
-    """
-    if not isinstance(case, Case):
-        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {shown(case)}")
-    begin = time.perf_counter()
-    lost: tuple[str, ...] = ()
-    if case.variants:
-        solved, cases = solve_variants(case, progress), labelled(case)
-        parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
-        lost = tuple(solved.failed.values())
-    else:
-        answers = solve(case, progress)
-        if answers.interrupted:
-            case = restricted(case, tuple(answers.results))
-            lost = (f"interrupted in {answers.interrupted}, before that was solved",)
-        parts = {"": (case, answers)}
-    seconds = {"solve, all stages": time.perf_counter() - begin}
-    return SolvedResults(Solution(case, parts, lost, seconds))
-
-
-def labelled(case: Case) -> dict[str, Case]:
-    """The variants of ``case`` with titles that tell them apart."""
-    titles = {name: variant.title.strip() or name for name, variant in case.variants.items()}
-    count = Counter(titles.values())
-    return {
-        name: replace(variant, title=title if count[title] == 1 else f"{title} ({name})")
-        for (name, variant), title in zip(case.variants.items(), titles.values(), strict=True)
-    }

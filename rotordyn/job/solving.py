@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from rotordyn.allowance import STOPS, Stop, keeps_finished
 from rotordyn.analyses.solving import Answers, Progress, answer_bearing, answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
@@ -18,10 +20,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class VariantAnswers:
-    """Answers by the name of the variant; ``failed``: why others have none at any speed."""
+    """Answers by the name of the variant; ``failed``: why others have none at any speed; ``stop``:
+    what ended the run before all were solved, in the first one after some of its analyses."""
 
     answers: dict[str, Answers]
     failed: dict[str, str] = field(default_factory=dict)
+    stop: Stop | None = None
 
 
 def solve(
@@ -49,7 +53,6 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     ------
     NoSolution : no variant has a physical solution at any speed
     """
-    from rotordyn.allowance import limited
     from rotordyn.scene.stage import Memo
 
     solved = VariantAnswers({})
@@ -57,17 +60,17 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     for name, variant in case.variants.items():
         try:
             answers = solve(variant, partial(_part, progress, name), memo)
-            if answers.interrupted:
-                raise KeyboardInterrupt
-            solved.answers[name] = answers
         except NoSolution as error:
             solved.failed[name] = f"variant {name}: {error}"
-        except KeyboardInterrupt:
-            if not (solved.answers and limited()):
+            continue
+        except STOPS as stop:
+            if not (solved.answers and keeps_finished()):
                 raise
-            left = [*case.variants][[*case.variants].index(name) :]
-            solved.failed.update({each: f"variant {each}: interrupted before" for each in left})
-            break
+            return replace(solved, stop=stop)
+        if answers.stop is None or not solved.answers:
+            solved.answers[name] = answers
+        if answers.stop is not None:
+            return replace(solved, stop=answers.stop)
     if not solved.answers:
         raise NoSolution("; ".join(solved.failed.values()))
     return solved
@@ -104,8 +107,18 @@ def one_variant(case: Case, name: str) -> Case:
     """
     if name not in case.variants:
         known = ", ".join(case.variants) or "none, this case compares nothing"
-        raise InvalidInput(f"--variant {name}: the variants of this case are {known}")
+        raise InvalidInput(f"--variant {name:.200}: the variants of this case are {known}")
     return replace(case.variants[name], name=f"{case.name}_{name}")
+
+
+def labelled(case: Case) -> dict[str, Case]:
+    """The variants of ``case`` with titles that tell them apart."""
+    titles = {name: variant.title.strip() or name for name, variant in case.variants.items()}
+    count = Counter(titles.values())
+    return {
+        name: replace(variant, title=title if count[title] == 1 else f"{title} ({name})")
+        for (name, variant), title in zip(case.variants.items(), titles.values(), strict=True)
+    }
 
 
 def unsolved(results: Mapping[str, Any]) -> tuple[str, ...]:

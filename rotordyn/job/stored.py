@@ -14,7 +14,8 @@ from bearings.arguments import typed
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
-from rotordyn.job.results import DATE, Origin, Part, Results, labelled
+from rotordyn.job.results import DATE, Origin, Part, Results
+from rotordyn.job.solving import labelled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -47,10 +48,13 @@ class StoredResults(Results):
         self._record = read_record(folder)
         self._folder = folder.resolve()
         try:
+            for name in ("results.nc", "summary.txt", CASE):
+                if not (folder / name).is_file():
+                    raise FileNotFoundError(f"no file {name}")
             self._datasets = read_results(folder / "results.nc")
             self._summary = (folder / "summary.txt").read_text(encoding="utf-8").rstrip("\n")
             self._case_text = (folder / CASE).read_text(encoding="utf-8")
-        except OSError as error:
+        except (OSError, ValueError) as error:
             raise InvalidInput(
                 f"{folder} is not complete beside its {RECORD} ({error}): run the case again"
             ) from None
@@ -61,13 +65,14 @@ class StoredResults(Results):
 
         try:
             case = restored(json.loads(self._case_text))
-        except (InvalidInput, BearingError, ValueError) as error:
+            if not isinstance(case, Case):
+                raise ValueError("it is none")
+        except (InvalidInput, BearingError, ValueError, RecursionError) as error:
             by = self._record["versions"]["rotordyn"]
             raise InvalidInput(
                 f"the case in {self._folder}, written by rotordyn {by}, cannot be read ({error}): "
                 "load its file with rotordyn.load and run it"
             ) from None
-        assert isinstance(case, Case)
         return case
 
     @property

@@ -119,7 +119,10 @@ def _sleeves(spindle: Spindle) -> Faults:
             for sentence in unknown("bearing", name, thrust):
                 yield way, sentence
             if taken.setdefault(name, sleeve.name) != sleeve.name:
-                yield way, f"bearing '{name}' is already on sleeve '{taken[name]}'"
+                also = ""
+                if spindle.arrangement is not None and sleeve.name == spindle.arrangement.name:
+                    also = ", and the arrangement bears it by its preload: leave one of both out"
+                yield way, f"bearing '{name}' is already on sleeve '{taken[name]}'{also}"
         if {1, -1} <= {thrust.get(name, 0) for name in sleeve.bearings}:
             yield (
                 ("sleeves", index, "bearings"),

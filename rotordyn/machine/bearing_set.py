@@ -13,8 +13,17 @@ from typing import Annotated
 
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.machine.seat import BearingSeat
-from rotordyn.machine.sleeve import Sleeve, Spring
-from rotordyn.quantity import Choice, Items, Load, Name, Rigidity, RingOffset
+from rotordyn.machine.sleeve import CONSTANT, Sleeve, Spring
+from rotordyn.quantity import (
+    Choice,
+    Items,
+    Load,
+    Name,
+    Preload,
+    Rigidity,
+    RingOffset,
+    StopTravel,
+)
 
 SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
     "DB": "+-",
@@ -29,7 +38,6 @@ SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
     "QFT": "---+",
     "QT": "++++",
 }
-CONSTANT = 1.0  # N/m: a force that hardly follows the way
 MEANING = "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"
 
 
@@ -61,6 +69,10 @@ class SetPreload(Description):
     stiffness: Annotated[Rigidity, "of a spring that gives the force; `rigid` locks the rings"] = (
         math.inf
     )
+    stop_travel: Annotated[StopTravel, "way against the force, from rest to an end stop"] = math.inf
+    friction: Annotated[
+        Preload, "limit of the dry friction of the rings that the force pushes, in their bore"
+    ] = 0.0
 
     def _faults(self) -> Faults:
         ways = ("force", "class_force", "offset", "constant_force")
@@ -77,6 +89,14 @@ class SetPreload(Description):
                 ("stiffness",),
                 f"a spring has a force as mounted: given beside {given[0]}; allowed: with force",
             )
+        acting = {"stop_travel": self.stop_travel < math.inf, "friction": self.friction > 0.0}
+        for key, acts in acting.items():
+            if acts and math.isinf(self.spring.stiffness):
+                yield (
+                    (key,),
+                    "does nothing where the rings are locked: give the force a stiffness, or a "
+                    "constant_force, or leave it out",
+                )
 
     @property
     def spring(self) -> Spring:
@@ -142,10 +162,13 @@ class BearingSet(Description):
         """The sleeve under the rear side of the set, locked or sprung."""
         if self.preload is None:
             return None
-        held = {seat.name: seat.thrust for seat in seats}
-        rear = held.get(self.bearings[-1], 0)
-        side = tuple(name for name in self.bearings if held.get(name) == rear)
-        return Sleeve(self.name, side, self.preload.spring) if side else None
+        held = {seat.name: seat.thrust for seat in seats if seat.name in self.bearings}
+        rear = held.get(self.bearings[-1]) if self.bearings else None
+        side = tuple(name for name in self.bearings if rear and held.get(name) == rear)
+        if not side:
+            return None
+        own = self.preload
+        return Sleeve(self.name, side, own.spring, own.stop_travel, friction=own.friction)
 
 
 def _instead(signs: str) -> str:

@@ -63,9 +63,8 @@ def _bearing(seat: BearingSeat) -> Row:
 
 
 def _sleeve(sleeve: Sleeve) -> Row:
-    stiffness = sleeve.spring.stiffness
-    spring = f"{stiffness / 1e6:.4g} N/µm" if math.isfinite(stiffness) else "rigid"
-    data = f"carries {', '.join(sleeve.bearings)}; preload {sleeve.spring.words}, {spring}"
+    spring = sleeve.spring
+    data = f"carries {', '.join(sleeve.bearings)}; preload {spring.words}, {spring.rate}"
     if math.isfinite(sleeve.stop_travel):
         data += f", stop after {sleeve.stop_travel * 1e6:.4g} µm"
     return "sleeve", sleeve.name, "", data

@@ -101,6 +101,13 @@ class BearingSeat(Description):
                 "takes the whole contact angle: given {given}; allowed: up to "
                 f"{format_quantity(room, 'um')}",
             )
+        least = bearing.smallest_static_growth
+        if self.growth.static < least:
+            yield (
+                ("growth", "static"),
+                "leaves no contact angle, the grooves too far apart: given {given}; allowed: from "
+                f"{format_quantity(least, 'um')}",
+            )
         race, fit = 2.0 * bearing.inner_raceway_radius, self.growth.fitted
         if fit is not None and fit.bore_diameter >= race:
             yield (

@@ -11,6 +11,7 @@ from rotordyn.machine.ball_guide import BallGuide
 from rotordyn.quantity import Items, Key, Mass, Name, Preload, Rigidity, RingOffset, StopTravel
 
 LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
+CONSTANT = 1e-3  # N/m: a force that does not follow the way
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +37,13 @@ class Spring(Description):
         if self.offset is not None:
             return f"offset of {self.offset * 1e6:.4g} µm"
         return f"{self.preload:.6g} N" + " by class" * self.free
+
+    @property
+    def rate(self) -> str:
+        """How the force follows the way, in a few words."""
+        if self.stiffness <= CONSTANT:
+            return "constant"
+        return f"{self.stiffness / 1e6:.6g} N/µm" if math.isfinite(self.stiffness) else "rigid"
 
     def _faults(self) -> Faults:
         if (self.free or self.offset is not None) and math.isfinite(self.stiffness):

@@ -32,7 +32,7 @@ from rotordyn.whole import whole_files
 ARROW = "\u00a0→ "  # a line breaks behind it alone
 LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
-MOST_COLUMNS = 12  # that paper holds in the usual size
+MOST_COLUMNS = 12  # of a folded table that paper holds in the usual size
 STARTS = "0123456789-+−<>. "  # of cells that hold numbers
 _FRAME = """<!doctype html>
 <html lang="en">
@@ -206,7 +206,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
     label = escape(table.title)
     shown = f'<span class="spoken">{label}</span>' if table.title == section else label
     caption = "" if table.folded else f"<caption>{shown}</caption>"
-    many = ' class="many"' if len(table.head) > MOST_COLUMNS else ""
+    many = ' class="many"' if table.folded and len(table.head) > MOST_COLUMNS else ""
     yield f'<div class="table" tabindex="0" role="region" aria-label="{label}">'
     yield f"<table{many}>{caption}"
     if any(table.head):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import STANDARD, Law
+from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -27,14 +28,14 @@ class AxialBearing:
     """One bearing, or several alike in the same state, between the shaft and a body.
 
     ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
-    what is assumed of its balls; ``thrust`` ±1;
+    what is assumed of its balls, at every speed or at each; ``thrust`` ±1;
     ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
     shaft there (speeds,) [m], what films seem to add included.
     """
 
     seats: tuple[int, ...]
     model: BallBearing
-    law: Law
+    law: Law | Laws
     thrust: int
     outer: int
     static_growth: float
@@ -79,7 +80,12 @@ class Arrangement:
     def at(self, index: NDArray[np.intp]) -> Arrangement:
         """The arrangement at some of its speeds."""
         bearings = tuple(
-            replace(bearing, growth=bearing.growth[index], shortening=bearing.shortening[index])
+            replace(
+                bearing,
+                law=bearing.law.take(index),
+                growth=bearing.growth[index],
+                shortening=bearing.shortening[index],
+            )
             for bearing in self.bearings
         )
         return replace(self, bearings=bearings, speed=self.speed[index])
@@ -89,7 +95,7 @@ def arrangement(
     spindle: Spindle,
     speed: Array,
     force: float = 0.0,
-    law: Law = STANDARD,
+    law: Law | Laws = STANDARD,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
 ) -> Arrangement:
@@ -110,7 +116,7 @@ def arrangement(
         bearing = AxialBearing(
             seats=(k,),
             model=seat.bearing,
-            law=seat.law(law),
+            law=law.each(seat.law),
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=static_growth(spindle, seat),
@@ -161,7 +167,7 @@ def has_stop(push: Push) -> bool:
 def as_mounted(joined: Arrangement) -> Arrangement:
     """The arrangement at rest without external force, as the stated preloads are meant."""
     bearings = tuple(
-        replace(b, growth=np.array([b.static_growth]), shortening=np.zeros(1))
+        replace(b, law=b.law.take([0]), growth=np.array([b.static_growth]), shortening=np.zeros(1))
         for b in joined.bearings
     )
     return replace(joined, bearings=bearings, speed=np.zeros(1), force=0.0)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
 
@@ -32,7 +33,7 @@ class Solved:
     state: BearingState
 
 
-Alike = tuple[BallBearing, Law]  # bearings that can be solved in one call
+Alike = tuple[BallBearing, Law | Laws]  # bearings that can be solved in one call
 States = dict[Alike, Solved]
 
 

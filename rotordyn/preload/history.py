@@ -174,7 +174,7 @@ def history(preload: PreloadState, reach: float) -> History:
 
     Raises
     ------
-    InvalidInput : that takes more time or memory than is allowed
+    TooCostly : that takes more time or memory than is allowed
     """
     joined, mounted, past = preload.network.arrangement, preload.mounted, preload.past
     _require_allowed(preload)

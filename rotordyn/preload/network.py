@@ -8,9 +8,9 @@ springs at their stated preload, fixes where each spring and stop is.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,13 @@ from numpy.typing import NDArray
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
 from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, States
 
+if TYPE_CHECKING:
+    from bearings.ring.operation import Operation
+
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
+CONFIRMED = 1e-8  # of the largest force, of an equilibrium whose bearings are solved once more
 DIGITS = 1e-13  # of the largest force: more is less with another step
 BALLS = 1e-9  # of the largest ball load: what is left of it acts on the rings squared
 TOGETHER = 12  # iterations
@@ -55,6 +59,14 @@ class Response:
     states: States
     moved: BearingIterates | None = None
 
+    def rows(self, index: NDArray[np.intp]) -> Response:
+        """The same of some speeds, every bearing solved by itself."""
+        states = {
+            (model, law.take(index)): Solved(each.places, each.state.rows(index))
+            for (model, law), each in self.states.items()
+        }
+        return Response(self.load[index], self.slope[index], states)
+
     @cached_property
     def bearings(self) -> BearingIterates:
         """The balls of each bearing, to move on from: one where all are alike."""
@@ -80,7 +92,7 @@ class Network:
     @property
     def one_branch(self) -> bool:
         """True where no ball is loaded or lost at the same place: neighbours may be a start."""
-        return all(bearing.law.one_branch for bearing in self.arrangement.bearings)
+        return all(np.all(bearing.law.one_branch) for bearing in self.arrangement.bearings)
 
     @cached_property
     def tandem(self) -> Array:
@@ -124,20 +136,23 @@ class Network:
 
     def begin(self, x: Array) -> Response:
         """The same to ``move`` on from, without states where the compiled solver does it."""
+        from bearings.ball.law import Law
         from bearings.geometry import geometry
         from bearings.ring.assembly import axial_assembly
         from bearings.ring.compiled.states import loaded
 
-        if not all(loaded(geometry(each.model.grooves)) for each in self.arrangement.bearings):
+        if not all(
+            isinstance(each.law, Law) and loaded(geometry(each.model.grooves))
+            for each in self.arrangement.bearings
+        ):
             return self.respond(x)
         from bearings.ring.iterate import settled
-        from bearings.ring.operation import operation
 
         displacement = self._displacement(x)
         asked = self._asked(range(displacement.shape[1]), displacement=displacement, load=None)
         found = {
-            (model, law): (where, settled(operation(model.grooves, law, **each), axial_assembly))
-            for (model, law), (where, each) in asked.items()
+            alike: (where, settled(points, axial_assembly))
+            for alike, (where, points) in asked.items()
         }
         return self._response(BearingIterates(found))
 
@@ -171,38 +186,41 @@ class Network:
         ``bearings``: which of the arrangement's is at every place. All of one model and law are
         solved in one call; ``near``, states of the same places close by, speeds the search up.
         """
+        from bearings.ring.request import solved
+
+        found = {}
         asked = self._asked(bearings, displacement=displacement, load=load)
-        return {
-            (model, law): Solved(
-                where,
-                model.equilibrium(
-                    **question,
-                    **asdict(law),
-                    start=None if near is None else near[model, law].state,
-                ),
-            )
-            for (model, law), (where, question) in asked.items()
-        }
+        for alike, (where, points) in asked.items():
+            alike[0].check_load(points.load, points.free)
+            start = None if near is None else near[alike].state
+            found[alike] = Solved(where, solved(points, start))
+        return found
 
     def _asked(
-        self, bearings: Sequence[int], **given: Array | None
-    ) -> dict[Alike, tuple[list[int], dict[str, Any]]]:
+        self, bearings: Sequence[int], *, displacement: Array | None, load: Array | None
+    ) -> dict[Alike, tuple[list[int], Operation]]:
         """Of all bearings of one model and law: their places, and what is asked of them."""
+        from bearings.ring.operation import operation
+
+        rows = np.arange(len(self.arrangement.speed))
         at = [self.arrangement.bearings[k] for k in bearings]
         places: dict[Alike, list[int]] = {}
         for place, bearing in enumerate(at):
             places.setdefault((bearing.model, bearing.law), []).append(place)
         return {
-            alike: (
+            (model, law): (
                 where,
-                {
-                    **{n: None if each is None else each[:, where] for n, each in given.items()},
-                    "speed": self.arrangement.speed[:, None],
-                    "static_growth": [at[p].static_growth for p in where],
-                    "growth": np.stack([at[p].growth for p in where], axis=1),
-                },
+                operation(
+                    model.grooves,
+                    law.take(rows.repeat(len(where))),
+                    load=None if load is None else load[:, where],
+                    displacement=None if displacement is None else displacement[:, where],
+                    speed=self.arrangement.speed[:, None],
+                    static_growth=[at[p].static_growth for p in where],
+                    growth=np.stack([at[p].growth for p in where], axis=1),
+                ),
             )
-            for alike, where in places.items()
+            for (model, law), where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
@@ -232,6 +250,16 @@ class NetworkState:
     error: Array
     converged: Flags
 
+    def rows(self, index: NDArray[np.intp]) -> NetworkState:
+        """The same of some speeds."""
+        return NetworkState(
+            self.position[index],
+            self.held[index],
+            self.response.rows(index),
+            self.error[index],
+            self.converged[index],
+        )
+
 
 def solve(
     network: Network, position: Array, held: Flags, limit: Array, near: Response | None = None
@@ -249,17 +277,19 @@ def solve(
     if network.one_branch and quick.converged.all():
         return quick
     x, response = _apart(network, x, quick, fixed)
+    balanced = quick.converged & (x == quick.position).all(axis=1)
+    enough = np.where(balanced, CONFIRMED, TOLERANCE)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
-        moving = np.isfinite(error) & (error >= TOLERANCE) & ~stuck
+        moving = np.isfinite(error) & (error >= enough) & ~stuck
         if not moving.any():
             break
         step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         x, response, helped = _advance(network, x, step, response, fixed, error)
         stuck |= moving & ~helped
     error = network.error(x, response, fixed)[1]
-    return NetworkState(x, held, response, error, error < TOLERANCE)
+    return NetworkState(x, held, response, error, error < enough)
 
 
 def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
@@ -296,7 +326,7 @@ def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tup
     there = np.where(quick.converged[:, None], quick.position, x)
     response = network.respond(there)
     error = network.error(there, response, fixed)[1]
-    astray = quick.converged & ~(error < 1e3 * TOLERANCE)
+    astray = quick.converged & ~(error < CONFIRMED)
     if not astray.any():
         return there, response
     x = np.where(astray[:, None], x, there)
@@ -308,11 +338,11 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
 
     What was found by following neighbours stands only if no neighbour is needed to find it again.
     """
-    if not any(bearing.law.one_branch for bearing in network.arrangement.bearings):
-        return replace(net, converged=net.error < 1e3 * TOLERANCE)  # none was followed at the end
+    if not any(np.any(bearing.law.one_branch) for bearing in network.arrangement.bearings):
+        return replace(net, converged=net.error < CONFIRMED)  # none was followed at the end
     response = network.respond(net.position)
     error = network.error(net.position, response, net.held | network.springs.fixed)[1]
-    return NetworkState(net.position, net.held, response, error, error < 1e3 * TOLERANCE)
+    return NetworkState(net.position, net.held, response, error, error < CONFIRMED)
 
 
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:

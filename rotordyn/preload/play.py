@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
@@ -69,7 +70,7 @@ class Inputs(NamedTuple):
     """What a curve follows from: growths [m], ``speed`` [rad/s]."""
 
     model: BallBearing
-    law: Law
+    law: Law | Laws
     static_growth: float
     growth: float
     speed: float
@@ -99,7 +100,7 @@ class BearingCurves:
         for one in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
             if not any(one in row for row in asked):
                 del self.known[one]
-        alike: dict[tuple[BallBearing, Law], list[Inputs]] = {}
+        alike: dict[tuple[BallBearing, Law | Laws], list[Inputs]] = {}
         for one in missing:
             alike.setdefault((one.model, one.law), []).append(one)
         for group in alike.values():

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from bearings.ring.state import BearingState
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
@@ -23,10 +25,14 @@ from rotordyn.preload.arrangement import (
     has_stop,
     rigid,
 )
+from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
-from rotordyn.preload.stops import meeting_speed, with_stops
+from rotordyn.preload.stops import meeting_speeds, with_stops
+
+if TYPE_CHECKING:
+    from rotordyn.preload.family import Family
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -45,12 +51,13 @@ class PreloadState:
     ends the travel (NaN without one) [m]; ``net``: the network at every speed; ``outcome`` per
     speed: empty, or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor
     under loads across the axis, None without any; ``temperatures``: None where all are those of
-    assembly; ``films``: those that balls ride on, or None; ``past``: what came before.
+    assembly; ``films``: those that balls ride on, or None; ``past``: what came before; ``family``:
+    states under other laws that it was solved with.
     """
 
     spindle: Spindle
     force: float
-    law: Law
+    law: Law | Laws
     network: Network
     mounted: NetworkState
     limit: Array
@@ -60,6 +67,7 @@ class PreloadState:
     temperatures: Temperatures | None = None
     films: Films | None = None
     past: Past = ASSEMBLED
+    family: Family | None = None
 
     def coordinates(self, count: int) -> Array:
         """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
@@ -198,6 +206,8 @@ class PreloadState:
 
     def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
         """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
+        if self.family is not None and isinstance(self.law, Law):
+            return self.family.with_travels(self.law, travel, index)
         sleeves = tuple(
             replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
             for sleeve in self.spindle.sleeves
@@ -209,40 +219,65 @@ class PreloadState:
         )
         network = replace(part, arrangement=replace(part.arrangement, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        other = replace(self, spindle=spindle, lateral=None)
+        law = self.law.take(index)
+        other = replace(self, spindle=spindle, law=law, lateral=None)
         return settled(other, network, self.net.position[index])
+
+    def under_axial(self, bearings: Sequence[int], load: Array) -> list[Solved]:
+        """Some bearings of the arrangement, each under its axial ``load`` (bearings,) [N]."""
+        if self.family is not None and isinstance(self.law, Law):
+            return self.family.under_axial(self.law, bearings, load)
+        asked = np.zeros((len(self.speed), len(bearings), 5))
+        asked[..., 0] = load
+        whole = len(bearings) == len(self.network.arrangement.bearings)
+        near = self.net.response.states if whole else None
+        return [*self.network.solve_bearings(bearings, near, load=asked).values()]
+
+    def rows(self, index: NDArray[np.intp]) -> PreloadState:
+        """The state at some of its speeds, without loads across the axis."""
+        law = self.law.take(index)
+        network, net = self.network.at(index), self.net.rows(index)
+        warm = self.temperatures is not None
+        words = outcomes(self.spindle, network, self.mounted, net, warm=warm)
+        return replace(self, law=law, network=network, net=net, outcome=words)
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
-        return np.array([self._stop_speed(push) for push in self.network.arrangement.pushes])
+        if self.family is not None and isinstance(self.law, Law):
+            return self.family.stop_speeds(self.law)
+        return self.each_stop_speeds(1)[0]
 
-    def _stop_speed(self, push: Push) -> float:
-        held = np.flatnonzero(self.net.held[:, push.body])
-        if not held.size:
-            return float("nan")
-        first = int(held[0])
-        before = float(self.speed[first - 1]) if first else 0.0
+    def each_stop_speeds(self, parts: int) -> Array:
+        """The same of speeds that are repeated, once for each of several laws (parts, sleeves)."""
+        pushes = self.network.arrangement.pushes
+        each = [self._stop_speeds(push, parts) for push in pushes]
+        return np.stack(each, axis=1) if each else np.empty((parts, 0))
+
+    def _stop_speeds(self, push: Push, parts: int) -> Array:
+        held = self.net.held[:, push.body].reshape(parts, -1)
+        met, first = np.flatnonzero(held.any(axis=1)), held.argmax(axis=1)
+        found = np.full(parts, np.nan)
+        if not met.size:
+            return found
+        row = met * held.shape[1] + first[met]
+        inner = first[met] > 0
         known = np.where(self.net.converged[:, None], self.net.position, self.rest)
-        near = np.stack([known[first - 1] if first else self.rest, known[first]])
-        return meeting_speed(
-            lambda speed: replace(
-                self.network,
-                arrangement=arrangement(
-                    self.spindle, speed, self.force, self.law, self.temperatures, self.films
-                ),
-            ),
-            self.rest,
-            self.limit,
-            push,
-            (before, float(self.speed[first])),
-            near,
-        )
+        between = np.stack([np.where(inner, self.speed[row - 1], 0.0), self.speed[row]], axis=1)
+        near = np.stack([np.where(inner[:, None], known[row - 1], self.rest), known[row]], axis=1)
+
+        def at(speed: Array, which: NDArray[np.intp]) -> Network:
+            law = self.law.take(row[which])
+            acting = self.force, law, self.temperatures, self.films
+            return replace(self.network, arrangement=arrangement(self.spindle, speed, *acting))
+
+        found[met] = meeting_speeds(at, self.rest, self.limit, push, between, near)
+        return found
 
 
 def dynamic_preload(
     spindle: Spindle,
     speed: Array,
-    law: Law,
+    law: Law | Laws,
     axial_force: float = 0.0,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
@@ -278,7 +313,7 @@ def settled(state: PreloadState, network: Network, start: Array | None = None) -
     net = confirmed(network, with_stops(network, state.rest, limit, start))
     warm = state.temperatures is not None
     words = outcomes(state.spindle, network, state.mounted, net, warm=warm)
-    return replace(state, network=network, limit=limit, net=net, outcome=words)
+    return replace(state, network=network, limit=limit, net=net, outcome=words, family=None)
 
 
 def _mounted(joined: Arrangement) -> NetworkState:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import replace
 
 import numpy as np
@@ -64,38 +64,52 @@ def stops_wanted(
     return (held | overrun) & ~pulls
 
 
-def meeting_speed(
-    at: Callable[[Array], Network],
+def meeting_speeds(
+    at: Callable[[Array, NDArray[np.intp]], Network],
     rest: Array,
     limit: Array,
     push: Push,
-    between: tuple[float, float],
+    between: Array,
     near: Array,
-) -> float:
-    """First speed within ``between`` [rad/s] at which the sleeve of ``push`` meets its stop.
+) -> Array:
+    """First speed within each of ``between`` (k, 2) at which the sleeve of ``push`` meets its stop.
 
-    ``at`` gives the network at any speeds. The sleeve's own stop is taken away and its gap followed
-    over Ω², all other stops acting; the bracket around its zero is narrowed by local cubics. A
-    speed that has no equilibrium without the stop counts as overrun. ``near`` (2, bodies): places
-    at the two speeds, to start from.
+    Several are sought together, (k,) [rad/s]. ``at`` gives the network at any speeds, and which of
+    the k they are for. The sleeve's own stop is taken away, all other stops acting. A speed that
+    has no equilibrium without the stop counts as overrun. ``near`` (k, 2, bodies): places at the
+    two speeds, to start from.
     """
     released = limit.copy()
     released[push.body] = np.nan
-    low, high = between[0] ** 2, between[1] ** 2
-    known = [(np.array([low, high]), near)]
-
-    def gaps(squares: Array) -> Array:
-        start = _between(squares, *known[-1])
-        net = with_stops(at(np.sqrt(squares)), rest, released, start)
-        if net.converged.all():
-            known.append((squares, net.position))
+    known = dict(enumerate(zip(between**2, near, strict=True)))
+    searches = {k: _search(*ends) for k, ends in enumerate(between**2)}
+    asked = {k: next(search) for k, search in searches.items()}
+    found = np.empty(len(between))
+    while asked:
+        start = np.concatenate([_between(x, *known[k]) for k, x in asked.items()])
+        squares, which = np.concatenate([*asked.values()]), np.repeat([*asked], SAMPLES)
+        net = with_stops(at(np.sqrt(squares), which), rest, released, start)
         gap = push.direction * (net.position[:, push.body] - limit[push.body])
-        return np.where(net.converged, gap, -np.inf)
+        gap = np.where(net.converged, gap, -np.inf)
+        for k, x in [*asked.items()]:
+            mine = which == k
+            if net.converged[mine].all():
+                known[k] = x, net.position[mine]
+            try:
+                asked[k] = searches[k].send(gap[mine])
+            except StopIteration as end:
+                found[k] = end.value
+                del asked[k]
+    return found
 
+
+def _search(low: float, high: float) -> Generator[Array, Array, float]:
+    """Speed of the first zero of a gap between two speeds squared, which is asked for at
+    ``SAMPLES`` of them: the bracket is narrowed by local cubics over Ω²."""
     guess = (low, high)
     for _ in range(ROUNDS):
         squares = np.linspace(*guess, SAMPLES)
-        gap = gaps(squares)
+        gap = yield squares
         past = np.flatnonzero(gap <= 0.0)
         if past.size and past[0] == 0:
             high = min(high, squares[0])

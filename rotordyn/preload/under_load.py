@@ -10,6 +10,7 @@ Theory: docs/theory/loads.md.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
-from rotordyn.preload.balance import Balance, Point
+from rotordyn.preload.balance import Balance, Force, Point
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.state import PreloadState
 
@@ -27,6 +28,7 @@ Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
 REAL = 1e-12
+NEARER = 6  # loads that are tried within a step
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
 
 
@@ -55,8 +57,9 @@ def contact_loss(
 ) -> ContactLoss:
     """Loads of ``size`` [N] in so many ``steps`` on ``state``, the one without them, at ``rows``.
 
-    Between two steps the approach of the lightest ball, Q^(2/3), is taken to go on as it did in the
-    two steps before.
+    Within the step in which the first ball of a bearing leaves its race the place is sought from
+    below: the approach of the lightest ball, Q^(2/3), is taken to go on as it did at the three
+    loads before, and another load is tried nearer to where it comes to zero.
     """
     first = Balance.at(state, rotor, rows)
     shares = np.linspace(0.0, 1.0, steps + 1)
@@ -64,27 +67,81 @@ def contact_loss(
     lost_at = np.full((len(rows), len(every[0])), np.nan)
     ball = np.full(lost_at.shape, -1)
     for seat in range(lost_at.shape[1]):
-        lightest = np.stack([each[seat].min(axis=1) for each in every])
-        for row in np.flatnonzero(lightest[0] > 0.0):
-            lost = np.flatnonzero(lightest[:, row] <= LOST * lightest[0, row])
-            if lost.size:
-                approach = lightest[: lost[0], row] ** (2.0 / 3.0)
-                lost_at[row, seat] = _zero(shares[: lost[0] + 1], approach)
-                ball[row, seat] = int(every[lost[0] - 1][seat][row].argmin())
+        known = [
+            _Approach.of(shares, [each[seat][row] for each in every]) for row in range(len(rows))
+        ]
+        for _ in range(NEARER if any(known) else 0):
+            trial = np.array([one.trial if one else 0.0 for one in known])
+            loads = _inner_loads(_marched(first, trial * size)[1])[seat]
+            known = [one and one.after(trial[k], loads[k]) for k, one in enumerate(known)]
+        for row, one in enumerate(known):
+            if one is not None:
+                lost_at[row, seat], ball[row, seat] = one.zero, one.ball
     return ContactLoss(lost_at, ball)
 
 
-def _zero(shares: Array, approach: Array) -> float:
-    """Where an approach known at all but the last of ``shares`` comes to zero."""
-    count = min(len(approach), 3)
-    if count < 2:
-        return float(shares[-1])
-    x, y = shares[:-1][-count:], approach[-count:]
-    curve = np.polynomial.Polynomial.fit(x, y, count - 1)
+@dataclass(frozen=True, eq=False, slots=True)
+class _Approach:
+    """Where the lightest ball of a bearing in one state leaves its race.
+
+    ``share`` of the loads and ``approach`` Q^(2/3) of that ball while it is pressed, ascending;
+    ``lost``: share at which one has left; ``least`` load that counts; ``ball``: the lightest.
+    """
+
+    share: tuple[float, ...]
+    approach: tuple[float, ...]
+    lost: float
+    least: float
+    ball: int
+
+    @classmethod
+    def of(cls, shares: Array, loads: list[Array]) -> _Approach | None:
+        """From inner loads of the balls at every share; None where none leaves, or one has left
+        without loads."""
+        lightest = np.array([each.min() for each in loads])
+        least = LOST * float(lightest[0])
+        gone = np.flatnonzero(lightest <= least)
+        if not lightest[0] > 0.0 or not gone.size:
+            return None
+        held = slice(max(gone[0] - 3, 0), gone[0])
+        approach = tuple((lightest[held] ** (2.0 / 3.0)).tolist())
+        last = int(loads[gone[0] - 1].argmin())
+        return cls(tuple(shares[held].tolist()), approach, float(shares[gone[0]]), least, last)
+
+    @property
+    def zero(self) -> float:
+        """Share at which the approach comes to zero, as far as it is known."""
+        return leaving(self.share, self.approach, self.lost)
+
+    @property
+    def trial(self) -> float:
+        """Share to look at next, most of the way to where the approach comes to zero."""
+        zero = self.zero
+        return self.share[-1] + (0.9 if zero < self.lost else 0.5) * (zero - self.share[-1])
+
+    def after(self, share: float, loads: Array) -> _Approach:
+        """With the loads of the balls at a further share."""
+        lightest = float(loads.min())
+        if not lightest > self.least:
+            return replace(self, lost=share)
+        return replace(
+            self,
+            share=(*self.share, share)[-3:],
+            approach=(*self.approach, lightest ** (2.0 / 3.0))[-3:],
+            ball=int(loads.argmin()),
+        )
+
+
+def leaving(load: Sequence[float], approach: Sequence[float], lost: float) -> float:
+    """Load at which an ``approach``, known at up to three of them, comes to zero on its straight
+    line or parabola; ``lost``: one at which it has, taken where nothing nearer is known."""
+    if len(load) < 2:
+        return lost
+    curve = np.polynomial.Polynomial.fit(load, approach, len(load) - 1)
     zeros = np.asarray(curve.roots())
     zeros = zeros.real[np.abs(zeros.imag) < REAL]
-    inside = zeros[(x[-1] <= zeros) & (zeros <= shares[-1])]
-    return float(inside.min(initial=shares[-1]))
+    inside = zeros[(load[-1] <= zeros) & (zeros <= lost)]
+    return float(inside.min(initial=lost))
 
 
 def _inner_loads(there: Point) -> list[Array]:
@@ -98,8 +155,9 @@ def _inner_loads(there: Point) -> list[Array]:
     return [by_seat[seat] for seat in sorted(by_seat)]
 
 
-def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
-    """The balance under the whole loads, and where there is one (speeds,)."""
+def _marched(first: Balance, size: Force) -> tuple[Balance, Point, Flags]:
+    """The balance under loads of ``size`` [N], of all states or of each, and where there is one
+    (states,)."""
     begin = first.evaluate(first.start, None)
     solved = np.zeros(len(first.held), dtype=bool)
     coordinates, found = begin.coordinates.copy(), first
@@ -122,9 +180,9 @@ def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
     return found, there, solved & sure & (there.pressure <= HIGHEST_PRESSURE)
 
 
-def _ahead(balance: Balance, here: Point, step: float, alive: Flags) -> list[Array]:
+def _ahead(balance: Balance, here: Point, step: Force, alive: Flags) -> list[Array]:
     """Where a linear machine would be after ``step`` [N] more."""
-    change = step * balance.per_newton(here, alive)
+    change = np.asarray(step)[..., None] * balance.per_newton(here, alive)
     longest = np.abs(change).max(axis=1)
     straight = np.isfinite(longest) & ~balance.slack(here)
     change = np.where(straight[:, None], change, 0.0)
@@ -163,7 +221,7 @@ def _as_state(
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
     mounted = _by_seat(state.mounted, balance.bearings)
-    state = replace(state, network=network, mounted=mounted, net=net)
+    state = replace(state, network=network, mounted=mounted, net=net, family=None)
     return replace(state, outcome=words, lateral=lateral)
 
 

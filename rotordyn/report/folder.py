@@ -21,6 +21,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from rotordyn.errors import InvalidInput, OutputRefused
 from rotordyn.whole import locked
@@ -124,8 +125,12 @@ def check_target(target: Path) -> None:
     if os.path.ismount(target):
         raise OutputRefused(f"{target} is where a disk is mounted: give a folder in it with -o")
     above = next(folder for folder in target.parents if folder.exists())
-    if not os.access(above, os.W_OK | os.X_OK):
-        raise InvalidInput(_unwritable(above, os.strerror(errno.EACCES)))
+    try:
+        place = tempfile.mkdtemp(prefix=_prefix(target), dir=above)
+        with suppress(FileNotFoundError):  # another run has taken it for one left over
+            os.rmdir(place)
+    except OSError as error:
+        raise InvalidInput(_unwritable(above, error.strerror)) from error
 
 
 def _held_by(target: Path) -> str:
@@ -136,19 +141,20 @@ def _held_by(target: Path) -> str:
             return "file"
         if not any(target.iterdir()):
             return "nothing"
-        holder = "us" if is_ours(target) else "other"
+        holder = "other" if record_in(target) is None else "us"
         return holder if target.stat().st_ino == before.st_ino else "moved"
     except FileNotFoundError:
         return "nothing"
 
 
-def is_ours(folder: Path) -> bool:
-    """Whether ``folder`` holds the record of a run."""
+def record_in(folder: Path) -> dict[str, Any] | None:
+    """The record of a run in ``folder``; None where there is none."""
+    path = folder / RECORD
     try:
-        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return False
-    return isinstance(record, dict) and MARKER in record
+        record = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    except (OSError, ValueError, RecursionError):
+        return None
+    return record if isinstance(record, dict) and MARKER in record else None
 
 
 def _make_parents(parent: Path) -> list[Path]:

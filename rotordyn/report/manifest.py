@@ -13,7 +13,7 @@ from typing import Any
 
 import rotordyn
 from rotordyn.errors import InvalidInput
-from rotordyn.report.folder import MARKER, RECORD
+from rotordyn.report.folder import MARKER, RECORD, record_in
 
 FORMAT = 2
 _LIBRARIES = (
@@ -95,21 +95,31 @@ def read_record(folder: Path) -> dict[str, Any]:
     ------
     InvalidInput : there is none, or another version wrote it in another form
     """
-    try:
-        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        record = None
-    if not isinstance(record, dict) or MARKER not in record:
+    record = record_in(folder)
+    if record is None:
         raise InvalidInput(
             f"{str(folder)[:300]} is no results folder: it holds no {RECORD} of rotordyn"
         )
+    versions = record.get("versions")
+    written = isinstance(versions, dict) and versions.get("rotordyn")
     if record[MARKER] != FORMAT:
-        written = record.get("versions", {}).get("rotordyn", "another version")
         raise InvalidInput(
-            f"{folder} was written by rotordyn {written} in a form that rotordyn "
-            f"{rotordyn.__version__} does not read: run the case again"
+            f"{folder} was written by rotordyn {written or 'of another version'} in a form that "
+            f"rotordyn {rotordyn.__version__} does not read: run the case again"
         )
+    if not (written and _complete(record)):
+        raise InvalidInput(f"{folder / RECORD} is damaged: run the case again")
     return record
+
+
+def _complete(record: Mapping[str, Any]) -> bool:
+    """Whether a record has what is read of it: texts, and lists of texts."""
+    texts = [record.get(name) for name in ("case", "title", "digest")]
+    texts += record["versions"].values()
+    for name in ("inputs", "warnings", "notes", "unsolved"):
+        listed = record.get(name)
+        texts += listed if isinstance(listed, list) else [None]
+    return all(isinstance(text, str) for text in texts)
 
 
 def _plain(value: Any) -> Any:

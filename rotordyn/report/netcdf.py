@@ -13,6 +13,7 @@ dimensions of every variable anew.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -59,18 +60,29 @@ def read_results(path: Path) -> Mapping[str, xr.Dataset]:
     Raises
     ------
     OSError : there is no such file, or it is no NetCDF-4 file
+    InvalidInput : it is damaged, also when a group is read
     """
     return _Groups(path)
+
+
+@contextmanager
+def _reading(path: Path) -> Iterator[Any]:
+    """The file, open; whatever damage leads to is one sentence."""
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        try:
+            yield file
+        except (OSError, LookupError, RuntimeError, AttributeError, TypeError, ValueError) as error:
+            raise InvalidInput(f"{path} is damaged ({error}): run the case again") from error
 
 
 class _Groups(Mapping[str, "xr.Dataset"]):
     """Datasets of a file that must not change while it is read."""
 
     def __init__(self, path: Path) -> None:
-        import h5py
-
         self._path, self._state = path, _state(path)
-        with h5py.File(path, "r") as file:
+        with _reading(path) as file:
             self._names = _held(file)
 
     def __iter__(self) -> Iterator[str]:
@@ -83,13 +95,11 @@ class _Groups(Mapping[str, "xr.Dataset"]):
         return name in self._names
 
     def __getitem__(self, name: str) -> xr.Dataset:
-        import h5py
-
         if name not in self._names:
             raise KeyError(name)
         if _state(self._path) != self._state:
             raise InvalidInput(f"{self._path} has been replaced since it was opened: open it again")
-        with h5py.File(self._path, "r") as file:
+        with _reading(self._path) as file:
             return _restored(file[name])
 
 

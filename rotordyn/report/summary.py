@@ -91,12 +91,10 @@ def _signs(spindle: Spindle) -> str:
 
 
 def _sleeve(sleeve: Sleeve) -> str:
-    spring = sleeve.spring
-    stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
     stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
     return (
-        f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.words}, "
-        f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}{_guide(sleeve)}"
+        f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {sleeve.spring.words}, "
+        f"{sleeve.spring.rate}{stop if math.isfinite(sleeve.stop_travel) else ''}{_guide(sleeve)}"
     )
 
 

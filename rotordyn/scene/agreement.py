@@ -43,6 +43,23 @@ def setting_faults(setting: Setting) -> Faults:
         yield from _sideways(setting)
 
 
+def last_setting_faults(setting: Setting) -> Faults:
+    """The same, where it takes a computation and all else must be right."""
+    spindle = setting.spindle
+    for index, seat in enumerate(spindle.seats):
+        if seat.fits is None:
+            continue
+        from rotordyn.preload.growth import static_growth
+
+        growth, room = static_growth(spindle, seat), seat.bearing.largest_static_growth
+        if growth > room:
+            yield (
+                ("spindle", "bearings", index, "fits"),
+                f"the fits of bearing {seat.name} take its whole contact angle: growth "
+                f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
+            )
+
+
 def _surface_speed(setting: Setting) -> Faults:
     """A speed that no bearing reaches: rpm given where rad/s are meant."""
     asked: dict[Path, float] = {("speeds", k): speed for k, speed in enumerate(setting.speeds)}
@@ -124,21 +141,6 @@ def _loads(setting: Setting) -> Faults:
 def _warm(setting: Setting) -> Faults:
     """Temperatures act on bearings that are there, at speeds that their tables reach."""
     spindle, temperatures = setting.spindle, setting.conditions.temperatures
-    for index, seat in enumerate(spindle.seats):
-        bearing: object = seat.bearing
-        if seat.fits is None or not isinstance(bearing, BallBearing):
-            continue
-        if not seat.fits.taken or [*seat.fits._faults()]:
-            continue
-        from rotordyn.preload.growth import static_growth
-
-        growth, room = static_growth(spindle, seat), bearing.largest_static_growth
-        if growth > room:
-            yield (
-                ("spindle", "bearings", index, "fits"),
-                f"the fits of bearing {seat.name} take its whole contact angle: growth "
-                f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
-            )
     yield from _heated(setting)
     yield from _oiled(setting)
     if temperatures is None:

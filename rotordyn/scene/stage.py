@@ -18,9 +18,11 @@ Inputs = tuple[Any, ...]
 class Memo:
     """Values of stages by name, each with the inputs that it follows from.
 
-    Machines that differ little (variants, other speeds, a finer model) share one memo.
+    Machines that differ little (variants, other speeds, a finer model) share one memo. ``laws``:
+    hypotheses under which its machines will be solved.
     """
 
+    laws: tuple[Any, ...] = ()
     values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:
@@ -109,6 +111,15 @@ class Staged:
     def timed(self, name: str, work: Callable[[], T]) -> T:
         """Run ``work`` and note its seconds."""
         return self.clock.timed(name, work)
+
+    def shared(self, name: str, inputs: Inputs, work: Callable[[], T]) -> T:
+        """What follows from ``inputs`` alone and is no stage, as most machines have none."""
+        known = self.memo.known(name, inputs)
+        if known is None:
+            known = (self.timed(name, work),)
+            self.memo.keep(name, inputs, known[0])
+        found: T = known[0]
+        return found
 
     @property
     def skipped(self) -> tuple[str, ...]:

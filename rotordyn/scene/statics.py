@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.ball.laws import Laws
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
@@ -21,8 +22,8 @@ from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
-from rotordyn.preload.friction import operating_state
-from rotordyn.preload.state import PreloadState
+from rotordyn.preload.friction import operating_state, with_friction
+from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -31,6 +32,7 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
+    from rotordyn.preload.family import Family
     from rotordyn.preload.heat_balance import HeatBalance
 
 Array = NDArray[np.float64]
@@ -189,19 +191,38 @@ class Statics(Staged):
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
-        given = (
-            self.grounded,
-            self.bearing_speed,
-            self.law,
-            self.axial_force,
-            self.temperatures,
-            self.past,
-        )
+        acting = self.axial_force, self.temperatures, self.past
+        if len(self._laws) > 1:
+            return with_friction(self.family.state(self.law))
+        given = self.grounded, self.bearing_speed, self.law, *acting
         if (oiled := self.conditions.films) is None:
             return operating_state(*given)
         from rotordyn.preload.on_films import on_films
 
         return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
+
+    @property
+    def _laws(self) -> tuple[Law, ...]:
+        """Those that will be asked for and can be solved with the own one; none where heat or films
+        follow from the states."""
+        own, every, conditions = self.law, self.memo.laws, self.conditions
+        if conditions.heat_flow or conditions.films or own not in every:
+            return ()
+        return tuple(a for a in every if (a.friction, a.dynamics) == (own.friction, own.dynamics))
+
+    @property
+    def family(self) -> Family:
+        """The same under all laws of which states will be asked for."""
+        return self.shared("family", (self._laws, *self._standing), self._under_all_laws)
+
+    def _under_all_laws(self) -> Family:
+        from rotordyn.preload.family import Family
+
+        def solve(speed: Array, law: Laws) -> PreloadState:
+            acting = self.axial_force, self.temperatures
+            return replace(dynamic_preload(self.grounded, speed, law, *acting), past=self.past)
+
+        return Family.solved(self._laws, self.bearing_speed, solve)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -212,16 +233,8 @@ class Statics(Staged):
 
     @cached_property
     def heat_balance(self) -> HeatBalance:
-        """Temperatures at ``bearing_speed`` where the conditions have a heat flow.
-
-        Not a stage, which would be reported as skipped of every machine without a heat flow.
-        """
-        known = self.memo.known("heat balance", self._axial_inputs)
-        if known is None:
-            known = (self.timed("heat balance", self._balanced),)
-            self.memo.keep("heat balance", self._axial_inputs, known[0])
-        found: HeatBalance = known[0]
-        return found
+        """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
+        return self.shared("heat balance", self._axial_inputs, self._balanced)
 
     def _balanced(self) -> HeatBalance:
         from rotordyn.preload.heat_balance import heat_balance
@@ -321,7 +334,12 @@ class Statics(Staged):
 
     @property
     def _seated(self) -> tuple[Any, ...]:
-        """What the preload state without loads across the axis follows from: of the shaft only
+        """What the preload state without loads across the axis follows from."""
+        return (self.law, *self._standing)
+
+    @property
+    def _standing(self) -> tuple[Any, ...]:
+        """The same beside the hypotheses of balls: of the shaft only
         sections from the foremost seat on, and those between seats and what they shift from."""
         own, shaft = self.grounded, self.spindle.shaft
         reference = getattr(own.shortening, "reference", math.inf)
@@ -334,7 +352,7 @@ class Statics(Staged):
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
         conditions = self.conditions
         oiled = conditions.temperatures, conditions.films
-        acting = self.law, self.axial_force, self.past, *oiled
+        acting = self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property

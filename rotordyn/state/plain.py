@@ -11,7 +11,7 @@ at rest), ``preload`` of one bearing at rest [N] or its deflection ``d0`` [m].
 ``springs``: ``body``, ``other``, ``P`` [N], ``e`` ±1, ``K`` [N/m] (0: constant force) or ``rigid``.
 ``stops``: ``body``, ``other``, ``low`` and ``high`` [m], one of which may be left out.
 ``frictions``: ``body``, ``other``, ``limit`` [N], ``start``: its force at rest [N].
-``path``: steps of ``force`` {body: N}, ``shift`` {"bearing 0" or "spring 0": m} and ``law``
+``path``: steps of ``force`` {body: N}, ``shift`` {"bearing 0" or ("spring", 0): m} and ``law``
 {"0": name}; what a step does not name stays.
 """
 
@@ -19,6 +19,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from numbers import Real
 from typing import Any, NoReturn
 
 import numpy as np
@@ -32,6 +34,9 @@ from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, 
 
 Array = NDArray[np.float64]
 Plain = Mapping[str, Any]
+LARGEST = 1e12  # N on a body
+BETWEEN = 9  # places between two points of a table at which it must not fall
+ROUND = 1e-9  # N
 KEYS = {  # from name on, those of a network belong to files of known answers, and are not read
     "network": "bodies laws bearings springs stops frictions path name why real answers events",
     "bearings": "inner outer s n law preload d0 name",
@@ -59,7 +64,7 @@ def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
     bodies = tuple(_list(plain, "bodies"))
     if not bodies or len(set(bodies)) < len(bodies) or not all(isinstance(b, str) for b in bodies):
         _refuse("bodies", f"given {list(bodies)}; allowed: names, each once, at least one")
-    laws = {name: _law(one, f"laws {name}") for name, one in dict(plain.get("laws", {})).items()}
+    laws = {name: _law(one, f"laws {name}") for name, one in _mapping(plain, "laws").items()}
     bearings, first = _bearings(_list(plain, "bearings"), bodies, laws)
     springs = _springs(_list(plain, "springs"), bodies)
     parts = Network(
@@ -86,22 +91,24 @@ def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, 
     _keys(way, KEYS["path"], at)
     force, shift, gap = (each.copy() for each in (before.force, before.shift, before.gap))
     chosen = list(before.laws)
-    for body, value in dict(way.get("force", {})).items():
+    for body, value in _mapping(way, "force", at).items():
         k = parts.bodies.index(_known(body, parts.bodies, f"{at}, force", "body"))
-        force[k] = _number(value, f"{at}, force on {body}")
+        force[k] = _number(value, f"{at}, force on {body}", least=-LARGEST, most=LARGEST)
     places = {f"bearing {k}": (shift, k) for k in range(len(shift))}
     places |= {f"spring {k}": (gap, k) for k in range(len(gap))}
-    for place, value in dict(way.get("shift", {})).items():
-        of, k = places[_known(place, places, f"{at}, shift", "place")]
+    for place, value in _mapping(way, "shift", at).items():
+        name = " ".join(map(str, place)) if isinstance(place, tuple) else place
+        of, k = places[_known(name, places, f"{at}, shift", "place")]
         of[k] = _number(value, f"{at}, shift of {place}")
     numbers = {str(k): k for k in range(len(chosen))}
-    for bearing, name in dict(way.get("law", {})).items():
+    for bearing, name in _mapping(way, "law", at).items():
         k = numbers[_known(str(bearing), numbers, f"{at}, law", "bearing")]
         chosen[k] = laws[_known(name, laws, f"{at}, law of bearing {bearing}", "law")]
     return Load(force, shift, gap, tuple(chosen))
 
 
 def _law(given: Plain, at: str) -> AxialLaw:
+    _keys(given, " ".join(dict.fromkeys(" ".join(LAWS.values()).split())), at)
     kind = _known(given.get("kind"), LAWS, at, "kind of law")
     _keys(given, LAWS[kind], at)
     if kind == "table":
@@ -114,7 +121,7 @@ def _law(given: Plain, at: str) -> AxialLaw:
     growth = _number(given.get("growth", 0.0), f"{at}, growth")
     if abs(math.cos(angle) + growth / distance) >= 1.0:
         _refuse(f"{at}, growth", f"{growth:g} m takes the whole contact angle; allowed: less")
-    balls = int(_number(given.get("z"), f"{at}, z", least=1.0))
+    balls = _count(given.get("z"), f"{at}, z")
     return RestBall(
         balls, _number(given.get("kn"), f"{at}, kn", above=0.0), distance, angle, growth
     )
@@ -128,7 +135,17 @@ def _table(given: Plain, at: str) -> AxialLaw:
     least = 4 if cubic else 2
     if len(d) != len(force) or len(d) < least or any(np.diff(d) <= 0.0):
         _refuse(at, f"allowed: at least {least} deflections d that rise, and as many loads F")
-    return table(d, force, cubic=cubic)
+    law = table(d, force, cubic=cubic)
+    places = np.linspace(d[:-1], d[1:], BETWEEN, axis=-1).ravel()
+    loads = [law(place)[0] for place in places.tolist()]
+    fall = next((k for k, (one, other) in enumerate(pairwise(loads)) if other < one - ROUND), None)
+    if fall is not None:
+        _refuse(
+            f"{at}, F",
+            f"falls beyond {places[fall]:.4g} m; allowed: loads that do not fall, between points "
+            "either (a cubic swings beside sudden changes: give more points, or linear)",
+        )
+    return law
 
 
 def _bearings(
@@ -140,10 +157,11 @@ def _bearings(
         _keys(one, KEYS["bearings"], at)
         row.append(_row(one, ("inner", "outer"), bodies, at))
         side.append(_sign(one, "s", at))
-        count.append(_number(one.get("n", 1), f"{at}, n", least=1.0))
+        count.append(_count(one.get("n", 1), f"{at}, n"))
         named = one.get("law")
-        named = named[0] if isinstance(named, list) and named else named
-        first.append(laws[_known(named, laws, at, "law")])
+        several = named if isinstance(named, list | tuple) and named else [named]
+        known = [laws[_known(each, laws, at, "law")] for each in several]
+        first.append(known[0])
         rest.append(_rest(one, first[-1], at))
     bearings = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
     return bearings, tuple(first)
@@ -169,7 +187,10 @@ def _springs(given: Sequence[Plain], bodies: Sequence[str]) -> Springs:
         _keys(one, KEYS["springs"], at)
         row.append(_row(one, ("body", "other"), bodies, at))
         force.append(_sign(one, "e", at) * _number(one.get("P", 0.0), f"{at}, P"))
-        rigid = bool(one.get("rigid", False)) or one.get("K") == math.inf
+        named = one.get("rigid", False)
+        if not isinstance(named, bool):
+            _refuse(f"{at}, rigid", f"given {shown(named)}; allowed: True and False")
+        rigid = named or one.get("K") == math.inf
         if rigid and one.get("K") not in (None, math.inf):
             _refuse(at, f"rigid beside K {one['K']:g} N/m; leave one of them out")
         stiffness.append(math.inf if rigid else _number(one.get("K"), f"{at}, K", least=0.0))
@@ -235,6 +256,13 @@ def _sign(one: Plain, key: str, at: str) -> float:
     return value
 
 
+def _count(value: object, at: str) -> int:
+    number = _number(value, at, least=1.0)
+    if number % 1.0:
+        _refuse(at, f"given {number:g}; allowed: a whole number")
+    return int(number)
+
+
 def _number(
     value: object,
     at: str,
@@ -243,7 +271,11 @@ def _number(
     above: float = -math.inf,
     most: float = math.inf,
 ) -> float:
-    number = float(value) if isinstance(value, int | float) else math.nan
+    try:
+        counts = isinstance(value, Real) and not isinstance(value, bool)
+        number = float(value) if counts else math.nan  # type: ignore[arg-type]
+    except OverflowError:
+        number = math.inf
     if math.isfinite(number) and least <= number <= most and number > above:
         return number
     limits = [f"at least {least:g}"] if least > -math.inf else []
@@ -269,10 +301,19 @@ def _keys(given: object, allowed: str, at: str) -> None:
 
 
 def _list(given: Plain, key: str) -> list[Any]:
-    value = given.get(key) or []
-    if not isinstance(value, list | tuple):
+    value = given.get(key)
+    if value is None:
+        return []
+    if not isinstance(value, list | tuple | np.ndarray):
         _refuse(key, f"given {shown(value)}; allowed: a list")
     return list(value)
+
+
+def _mapping(given: Plain, key: str, at: str = "") -> Mapping[Any, Any]:
+    value = given.get(key, {})
+    if not isinstance(value, Mapping):
+        _refuse(f"{at}, {key}".removeprefix(", "), f"given {shown(value)}; allowed: a mapping")
+    return dict(value)
 
 
 def _refuse(at: str, sentence: str) -> NoReturn:

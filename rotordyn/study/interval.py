@@ -7,7 +7,7 @@ together, tell how far their sum holds. With ``samples`` machines are drawn at r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +18,6 @@ from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.job.values import Values, difference, values_of
-from rotordyn.results.headline import Curve
 from rotordyn.results.interval import ENDS, Interval
 from rotordyn.study import quantiles
 from rotordyn.study.machines import Machines, lean
@@ -30,40 +29,27 @@ RULES = 0.1  # share of the range from which a tolerance rules a number
 BENT = 0.05  # of the change from end to end: how far from a straight line it is not seen
 
 
-class Differences(NamedTuple):
-    """How far machines lie from the nominal one: ``numbers`` (machines, numbers) in printed units,
-    ``points`` (machines, points) of curves, logarithms where these are logarithmic."""
-
-    numbers: Array
-    points: Array
-
-
 class Nominal(NamedTuple):
-    """The machine of the case as solved for its results, and at the few speeds of the others."""
+    """The machine of the case as solved for its results, and at the few speeds of the others.
+
+    Its headline numbers, then the points of all its curves, are the columns of what follows.
+    """
 
     values: Values
     base: Values
 
     @property
-    def numbers(self) -> Array:
-        """Headline numbers in printed units."""
-        return np.array([each.value for each in self.values.numbers.values()], dtype=float)
-
-    @property
-    def points(self) -> Array:
-        """Points of all curves; NaN of logarithmic ones, whose differences are logarithms."""
+    def value(self) -> Array:
+        """Every column in printed units; NaN of logarithmic curves, that differ by logarithms."""
+        numbers = np.array([each.value for each in self.values.numbers.values()], dtype=float)
         curves = self.values.curves.values()
         parts = [np.full(len(c.x), np.nan) if c.log else np.asarray(c.y, float) for c in curves]
-        return np.concatenate(parts) if parts else np.empty(0)
+        return np.concatenate([numbers, *parts])
 
-    def of(self, machines: Sequence[Values]) -> Differences:
-        """Differences of machines from it; NaN where they have no such number."""
-        points = sum(len(curve.x) for curve in self.values.curves.values())
-        size, count = len(machines), len(self.values.numbers)
-        return Differences(
-            np.array([self._numbers(each) for each in machines], float).reshape(size, count),
-            np.array([self._points(each) for each in machines], float).reshape(size, points),
-        )
+    def of(self, machines: Sequence[Values]) -> Array:
+        """How far machines lie from it (machines, columns); NaN where they have no such number."""
+        rows = [np.concatenate([self._numbers(each), *self._curves(each)]) for each in machines]
+        return np.array(rows).reshape(len(machines), len(self.value))
 
     def _numbers(self, machine: Values) -> list[float]:
         known, base = machine.numbers, self.base.numbers
@@ -72,14 +58,12 @@ class Nominal(NamedTuple):
             for key in self.values.numbers
         ]
 
-    def _points(self, machine: Values) -> Array:
-        parts = [self._curve(key, curve, machine) for key, curve in self.values.curves.items()]
-        return np.concatenate(parts) if parts else np.empty(0)
-
-    def _curve(self, key: str, curve: Curve, machine: Values) -> Array:
-        if key not in machine.curves or key not in self.base.curves:
-            return np.full(len(curve.x), np.nan)
-        return difference(curve, machine.curves[key], self.base.curves[key])
+    def _curves(self, machine: Values) -> Iterator[Array]:
+        known, base = machine.curves, self.base.curves
+        for key, curve in self.values.curves.items():
+            there = key in known and key in base
+            none = np.full(len(curve.x), np.nan)
+            yield difference(curve, known[key], base[key]) if there else none
 
 
 def interval(
@@ -93,11 +77,11 @@ def interval(
     NoSolution : the nominal machine has none
     """
     asked = asked_of(case)
-    machines = Machines(lean(case))
-    nominal = Nominal(values_of(case, results), machines.values({}))
     total = _count(asked, case.uncertain)
     progress(f"interval, {total} machines")
-    combined = nominal.of(machines.all(list(asked.combinations)))
+    machines = Machines(lean(case), total)
+    combined = machines.all([*asked.combinations])  # that of the case among them
+    nominal = Nominal(values_of(case, results), machines.values({}))
     toleranced = _toleranced(case, asked, machines, nominal)
     found = derivatives(asked, machines, nominal.values.numbers)
     return _joined(asked, nominal, combined, toleranced, found, machines, results)
@@ -109,12 +93,11 @@ def _count(asked: Asked, given: Uncertain | None) -> int:
 
 
 class Toleranced(NamedTuple):
-    """Changes over tolerances: ``numbers`` and ``points`` (…, 2) of 95 %, ``worst`` of all;
-    ``effect`` (numbers, sources, 2); ``interaction`` (numbers,); ``without``: how many machines
-    have no such number, which that of the case has."""
+    """Changes over tolerances (columns, 2): ``usual`` of 95 % of machines, ``worst`` of all;
+    ``effect`` (columns, sources, 2) of each alone; ``interaction`` (columns,); ``without``: how
+    many machines have no such number, which that of the case has."""
 
-    numbers: Array
-    points: Array
+    usual: Array
     worst: Array
     effect: Array
     interaction: Array
@@ -122,79 +105,36 @@ class Toleranced(NamedTuple):
 
 
 def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
-    given = asked.tolerances
-    count = len(nominal.values.numbers)
+    given, value = asked.tolerances, nominal.value
     if not given:
-        none, curves = np.zeros((count, 2)), np.zeros((len(nominal.points), 2))
-        nowhere = np.full(count, np.nan), np.zeros(count, dtype=int)
-        return Toleranced(none, curves, none, np.zeros((count, 0, 2)), *nowhere)
-    solved = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
-    solved = _refined(given, solved, machines, nominal)
-    numbers, points = ([each.of_what(k) for each in solved] for k in range(2))
-    effect = np.stack([each.change[[0, -1]].T for each in numbers], axis=1)
-    corners = _corners(given, effect, machines, nominal) if len(given) > 1 else (None, None)
-    every = [each.found.numbers for each in solved]
-    every += [] if corners[0] is None else [corners[0].change]
-    found = quantiles.ranges(nominal.numbers, numbers, corners[0])
-    of_curves = quantiles.ranges(nominal.points, points, corners[1]).usual
+        none, count = np.zeros((len(value), 2)), len(value)
+        nothing = np.zeros((count, 0, 2)), np.full(count, np.nan), np.zeros(count, dtype=int)
+        return Toleranced(none, none, *nothing)
+    effects = _effects(given, machines, nominal)
+    ends = np.stack([each.change[[0, -1]].T for each in effects], axis=1)
+    corners = _corners(given, ends, machines, nominal) if len(given) > 1 else None
+    found = quantiles.ranges(value, effects, corners)
     usual, worst = found.usual, found.worst
+    solved = [each.change for each in effects] + ([corners.change] if corners else [])
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
-        usual, of_curves = (_tails(each) for each in drawn)
-        worst = _ends(drawn.numbers)
-        every.append(drawn.numbers)
-    without = np.isnan(nominal.numbers + np.concatenate(every)).sum(axis=0)
-    without[np.isnan(nominal.numbers)] = 0
-    without[(nominal.numbers > 0.0) & (nominal.numbers + usual[:, 0] <= 0.0)] += 1  # a load lost
-    return Toleranced(usual, of_curves, worst, effect, found.interaction, without)
+        usual, worst = _tails(drawn), _ends(drawn)
+        solved.append(drawn)
+    without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
+    without[np.isnan(value)] = 0
+    without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
+    return Toleranced(usual, worst, ends, found.interaction, without)
 
 
-def _corners(
-    given: Sequence[Tolerance], effect: Array, machines: Machines, nominal: Nominal
-) -> tuple[quantiles.Corners, quantiles.Corners]:
-    """Two machines of which all tolerances are off at once: their numbers, points of curves."""
-    scale = np.nanmax(np.abs(effect), axis=(1, 2), initial=0.0)
-    scaled = np.nan_to_num(effect / np.where(scale > 0.0, scale, 1.0)[:, None, None])
-    middle = np.array([each.nominal for each in given])
-    share = quantiles.corner_shares(scaled[..., 1] - scaled[..., 0], middle)
-    found = nominal.of(machines.all([_together(given, row.tolist()) for row in share]))
-    return quantiles.Corners(share, found.numbers), quantiles.Corners(share, found.points)
-
-
-def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, Any]:
-    """Values by path of a machine that is off by shares of all tolerances."""
-    pairs = zip(given, shares, strict=True)
-    return {path: value for each, share in pairs for path, value in each.at(share).items()}
-
-
-class Along(NamedTuple):
-    """Machines along one tolerance: shares of its way, differences there."""
-
-    given: Tolerance
-    share: tuple[float, ...]
-    found: Differences
-
-    def of_what(self, place: int) -> quantiles.Effect:
-        """The effect on numbers (0) or on points of curves (1)."""
-        change, nominal = self.found[place], self.given.nominal
-        return quantiles.Effect(np.array(self.share), change, nominal, self.given.levels)
-
-
-def _along(
-    given: Tolerance, shares: Sequence[float], machines: Machines, nominal: Nominal
-) -> Along:
-    """The machines at some shares of the way, and the nominal one."""
-    every = sorted({*shares, given.nominal})
-    changes = [{} if share == given.nominal else given.at(share) for share in every]
-    return Along(given, tuple(every), nominal.of(machines.all(changes)))
-
-
-def _refined(
-    given: Sequence[Tolerance], solved: list[Along], machines: Machines, nominal: Nominal
-) -> list[Along]:
-    """The same with two machines more along tolerances that rule a number and bend it."""
-    ends = np.array([np.nan_to_num(each.found.numbers[[0, -1]]) for each in solved])
+def _effects(
+    given: Sequence[Tolerance], machines: Machines, nominal: Nominal
+) -> list[quantiles.Effect]:
+    """Of each tolerance alone, from machines at its ends; from two more in between where it rules a
+    number and bends it."""
+    effects = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
+    numbers = len(nominal.values.numbers)
+    ends = np.array([np.nan_to_num(each.change[[0, -1], :numbers]) for each in effects])
     share = (ends**2).max(axis=1)
     share = share / np.maximum(share.sum(axis=0), 1e-300)
     middle = [each.nominal for each in given]
@@ -206,8 +146,37 @@ def _refined(
     for k in np.flatnonzero(chosen).tolist():
         if not given[k].levels:
             inner = (middle[k] / 2.0, (1.0 + middle[k]) / 2.0)
-            solved[k] = _along(given[k], (0.0, *inner, 1.0), machines, nominal)
-    return solved
+            effects[k] = _along(given[k], (0.0, *inner, 1.0), machines, nominal)
+    return effects
+
+
+def _along(
+    given: Tolerance, shares: Sequence[float], machines: Machines, nominal: Nominal
+) -> quantiles.Effect:
+    """From machines at some shares of the way, and the nominal one."""
+    every = sorted({*shares, given.nominal})
+    changes = [{} if share == given.nominal else given.at(share) for share in every]
+    change = nominal.of(machines.all(changes))
+    return quantiles.Effect(np.array(every), change, given.nominal, given.levels)
+
+
+def _corners(
+    given: Sequence[Tolerance], ends: Array, machines: Machines, nominal: Nominal
+) -> quantiles.Corners:
+    """Two machines of which all tolerances are off at once, the way most numbers go together."""
+    ends = np.nan_to_num(ends[: len(nominal.values.numbers)])
+    scale = np.abs(ends).max(axis=(1, 2), initial=0.0)
+    scaled = ends / np.where(scale > 0.0, scale, 1.0)[:, None, None]
+    middle = np.array([each.nominal for each in given])
+    share = quantiles.corner_shares(scaled[..., 1] - scaled[..., 0], middle)
+    changes = [_together(given, row.tolist()) for row in share]
+    return quantiles.Corners(share, nominal.of(machines.all(changes)))
+
+
+def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, Any]:
+    """Values by path of a machine that is off by shares of all tolerances."""
+    pairs = zip(given, shares, strict=True)
+    return {path: value for each, share in pairs for path, value in each.at(share).items()}
 
 
 def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str, Any]]:
@@ -234,19 +203,20 @@ def _least(values: Array) -> Array:
 def _joined(
     asked: Asked,
     nominal: Nominal,
-    combined: Differences,
+    combined: Sequence[Values],
     toleranced: Toleranced,
     found: Derivatives,
     machines: Machines,
     results: Mapping[str, Any],
 ) -> Interval:
     numbers, curves = nominal.values.numbers, nominal.values.curves
-    value = nominal.numbers
+    count = len(numbers)
+    value, points = nominal.value[:count], slice(count, None)
     length = [len(curve.x) for curve in curves.values()]
     y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
     log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)
-    over = _ends(combined.points)
-    by_combination = _each(nominal, combined, machines.all(list(asked.combinations)))
+    moved = nominal.of(combined)
+    by_combination = _each(nominal, combined, moved[:, :count])
     return Interval(
         number=tuple(numbers),
         source=tuple(each.path for each in asked.tolerances),
@@ -258,12 +228,12 @@ def _joined(
         nominal=value,
         by_combination=by_combination,
         hypotheses=_limits(np.column_stack([value, by_combination])),
-        tolerances=value[:, None] + toleranced.numbers,
-        worst=value[:, None] + toleranced.worst,
-        effect=toleranced.effect,
-        interaction=toleranced.interaction,
+        tolerances=value[:, None] + toleranced.usual[:count],
+        worst=value[:, None] + toleranced.worst[:count],
+        effect=toleranced.effect[:count],
+        interaction=toleranced.interaction[:count],
         without=_missing(by_combination),
-        without_within=toleranced.without,
+        without_within=toleranced.without[:count],
         numerical_error=np.array([_numerical(key, results) for key in numbers]),
         tolerance=tuple(each.text for each in asked.tolerances),
         derivative=found.derivative,
@@ -272,19 +242,19 @@ def _joined(
         curve_of=np.repeat(np.arange(len(curves)), length),
         x=np.concatenate([np.asarray(c.x, float) for c in curves.values()]) if curves else y,
         curve_nominal=y,
-        curve_hypotheses=_moved(y, log, over),
-        curve_tolerances=_moved(y, log, toleranced.points),
+        curve_hypotheses=_moved(y, log, _ends(moved[:, points])),
+        curve_tolerances=_moved(y, log, toleranced.usual[points]),
         runs=machines.solved,
         lost="; ".join(dict.fromkeys(machines.lost)),
     )
 
 
-def _each(nominal: Nominal, combined: Differences, machines: Sequence[Values]) -> Array:
+def _each(nominal: Nominal, machines: Sequence[Values], moved: Array) -> Array:
     """Numbers by combination; as they are where the machine of the case has none."""
-    value = nominal.numbers[:, None]
+    value = nominal.value[: moved.shape[1], None]
     keys, none = [*nominal.values.numbers], np.nan
     own = [[m.numbers[k].value if k in m.numbers else none for m in machines] for k in keys]
-    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), value + combined.numbers.T)
+    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), value + moved.T)
 
 
 def _limits(values: Array) -> Array:

@@ -7,6 +7,7 @@ kept, and these vary slowly. What machines have in common is solved once.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -39,9 +40,11 @@ def lean(case: Case) -> Case:
 
 @dataclass
 class Machines:
-    """Machines that differ from ``case`` by some values; ``lost``: why some have no solution."""
+    """Machines that differ from ``case`` by some values, so many as are ``expected``; ``lost``: why
+    some have no solution."""
 
     case: Case
+    expected: int = 0
     solved: int = 0
     lost: list[str] = field(default_factory=list)
     _neighbours: Neighbours = field(default_factory=Neighbours)
@@ -65,11 +68,20 @@ class Machines:
         self.solved += 1
         try:
             case = changed(self.case, changes)
-            return values_of(case, self._neighbours.solve(case)[0].results)
+            further = max(self.expected - self.solved, 0)
+            return values_of(case, self._neighbours.solve(case, further=further)[0].results)
         except (InvalidInput, BearingError, NoSolution) as error:
             self.lost.append(str(error))
             return Values(sentence=str(error))
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
-        """The same of many."""
-        return [self.values(each) for each in changes]
+        """The same of many; bearings under all laws of one machine are solved together."""
+        memo, laws = self._neighbours.memo, set()
+        for each in changes:
+            with suppress(InvalidInput):
+                laws.add(changed(self.case, each).conditions.law)
+        memo.laws = tuple(sorted(laws, key=str)) if len(laws) > 1 else ()
+        try:
+            return [self.values(each) for each in changes]
+        finally:
+            memo.laws = ()

@@ -58,6 +58,7 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
     from rotordyn.study.identification.page import FILES, identification_page
 
     folder, path = Path(folder), Path(path)
+    _require_files(folder)
     if os.path.exists(folder / TRIALS):
         write(path, optimum_page(folder))
     elif any(os.path.exists(folder / name) for name in FILES):
@@ -69,6 +70,13 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
 
         return opened(folder).report(path)
     return path
+
+
+def _require_files(folder: Path) -> None:
+    """Raise InvalidInput where a pipe or a device stands in ``folder``: reading it may not end."""
+    for path in folder.iterdir() if folder.is_dir() else ():
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            raise InvalidInput(f"{path} is no regular file, which no results folder holds")
 
 
 def _read(folder: Path) -> StudyFolder:
@@ -83,7 +91,7 @@ def _read(folder: Path) -> StudyFolder:
         written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)
         title, source = str(about["title"]), str(about["source"])
         varied, numbers, (sentences, warnings) = columns[:count], columns[count:-2], columns[-2:]
-    except (OSError, ValueError, KeyError, IndexError) as error:
+    except (OSError, ValueError, LookupError, RuntimeError, TypeError) as error:
         raise InvalidInput(
             f"{folder} holds a study that is not complete, or of another version ({error}): the "
             "same rotordyn sweep goes on with it"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import pickle
 import time
 from collections.abc import Iterator, Sequence
@@ -11,8 +10,6 @@ from functools import lru_cache
 from typing import Any
 
 from bearings.errors import BearingError
-from bearings.geometry import geometry
-from bearings.ring.compiled.states import expect
 from rotordyn.analyses.registry import analysis, place
 from rotordyn.case.case import Case
 from rotordyn.case.vary import changed
@@ -21,8 +18,6 @@ from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
 from rotordyn.study.design import Design
 from rotordyn.study.neighbours import Neighbours
-
-SAVED = 0.25  # of the time of a point, by the compiled solver of bearings
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,43 +48,25 @@ class Outcome:
     results: dict[str, Any] = field(default_factory=dict)
 
 
-@dataclass
-class _Known:
-    """What a process has of the points it solved, and seconds of the ``quickest``."""
-
-    study: Study
-    neighbours: Neighbours = field(default_factory=Neighbours)
-    quickest: float = math.inf
-
-
 def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
     """Solve a point of a pickled study in whatever process this is, of so many that it will solve.
 
     What the last points of the process have in common with this one is not solved again; where they
     are many, the compiled solver of bearings is loaded for them.
     """
-    known = _unpacked(packed)
-    first = known.neighbours.empty
+    study, neighbours = _unpacked(packed)
     begin = time.perf_counter()
     try:
-        found = outcome(known.study, number, known.neighbours)
+        found = outcome(study, number, neighbours, points)
     except (InvalidInput, BearingError, NoSolution) as error:
         found = Outcome(number, sentence=str(error))
-    seconds = time.perf_counter() - begin
-    if not first:  # which is spent on imports
-        known.quickest = min(known.quickest, seconds)
-        _expect(known.study.case, SAVED * known.quickest * points)
-    return replace(found, seconds=seconds)
+    return replace(found, seconds=time.perf_counter() - begin)
 
 
-def _expect(case: Case, seconds: float) -> None:
-    """Tell the solvers of its bearings how much time compiled ones would save."""
-    for grooves in {seat.bearing.grooves for seat in case.spindle.seats} if case.spindle else ():
-        expect(seconds, geometry(grooves))
-
-
-def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> Outcome:
-    """A point solved, after its neighbours.
+def outcome(
+    study: Study, number: int, neighbours: Neighbours | None = None, points: int = 0
+) -> Outcome:
+    """A point solved, after its neighbours; so many will be.
 
     Raises
     ------
@@ -98,7 +75,7 @@ def outcome(study: Study, number: int, neighbours: Neighbours | None = None) -> 
     """
     case = _numbers_alone(changed(study.case, study.design.point(number)), study.results)
     neighbours = neighbours or Neighbours()
-    answers, error = neighbours.solve(case, checked=bool(study.results))
+    answers, error = neighbours.solve(case, checked=bool(study.results), further=points)
     return Outcome(
         number,
         numbers=dict(_numbers(case, answers.results)),
@@ -127,5 +104,5 @@ def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]
 
 
 @lru_cache(maxsize=1)
-def _unpacked(packed: bytes) -> _Known:
-    return _Known(pickle.loads(packed))
+def _unpacked(packed: bytes) -> tuple[Study, Neighbours]:
+    return pickle.loads(packed), Neighbours()

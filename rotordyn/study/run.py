@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from bearings.arguments import typed
+from rotordyn.allowance import STOPS, keeps_finished
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
-from rotordyn.job import results as job
-from rotordyn.job.results import SolvedResults
+from rotordyn.job import solved as job
+from rotordyn.job.solved import SolvedResults
+from rotordyn.results.interval import Interval
 
 
 @typed(InvalidInput, besides=["case"])
@@ -40,8 +42,14 @@ def run(
                 "tolerances of what it gives"
             )
     solution = job.run(case, progress).solution
-    held = {
-        name: interval_of(part, answers.results, progress)
-        for name, (part, answers) in solution.parts.items()
-    }
+    held: dict[str, Interval] = {}
+    try:
+        if solution.stop is not None:
+            raise solution.stop
+        for name, (part, answers) in solution.parts.items():
+            held[name] = interval_of(part, answers.results, progress)
+    except STOPS as stop:
+        if not keeps_finished():
+            raise
+        solution = replace(solution, stop=stop, missing=(*solution.missing, "interval"))
     return SolvedResults(replace(solution, intervals=held))

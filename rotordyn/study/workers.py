@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from typing import Any, Protocol, TypeVar
 
-from rotordyn.errors import InvalidInput, RotordynError
+from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.numerics.threads import side_by_side
 from rotordyn.study.point import Outcome, solve_point
+from rotordyn.study.processes import ATTEMPTS, side_by_side
 
-ATTEMPTS = 3  # at points whose process was killed
 PATIENCE = "10s"  # for a scheduler to answer
 
 
@@ -42,23 +40,9 @@ def solved_here(
     if workers == 1 or len(points) < 2:
         yield from (task(packed, number, len(points)) for number in points)
         return
-    from joblib import Parallel, delayed
-    from joblib.externals.loky.process_executor import TerminatedWorkerError
-
-    left = dict.fromkeys(points)
-    for _ in range(ATTEMPTS):
-        pool = Parallel(n_jobs=min(workers, len(left)), return_as="generator_unordered")
-        with suppress(TerminatedWorkerError):
-            share = len(left) // workers
-            calls = (delayed(_beside)(task, packed, k, workers, share) for k in list(left))
-            for found in pool(calls):
-                del left[found.number]
-                yield found
-            return
-    raise RotordynError(
-        f"processes were killed while they solved, {len(left)} points are left: is there enough "
-        "memory? take fewer workers"
-    )
+    count = min(workers, len(points))
+    share = len(points) // workers
+    yield from side_by_side(count, ((task, (packed, point, share)) for point in points))
 
 
 def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Iterator[Outcome]:
@@ -83,21 +67,13 @@ def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Ite
             "one with 'dask scheduler', or leave the address out to solve here"
         ) from None
     with client:
-        study = client.scatter(packed, broadcast=True, hash=False)
         share = len(points) // max(1, sum(client.ncores().values()))
-        how = dict(packed=study, points=share, pure=False, retries=ATTEMPTS)
+        how = dict(packed=packed, points=share, pure=False, retries=ATTEMPTS)
         futures = client.map(_on_cluster, points, **how)
         running = dask.as_completed(futures, with_results=True, loop=client.loop)
         for future, found in running:
             future.release()
             yield found
-
-
-def _beside(
-    task: Callable[[bytes, Any, int], N], packed: bytes, point: Any, workers: int, share: int
-) -> N:
-    side_by_side(workers)
-    return task(packed, point, share)
 
 
 def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:

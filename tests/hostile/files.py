@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import struct
 import zipfile
 from collections.abc import Callable, Iterator
@@ -201,6 +202,31 @@ UFF = (
     "         0    0    0    0                 NONE                 NONE\n"
     "{data}\n    -1\n"
 )
+
+
+def named(name: str) -> Writer:
+    """A case that asks for a spindle in a file of such a name."""
+
+    def write(folder: Path) -> None:
+        (folder / name).write_text(SHAFT, encoding="utf-8")
+        asked = json.dumps(f"./{name}", ensure_ascii=False)
+        (folder / "case.yaml").write_text(CASE.replace("grinding_spindle", asked), encoding="utf-8")
+
+    return write
+
+
+def linked(target: str) -> Writer:
+    """A case that is a link."""
+    return lambda folder: (folder / "case.yaml").symlink_to(target)
+
+
+FILES |= {"name_of_lines": named("a\nb.yaml"), "name_of_escapes": named("\x1b[31mr.yaml")}
+FILES |= {
+    f"link_{number}": linked(target)
+    for number, target in enumerate(
+        ("case.yaml", "gone.yaml", ".", "/dev/zero", "/proc/self/pagemap", "/proc/self/environ")
+    )
+}
 
 
 def _curves() -> Iterator[tuple[str, str, bytes]]:

@@ -175,7 +175,7 @@ def test_a_bug_is_not_hidden(bearing: Path, tmp_path: Path, monkeypatch: Any) ->
     def broken(*_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr("rotordyn.job.results.solve", broken)
+    monkeypatch.setattr("rotordyn.job.solved.solve", broken)
     with pytest.raises(ZeroDivisionError):
         run(bearing, "-o", tmp_path / "out")
     assert not (tmp_path / "out").exists()
@@ -185,7 +185,7 @@ def test_interrupted(bearing: Path, tmp_path: Path, monkeypatch: Any) -> None:
     def stopped(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rotordyn.job.results.solve", stopped)
+    monkeypatch.setattr("rotordyn.job.solved.solve", stopped)
     assert run(bearing, "-o", tmp_path / "out") == 130
     assert list(tmp_path.glob("out*")) == []
 

@@ -99,6 +99,9 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         Disc("d", 0.0, 0.1, 0.2, 0.01, STEEL)
     ),
     r"BearingSeat a: thrust: .*allowed: \+x, -x": lambda: BearingSeat("a", BEARING, 0.0, "+y"),
+    r"BearingSeat a: growth.static: leaves no contact angle": lambda: replace(
+        FRONT, growth=RingGrowth(static=-1e-3)
+    ),
     r"BearingSeat a: growth.static: takes the whole contact angle: given 0.0005 m": lambda: replace(
         FRONT, growth=RingGrowth(500e-6)
     ),

@@ -30,15 +30,6 @@ analyses:
   bearing:
     loads: [500 N]
 """
-MANY = """\
-spindle: lalanne_ferraris
-speeds: {from: 0 rpm, to: 9000 rpm, count: 700}
-analyses:
-  frf:
-    frequencies: {from: 5 Hz, to: 60 Hz, count: 70000}
-    pairs: [{response: disc_1.y, excitation: disc_1.y}]
-"""
-CONTROL = "  control: {max_load: 1 kN}\n"
 FRF = """\
 spindle: lalanne_ferraris
 speeds: [0 rpm, 9000 rpm]
@@ -319,91 +310,3 @@ def test_killed_runs_leave_a_whole_folder_and_no_leftovers(
     assert held(target) == held(whole)
     assert main([*argv, "--no-figures"]) == 0
     assert os.listdir(tmp_path) == ["out"]
-
-
-@pytest.mark.parametrize("name", ["frf", "control"])
-def test_an_interrupted_run_keeps_what_is_finished(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def interrupted(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
-    first, text = {"frf": ("campbell", FRF), "control": ("bearing", f"{CASE}{CONTROL}")}[name]
-    path.write_text(text, encoding="utf-8")
-    monkeypatch.setattr(f"rotordyn.analyses.{name}.solve.answer", interrupted)
-    assert main(["run", str(path), "-o", str(target), "--no-figures", "--quiet"]) == 130
-    assert f"interrupted in {name}, before that was solved" in capsys.readouterr().err
-    assert list(rotordyn.open(target)) == [first]
-    with pytest.raises(KeyboardInterrupt):
-        rotordyn.run(rotordyn.load(path))
-
-
-def test_what_takes_longer_than_allowed_is_refused_before_it_begins(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
-    path.write_text(FRF.replace("62 Hz", "1000000 Hz"), encoding="utf-8")
-    argv = ["run", str(path), "-o", str(target), "--no-figures", "--quiet"]
-    assert main([*argv, "--longest", "2"]) == 2
-    said = capsys.readouterr().err
-    assert "DOF take about" in said
-    assert "allowed: 2 s for the whole run" in said
-    assert not target.exists()
-    assert main([*argv, "--longest", "-1"]) == 2
-
-
-def test_figures_that_take_longer_than_allowed_are_left_out(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
-    path.write_text(FRF, encoding="utf-8")
-    monkeypatch.setattr("rotordyn.allowance.PICTURE", 1e4)
-    assert main(["run", str(path), "-o", str(target)]) == 0
-    said = " ".join(capsys.readouterr().out.split())
-    assert "figures left out: 9 figures with 2 pictures in space take about 2e+04 s;" in said
-    assert list(rotordyn.open(target)) == ["campbell", "frf"]
-    assert not [*target.rglob("*.svg")]
-
-
-def test_more_responses_than_allowed_are_refused_before_they_are_solved(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path, target = tmp_path / "rotor.yaml", tmp_path / "out"
-    path.write_text(MANY, encoding="utf-8")
-    assert main(["run", str(path), "-o", str(target), "--no-figures", "--quiet"]) == 2
-    said = capsys.readouterr().err
-    assert "700 speeds by 1 pairs by 70000 frequencies take about 34.3 s and 5.9 GB" in said
-    assert "(--yes)" in said
-    assert not target.exists()
-
-
-FINALISER = """
-import os, signal, sys, time
-from rotordyn import cli
-
-class Finalised:
-    def __del__(self):
-        os.kill(os.getpid(), getattr(signal, sys.argv[1]))
-        time.sleep(0.01)
-
-def run(arguments):
-    cli._heed_signals()
-    Finalised()
-    time.sleep(5.0)
-    return 0
-
-cli._run = run
-sys.exit(cli.main(["run", "case.yaml"]))
-"""
-
-
-@pytest.mark.skipif(os.name != "posix", reason="a process sends signals to itself")
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
-def test_a_stop_within_a_finaliser_is_not_lost(name: str) -> None:
-    begin = time.perf_counter()
-    words = [sys.executable, "-c", FINALISER, name]
-    ran = subprocess.run(words, capture_output=True, text=True, timeout=60.0, check=False)
-    assert ran.returncode == 130, ran.stderr
-    assert ran.stderr.strip() == "interrupted; nothing was written"
-    assert time.perf_counter() - begin < 5.0

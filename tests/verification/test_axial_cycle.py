@@ -90,11 +90,18 @@ def test_without_friction_the_path_ends_where_no_memory_is_needed(force: float) 
     assert found.loss == pytest.approx(0.0, abs=1e-12)
 
 
-def test_the_cycle_takes_twice_the_limit_times_the_way_of_the_sleeve() -> None:
-    found = cycle(steps=140)
-    front = found.position[..., 1]
-    way = front.max(axis=(1, 2)) - front.min(axis=(1, 2))
-    assert found.loss == pytest.approx(2.0 * FRICTION * way, rel=2e-3)
+def test_the_energy_lost_is_the_area_between_the_branches() -> None:
+    """∮ F du by the trapezoidal rule, whatever the steps of the analysis itself."""
+    fine = cycle(steps=140)
+    rising, falling = (np.trapezoid(fine.force, fine.position[:, k, :, 0]) for k in (1, 0))
+    assert cycle().loss == pytest.approx(rising - falling, rel=2e-3)
+    assert cycle(steps=1).loss == pytest.approx(fine.loss, rel=1e-9)
+
+
+def test_the_stiffness_at_no_load_does_not_hang_on_the_steps() -> None:
+    none = cycle(steps=35).no_load_stiffness
+    assert cycle(steps=1).no_load_stiffness == pytest.approx(none, rel=1e-9)
+    assert cycle(steps=1).force.tolist() == [-1900.0, 1600.0]
 
 
 def test_the_stiffness_is_the_slope_of_each_branch() -> None:

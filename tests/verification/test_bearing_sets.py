@@ -20,6 +20,7 @@ from rotordyn.analyses.preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingSet, Fits, RingGrowth, SetPreload, Spring
 from rotordyn.machine.bearing_set import SETS, patterns
+from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve
@@ -211,6 +212,10 @@ def test_constant_force_and_spring() -> None:
         ("a set DB needs it", lambda: spindle("DB", None)),
         ("given in one way", lambda: SetPreload(force=1.0, offset=1e-6)),
         ("given in one way: given none", SetPreload),
+        (
+            "friction: does nothing where the rings are locked",
+            lambda: SetPreload(force=600.0, friction=50.0),
+        ),
         ("a spring has a force", lambda: SetPreload(offset=1e-6, stiffness=1e6)),
         ("one gives the other", lambda: Spring(100.0, math.inf, offset=1e-6)),
         (
@@ -233,6 +238,65 @@ def test_a_class_that_a_bearing_does_not_have(tmp_path: Path) -> None:
     file.write_text(text.replace("model: kh6014e", "model: vex90"))
     with pytest.raises(InvalidInput, match="has no such class of preload: given 'medium'; allowed"):
         rotordyn.load(file)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("bearings: [front, rear], preload: {class", "bearings: front, preload: {class", "a list"),
+        ("{class: medium}}", "{class: [medium]}}", "no such class of preload: given"),
+        (
+            "arrangement: {set: DB",
+            "arrangement: {set: [DB]",
+            "arrangement.set: not one of its choices",
+        ),
+        ("{class: medium}}", "{class: medium, class_force: 300 N}}", "class: a class gives"),
+        (
+            "sleeves: []",
+            "sleeves: [{name: set, bearings: [rear], spring: {preload: 1 N, stiffness: rigid}}]",
+            "the sleeve 'set' is that of the arrangement",
+        ),
+        (
+            "sleeves: []",
+            "sleeves: [{name: s, bearings: [rear], spring: {preload: 1 N, stiffness: rigid}}]",
+            "'s', and the arrangement bears it by its preload: leave one of both out",
+        ),
+        (
+            "{name: rear, model: kh6014e",
+            "{name: rear, model: vex70",
+            "the bearings of the set have other forces of this class: 570 N, 610 N",
+        ),
+        (
+            "{name: rear, model: kh6014e",
+            "{name: rear, model: lacroix_r24_14",
+            "bearing rear has no such class",
+        ),
+        ("housing: JS6}", "housing: JS6, housing_diameter: 5 N}", "'N' is not a unit of length"),
+    ],
+)
+def test_faults_of_a_file_with_a_set(tmp_path: Path, old: str, new: str, words: str) -> None:
+    text = (Path(rotordyn.__file__).parents[1] / "cases" / "preload_concepts.yaml").read_text()
+    file = tmp_path / "case.yaml"
+    file.write_text(text[: text.index("compare:")].replace(old, new))
+    with pytest.raises(InvalidInput, match=words):
+        rotordyn.load(file)
+
+
+def test_friction_and_stop_of_a_set_are_those_of_its_sleeve() -> None:
+    """The set is the same as thrusts and a sleeve written out; the sleeve follows from the set."""
+    way = SetPreload(force=600.0, stiffness=5e6, friction=40.0, stop_travel=20e-6)
+    named = spindle("DB", way)
+    sleeve = Sleeve("set", ("b",), Spring(600.0, 5e6), stop_travel=20e-6, friction=40.0)
+    assert named.sleeves == (sleeve,)
+    with pytest.raises(InvalidInput, match=r"sleeves\.set\.friction: changes nothing"):
+        rotordyn.vary(named, {"sleeves.set.friction": 50.0})
+    assert rotordyn.vary(named, {"arrangement.preload.friction": 50.0}).sleeves[0].friction == 50.0
+
+
+def test_a_constant_force_is_no_mistaken_spring() -> None:
+    machine = spindle("DB", SetPreload(constant_force=600.0))
+    assert machine.sleeves[0].spring.rate == "constant"
+    assert not [words for words in implausible(machine, 0.0) if "stiffness" in words]
 
 
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:

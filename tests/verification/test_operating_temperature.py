@@ -381,7 +381,7 @@ def test_bad_input_is_one_sentence(words: str, build: Any) -> None:
 
 
 def test_bad_input_against_the_machine() -> None:
-    from rotordyn.scene.agreement import setting_faults
+    from rotordyn.scene.agreement import last_setting_faults, setting_faults
     from rotordyn.scene.spec import Setting
 
     machine = spindle()
@@ -396,4 +396,4 @@ def test_bad_input_against_the_machine() -> None:
     shallow = replace(bearing(), contact_angle=math.radians(10.0))
     seats = tuple(replace(s, bearing=shallow, fits=wide) for s in machine.seats)
     setting = Setting(replace(machine, seats=seats), Conditions(), (0.0,))
-    assert any("whole contact angle" in sentence for _, sentence in setting_faults(setting))
+    assert any("whole contact angle" in sentence for _, sentence in last_setting_faults(setting))

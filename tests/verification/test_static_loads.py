@@ -466,9 +466,12 @@ def test_contact_loss_is_named_and_is_where_the_ball_is_free() -> None:
     assert lost.any()
     k = int(np.nanargmin(result.loss_share[0]))
     share = float(result.loss_share[0, k])
-    for factor, free in ((0.99, False), (1.01, True)):
+    for factor, free in ((0.999, False), (1.001, True)):
         near = answer(loaded([0.0], replace(load, Fy=2600.0 * share * factor)), BearingLoadsSpec())
         assert bool((near.ball_inner_load[0, k] == 0.0).any()) is free
+    more = answer(loaded([0.0], replace(load, Fy=13000.0)), BearingLoadsSpec(loss_steps=3))
+    assert 5.0 * more.loss_share[0, k] == pytest.approx(share, rel=2e-3), "whatever the steps"
+    assert more.loss_azimuth[0, k] == result.loss_azimuth[0, k]
     words = list(warnings(result))
     assert any(w.startswith(f"bearing {result.bearing[k]}: its ball") for w in words)
     assert any("carry nothing" in w for w in found.warnings)

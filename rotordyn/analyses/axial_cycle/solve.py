@@ -1,11 +1,13 @@
 """A cycle of axial force at every speed, after the history of the case.
 
 The force goes to its highest and lowest value once, so that friction stands as it does in every
-later cycle; then the falling and the rising branch are taken. Energy lost per cycle: the area
-between the branches, ∮ F du, by the trapezoidal rule.
+later cycle; then the falling and the rising branch are taken. Energy lost per cycle, the area
+between the branches ∮ F du: what friction takes on the way of every sleeve.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,7 @@ from rotordyn.state import NoEquilibrium
 from rotordyn.state.contacts import State
 
 Array = NDArray[np.float64]
+NONE = 1e-9  # of the reach of the cycle: a force that counts as none
 
 
 def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
@@ -27,10 +30,11 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
 
     Raises
     ------
-    InvalidInput : that takes more time or memory than is allowed
+    TooCostly : that takes more time or memory than is allowed
     """
     preload, rows = scene.preload, scene.bearing_row
-    force = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
+    listed = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
+    force, at = _places(listed)
     steps = len(preload.speed) * (2 * spec.steps + 3)
     require_history(f"axial_cycle: {steps} steps", 0, steps)
     of_seat = preload.network.arrangement.bearing_of_seat
@@ -65,21 +69,29 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     return AxialCycleResult(
         speed=scene.speed,
         branch=BRANCHES,
-        force=force,
+        force=listed,
         body=preload.network.arrangement.bodies,
         bearing=tuple(seat.name for seat in seats),
         sleeve=tuple(sleeve.name for sleeve in sleeves),
         outcome=tuple(outcome[row] for row in rows),
-        position=position[rows],
-        axial_load=load[rows],
-        friction=friction[rows],
-        stop_force=stop[rows],
-        stiffness=stiffness[rows],
-        held_force=0.5 * held[rows],
-        held_mean=force + 0.5 * held[rows],
+        position=position[rows][:, :, at],
+        axial_load=load[rows][:, :, at],
+        friction=friction[rows][:, :, at],
+        stop_force=stop[rows][:, :, at],
+        stiffness=stiffness[rows][:, :, at],
+        held_force=0.5 * held[rows][:, at],
+        held_mean=listed + 0.5 * held[rows][:, at],
         no_load_stiffness=_at_no_load(force, stiffness)[rows],
-        loss=_loss(force, position[..., SHAFT])[rows],
+        loss=_loss(position[..., SHAFT + 1 :], [sleeve.friction for sleeve in sleeves])[rows],
     )
+
+
+def _places(listed: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Forces of the path, ascending: those ``listed`` and no force between them; where they are."""
+    if not listed[0] < 0.0 < listed[-1] or np.abs(listed).min() <= NONE * np.ptp(listed):
+        return listed, np.arange(len(listed))
+    force = np.sort(np.append(listed, 0.0))
+    return force, np.flatnonzero(force != 0.0)
 
 
 def _branches(path: History, row: int, start: State, force: Array) -> list[list[State]]:
@@ -110,10 +122,11 @@ def _at_no_load(force: Array, stiffness: Array) -> Array:
     """Stiffness where the force is zero; NaN where the cycle does not come there."""
     if not force[0] <= 0.0 <= force[-1]:
         return np.full(stiffness.shape[:-1], np.nan)
-    return np.array([[np.interp(0.0, force, branch) for branch in row] for row in stiffness])
+    return stiffness[..., np.abs(force).argmin()]
 
 
-def _loss(force: Array, position: Array) -> Array:
-    """∮ F du over the cycle (speeds,) [J]."""
-    rising, falling = (np.asarray(np.trapezoid(force, position[:, k], axis=-1)) for k in (1, 0))
-    return rising - falling
+def _loss(position: Array, limit: Sequence[float]) -> Array:
+    """∮ F du over the cycle (speeds,) [J]; ``position`` of sleeves (speeds, branches, forces,
+    sleeves), each of which goes one way on a branch, and ``limit`` of their friction [N]."""
+    way = np.abs(np.diff(position, axis=2)).sum(axis=(1, 2))
+    return np.asarray(way @ np.array(limit))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.balance import Balance, Point
+from rotordyn.preload.under_load import leaving
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
@@ -49,8 +50,9 @@ class RadialCurve:
 
     ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
     (speeds, bodies): furthest position of each body against its spring along the curve, as travel
-    from rest [m]. ``unloading`` (speeds, seats): first force under which a ball of a bearing
-    carries nothing, where all of them were pressed [N]; NaN: none.
+    from rest [m]. ``unloading`` (speeds, seats): force under which the first ball of a bearing
+    carries nothing, where all of them were pressed, between two loads by the parabola of its
+    approach [N]; NaN: none.
     """
 
     deflection: Array
@@ -75,7 +77,7 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     outcome = np.full(len(start), "", dtype=object)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
-    least = LOST * here.lightest
+    least, lightest = LOST * here.lightest, [here.lightest]
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan
@@ -90,7 +92,11 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
         deflection[outcome != "", k] = np.nan
         reach = np.fmax(reach, problem.travel(here.coordinates))
         light = (here.lightest < least) & (outcome == "")[:, None]
-        unloading[light & np.isnan(unloading)] = force[k]
+        for row, seat in np.argwhere(light & np.isnan(unloading)):
+            pressed = [each[row, seat] ** (2.0 / 3.0) for each in lightest[-3:]]
+            below = force[k - len(pressed) : k].tolist()
+            unloading[row, seat] = leaving(below, pressed, float(force[k]))
+        lightest.append(here.lightest)
     return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading)
 
 

@@ -207,10 +207,7 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             "force"
         )
     carrying = [int(k) for k in np.flatnonzero(carries)]
-    load = np.zeros((len(state.speed), len(carrying), 5))
-    load[..., 0] = rest[carrying]
-    near = state.net.response.states if carries.all() else None
-    for held in state.network.solve_bearings(carrying, near, load=load).values():
+    for held in state.under_axial(carrying, rest[carrying]):
         tangents = tangent_of(held.state, scene.conditions.tangent)
         for column, place in enumerate(held.places):
             k = carrying[place]

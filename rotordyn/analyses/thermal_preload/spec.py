@@ -18,7 +18,8 @@ class ThermalPreloadSpec(Spec):
         tuple[TemperatureDifference, ...],
         Sweep(),
         Items(2, 1000),
-        "added to the temperatures of shaft, inner rings and balls in the conditions",
+        "added to the temperatures of shaft, inner rings and, where given, balls (else the mean of "
+        "both rings) in the conditions",
     ]
 
     def _faults(self) -> Faults:

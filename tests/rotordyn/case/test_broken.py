@@ -94,10 +94,19 @@ def test_too_long(tmp_path: Path) -> None:
     assert "bytes" in fault.message
 
 
-@pytest.mark.parametrize("name", ["a\0b.yaml", "x" * 5000 + ".yaml"])
-def test_impossible_file_name(name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("a\0b.yaml", "control characters, or bytes that are no text, in its name: rename it"),
+        ("\x1b[31m.yaml", "in its name: rename it"),
+        ("\udcff.yaml", "in its name: rename it"),
+        ("x" * 5000 + ".yaml", "cannot be read"),
+    ],
+)
+def test_impossible_file_name(name: str, said: str) -> None:
     (fault,) = faults_of(name)
-    assert "cannot be read" in fault.message
+    assert said in fault.message
+    assert str(fault).isprintable()
 
 
 def test_message_is_one_line(tmp_path: Path) -> None:

@@ -98,7 +98,9 @@ def test_a_file_beside_the_reader_has_its_folder(monkeypatch: pytest.MonkeyPatch
 
 
 def test_paper_holds_tables_of_many_columns_in_small_print() -> None:
-    tables = [Table(f"T{k}", [str(n) for n in range(k)], [["1"] * k]) for k in (12, 13)]
+    tables = [
+        Table(f"T{k}", [str(n) for n in range(k)], [["1"] * k], folded=True) for k in (12, 13)
+    ]
     text = html(Page("t", [], "fine", False, sections([("S", each) for each in tables])))
     assert text.count("<table>") == text.count('<table class="many">') == 1
 

@@ -209,10 +209,29 @@ def test_a_full_disk_is_a_sentence(tmp_path, number):
     assert os.listdir(tmp_path) == ["out"]
 
 
-def test_a_place_without_permission_is_refused_before_anything_is_solved(tmp_path, monkeypatch):
-    monkeypatch.setattr(os, "access", lambda *_: False)
-    with pytest.raises(InvalidInput, match="cannot be written to: Permission denied"):
+def test_a_place_that_takes_nothing_is_refused_before_anything_is_solved(tmp_path, monkeypatch):
+    with pytest.raises(InvalidInput, match="cannot be written to: File name too long; give"):
+        folder.check_target(tmp_path / ("x" * 250))
+    folder.check_target(tmp_path / "deep" / "out")
+    assert os.listdir(tmp_path) == []
+
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("tempfile.mkdtemp", refuse)
+    with pytest.raises(InvalidInput, match="cannot be written to: Permission denied; give"):
         folder.check_target(tmp_path / "deep" / "out")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no pipes among files")
+def test_a_pipe_or_endless_nesting_is_no_record(tmp_path):
+    os.mkfifo(tmp_path / folder.RECORD)
+    with pytest.raises(OutputRefused, match=r"holds no run\.json"):
+        folder.check_target(tmp_path)
+    (tmp_path / folder.RECORD).unlink()
+    (tmp_path / folder.RECORD).write_text("[" * 100_000)
+    with pytest.raises(OutputRefused, match=r"holds no run\.json"):
+        folder.check_target(tmp_path)
 
 
 def test_a_mount_is_refused_before_anything_is_solved(tmp_path, monkeypatch):

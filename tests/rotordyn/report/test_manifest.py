@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 import rotordyn
-from rotordyn.report.folder import is_ours
+from rotordyn.report.folder import record_in
 from rotordyn.report.manifest import RunRecord, outcomes, write_record
 from tests.rotordyn.figures import samples
 
@@ -21,9 +21,9 @@ def _record(**changes):
 def test_record_marks_the_folder_and_lists_its_files(tmp_path):
     (tmp_path / "figures").mkdir()
     (tmp_path / "figures" / "campbell.png").write_bytes(b"")
-    assert not is_ours(tmp_path)
+    assert record_in(tmp_path) is None
     write_record(tmp_path, _record(stages={"preload": np.float64(0.1234567)}))
-    assert is_ours(tmp_path)
+    assert record_in(tmp_path) is not None
     held = json.loads((tmp_path / "run.json").read_text(encoding="utf-8"))
     assert held["files"] == ["figures/campbell.png", "run.json"]
     assert held["stages"] == {"preload": 0.123457}

@@ -69,6 +69,8 @@ def test_half_the_preload_unloads_at_less_force() -> None:
         found = stiffness.answer(scene, StiffnessSpec(POINT, 3e3, 60, variants=("nonlinear",)))
         assert stiffness_summary.warnings(found)
         first.append(np.nanmin(found.unloading_force))
+        coarse = stiffness.answer(scene, StiffnessSpec(POINT, 3e3, 15, variants=("nonlinear",)))
+        assert np.nanmin(coarse.unloading_force) == pytest.approx(first[-1], rel=0.02)
     assert first[1] < 0.75 * first[0]
 
 

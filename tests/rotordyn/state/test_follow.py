@@ -299,6 +299,31 @@ BAD = [
     ({"laws": {"a": {"kind": "pow", "k": 1.0}}}, "unknown kind of law: given 'pow'"),
     ({"laws": {"a": {"kind": "table", "d": [0, 0], "F": [0, 1]}}}, "deflections d that rise"),
     ({"paths": []}, "network: unknown key: given 'paths'"),
+    ({"springs": [{"body": "sleeve", "P": P, "rigid": "no"}]}, "spring 0, rigid: given 'no'"),
+    ({"path": forces(True)}, "force on shaft: given True"),
+    ({"laws": None}, "laws: given None; allowed: a mapping"),
+    ({"laws": {"a": 5}}, "laws a: given 5; allowed: a mapping with the keys"),
+    ({"path": [{"force": 5.0}]}, "step 1 of the path, force: given 5.0; allowed: a mapping"),
+    ({"path": forces(1e300)}, "force on shaft: given 1e+300; allowed"),
+    ({"path": forces(10**400)}, "force on shaft: given 1000"),
+    ({"laws": {"a": {"kind": "table", "d": [0, 1, 2], "F": [0, 2, 1]}}}, "falls beyond 1 m"),
+    (
+        {
+            "laws": {
+                "a": {
+                    "kind": "table",
+                    "d": [0.0, 1e-5, 2e-5, 3e-5],
+                    "F": [0.0, 0.0, 0.0, 1e3],
+                    "interpolation": "cubic",
+                }
+            }
+        },
+        "between points either",
+    ),
+    (
+        {"laws": {"a": {"kind": "rest_ball", "z": 20.5, "kn": 1e10, "BD": 1e-3, "alpha_deg": 25}}},
+        "laws a, z: given 20.5; allowed: a whole number",
+    ),
 ]
 
 
@@ -308,3 +333,14 @@ def test_bad_input_is_refused_in_one_sentence(more: Plain, sentence: str) -> Non
         follow(spoilt(**more))
     assert sentence in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_numbers_and_rows_of_numpy_are_as_good_as_plain_ones() -> None:
+    d = [1e-6 * k for k in range(60)]
+    load = [6e9 * each**1.5 for each in d]
+    plain = {"laws": {"a": {"kind": "table", "d": d, "F": load}}, "path": forces(500.0)}
+    rows = {"a": {"kind": "table", "d": np.array(d), "F": np.array(load)}}
+    typed = {"laws": rows, "path": [{"force": {"shaft": np.int64(500)}}]}
+    assert follow(spoilt(**typed)) == follow(spoilt(**plain))
+    named = {"path": [{"shift": {("bearing", 0): 1e-6}}]}
+    assert follow(spoilt(**named)) == follow(spoilt(path=[{"shift": {"bearing 0": 1e-6}}]))

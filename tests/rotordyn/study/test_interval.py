@@ -17,8 +17,10 @@ from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.job.solving import solve
 from rotordyn.job.values import values_of
 from rotordyn.report.interval import FAR
+from rotordyn.scene.checks import Checks
 from rotordyn.study import quantiles
 from rotordyn.study.interval import sampled
 from rotordyn.study.machines import Machines, lean
@@ -39,17 +41,23 @@ def _case(analyses: tuple[str, ...], rpm: tuple[float, ...], **uncertain: Any) -
     return replace(whole, analyses=specs, speeds=speeds, uncertain=Uncertain(**uncertain))
 
 
+def _alone(case: Case) -> Any:
+    return solve(case, checks=Checks(wanted=False)).results
+
+
 def test_combinations_are_what_single_runs_give() -> None:
     """All 16 of kinematics and sharing, on the flagship."""
     asked = {"kinematics": "all", "moment_sharing": "all"}
     case = _case(("preload", "campbell", "stiffness"), (0.0, 24000.0), hypotheses=asked)
+    whole = rotordyn.load("mfw2310").analyses["stiffness"].unloaded  # all that states may be asked
+    case = replace(case, analyses={**case.analyses, "stiffness": whole})
     found = rotordyn.run(case, interval=True).interval
     plain = replace(case, uncertain=None)
     singles = []
     for law, sharing in itertools.product(KINEMATICS, SHARING):
         changes = {"conditions.kinematics": law, "conditions.moment_sharing": sharing}
         other = rotordyn.vary(plain, changes)
-        numbers = values_of(other, rotordyn.run(other).parts[""].results).numbers
+        numbers = values_of(other, _alone(other)).numbers
         singles.append([numbers[str(name)].value for name in found.number.values])
         column = found.by_combination.sel(combination=f"kinematics {law}, moment_sharing {sharing}")
         np.testing.assert_allclose(column, singles[-1], rtol=1e-6)
@@ -64,6 +72,21 @@ def test_combinations_are_what_single_runs_give() -> None:
     assert found.without.values.tolist() == (np.isnan(singles).sum(axis=0) * known).tolist()
     moved = np.ptp(found.hypotheses.values[known], axis=1) / found.nominal.values[known]
     assert moved.max() > 0.2  # the choice matters
+
+
+def test_combinations_with_other_dynamics_are_what_single_runs_give() -> None:
+    asked = {"kinematics": ("outer", "inner"), "dynamics": ("resultant", "centrifugal")}
+    case = _case(("preload",), (0.0, 24000.0), hypotheses=asked)
+    found = rotordyn.run(case, interval=True).interval.by_combination
+    plain = replace(case, uncertain=None)
+    for law, dynamics in itertools.product(*asked.values()):
+        other = rotordyn.vary(
+            plain, {"conditions.kinematics": law, "conditions.dynamics": dynamics}
+        )
+        numbers = values_of(other, _alone(other)).numbers
+        column = found.sel(combination=f"kinematics {law}, dynamics {dynamics}")
+        for name, value in zip(column.number.values, column.values, strict=True):
+            assert value == pytest.approx(numbers[str(name)].value, rel=1e-9, nan_ok=True)
 
 
 def test_bands_of_curves_end_where_those_of_numbers_do() -> None:

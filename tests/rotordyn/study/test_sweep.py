@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import math
 import os
 import signal
+import struct
 import subprocess
 import sys
 import time
+from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -236,15 +239,41 @@ def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -
     same(found, alone)
 
 
-def test_too_many_killed_processes_are_no_endless_loop(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "_beside", _dies)
+def test_too_many_killed_processes_are_no_endless_loop() -> None:
     with pytest.raises(RotordynError, match="take fewer workers"):
-        list(workers.solved_here(b"", [0, 1], 2))
+        list(workers.solved_here(b"", [0, 1], 2, _dies))
 
 
-def _dies(task: Any, packed: bytes, number: int, workers: int, points: int) -> Outcome:
+def _dies(packed: bytes, number: int, points: int) -> Outcome:
     os.kill(os.getpid(), signal.SIGKILL)
     return Outcome(number)
+
+
+def test_a_process_killed_within_its_answer_is_noticed(tmp_path: Path) -> None:
+    """Half an answer stands in the pipe, and the other process still works."""
+    found = workers.solved_here(str(tmp_path).encode(), [0, 1, 2], 2, _dies_within)
+    assert sorted(each.number for each in found) == [0, 1, 2]
+    assert (tmp_path / "killed").exists()
+
+
+def _dies_within(packed: bytes, number: int, points: int) -> Outcome:
+    once = Path(packed.decode()) / "killed"
+    if number == 0 and not once.exists():
+        once.touch()
+        (pipe,) = (each for each in gc.get_objects() if isinstance(each, Connection))
+        os.write(pipe.fileno(), struct.pack("!i", 1000) + b"half")
+        os.kill(os.getpid(), signal.SIGKILL)
+    time.sleep(0.1)
+    return Outcome(number)
+
+
+def test_an_error_of_a_process_is_raised_here() -> None:
+    with pytest.raises(InvalidInput, match="point 1 is none"):
+        list(workers.solved_here(b"", [0, 1], 2, _refuses))
+
+
+def _refuses(packed: bytes, number: int, points: int) -> Outcome:
+    raise InvalidInput(f"point {max(number, 1)} is none")
 
 
 STUDY = f"""

@@ -1,0 +1,69 @@
+"""What is printed, on streams that lack symbols, are full or closed; a bar on terminals."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
+
+from rotordyn.errors import InvalidInput
+from rotordyn.plain import HANDLER, register
+
+
+def speak_plainly() -> None:
+    """Let streams that lack a symbol, such as µ in ASCII, print a plain word for it."""
+    register()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=HANDLER)
+
+
+def say(text: object, end: str = "\n") -> None:
+    """Print ``text`` at once; a reader who has closed the pipe, such as ``| head``, is no error.
+
+    Raises
+    ------
+    InvalidInput : standard output takes nothing, such as a file on a full disk
+    """
+    if sys.stdout is None:  # closed before we began
+        return
+    try:
+        print(text, end=end, flush=True)
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            raise InvalidInput(f"standard output cannot be written: {error.strerror}") from error
+
+
+def complain(sentence: object) -> None:
+    """Print ``sentence`` as an error, if anybody can still read it."""
+    if sys.stderr is not None:
+        with suppress(OSError):
+            print(sentence, file=sys.stderr, flush=True)
+
+
+@contextmanager
+def bar(
+    task: str, total: int | None, *, quiet: bool, timed: bool = False
+) -> Iterator[Callable[..., None]]:
+    """A bar on the terminal, ``timed`` with the time left, moved by keywords of rich's ``update``;
+    silent where nobody watches, and without rich: work goes on without its bar."""
+    if quiet or sys.stderr is None or not sys.stderr.isatty():
+        yield lambda **_: None
+        return
+    try:
+        from rich import progress
+        from rich.console import Console
+    except ModuleNotFoundError:
+        yield lambda **_: None
+        return
+    columns = progress.Progress.get_default_columns()
+    if timed:
+        columns = (
+            progress.BarColumn(), progress.MofNCompleteColumn(), progress.TimeRemainingColumn()
+        )  # fmt: skip
+    with progress.Progress(*columns, console=Console(stderr=True), transient=True) as shown:
+        yield partial(shown.update, shown.add_task(task, total=total))

@@ -1,0 +1,137 @@
+"""Processes that work side by side, each at the far end of a pipe of its own.
+
+They share neither a queue nor a lock that one which is killed could leave half written or held: its
+pipe ends with it, wherever it was, and with that the wait for it. Idle ones stay for a while, with
+what they have imported and solved.
+"""
+
+from __future__ import annotations
+
+import pickle
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from itertools import islice
+from multiprocessing.connection import Connection, wait
+from typing import Any
+
+from rotordyn.errors import RotordynError
+from rotordyn.numerics import threads
+
+ATTEMPTS = 3  # at a call whose process was killed
+IDLE = 300.0  # s that a process waits for its next call
+ALONE = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+Call = tuple[Callable[..., Any], tuple[Any, ...]]
+
+
+class Killed(Exception):
+    """A process has ended before it answered."""
+
+
+class Process:
+    """A process, and the near end of its pipe."""
+
+    def __init__(self) -> None:
+        from joblib.externals.loky.backend import get_context
+
+        context: Any = get_context("loky")  # one that does not run the user's script again
+        self.pipe: Connection
+        self.pipe, far = context.Pipe()
+        self._process = context.Process(target=_serve, args=(far,), daemon=True, env=ALONE)
+        self._process.start()
+        far.close()  # no copy outlives the process
+
+    def begin(self, call: Call, count: int) -> None:
+        """Have it make a call, as one of ``count`` processes."""
+        with suppress(OSError):  # of one that was killed: ``result`` says so
+            self.pipe.send_bytes(pickle.dumps((count, *call)))
+
+    def result(self) -> tuple[bool, Any]:
+        """Whether the call has succeeded, and what it returned or raised."""
+        try:
+            answer: tuple[bool, Any] = pickle.loads(self.pipe.recv_bytes())
+        except (EOFError, OSError):
+            self.end()
+            raise Killed from None
+        return answer
+
+    def end(self) -> None:
+        """Kill it."""
+        self._process.terminate()
+        self._process.join()
+        self.pipe.close()
+
+
+_idle: list[Process] = []
+
+
+def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
+    """Results of ``calls`` as they come, from ``count`` processes; those killed are replaced.
+
+    Raises
+    ------
+    RotordynError : processes were killed again and again, as happens where memory runs out
+    """
+    working: dict[Connection, tuple[Process, Call, int]] = {}
+
+    def begin(call: Call, attempt: int = 1) -> None:
+        process = _ready()
+        working[process.pipe] = process, call, attempt
+        process.begin(call, count)
+
+    try:
+        for call in islice(calls, count):
+            begin(call)
+        while working:
+            pipe: Any = wait([*working])[0]
+            process, call, attempt = working.pop(pipe)
+            try:
+                done, found = process.result()
+            except Killed:
+                if attempt == ATTEMPTS:
+                    raise RotordynError(
+                        f"processes were killed {ATTEMPTS} times while they solved one point: is "
+                        "there enough memory? take fewer workers"
+                    ) from None
+                begin(call, attempt + 1)
+                continue
+            _idle.append(process)
+            for following in islice(calls, 1):
+                begin(following)
+            if not done:
+                raise found
+            yield found
+    finally:
+        for process, *_ in working.values():
+            process.end()
+
+
+def _ready() -> Process:
+    """An idle process, or a new one."""
+    while _idle:
+        process = _idle.pop()
+        if not process.pipe.poll():  # nothing but its end comes unasked
+            return process
+        process.end()
+    return Process()
+
+
+def _serve(pipe: Connection) -> None:
+    """Make calls and answer them, until the other end is closed or none has come for a while."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever asked ends this process
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    with suppress(EOFError, OSError):
+        while pipe.poll(IDLE):
+            pipe.send_bytes(_answer(pipe.recv_bytes()))
+
+
+def _answer(packed: bytes) -> bytes:
+    try:
+        count, work, arguments = pickle.loads(packed)
+        threads.side_by_side(count)
+        return pickle.dumps((True, work(*arguments)))
+    except BaseException as error:  # noqa: BLE001 - raised where it was asked for
+        try:
+            return pickle.dumps((False, pickle.loads(pickle.dumps(error))))
+        except Exception:  # noqa: BLE001 - an error that cannot be packed
+            return pickle.dumps((False, RotordynError(f"{type(error).__name__}: {error}")))
