@@ -77,14 +77,14 @@ class LinearBallGuide:
 
     @checked
     def force(self, displacement: Array | float) -> Array:
-        """Radial force that moves the column by ``displacement`` [m], of its shape [N]."""
+        """Radial force that moves the column by ``displacement`` [m], of its shape (…) [N]."""
         cosine, pressed = self._pressed(displacement)
         force: Array = self.contact_stiffness * (pressed**1.5 * cosine).sum(axis=-1)
         return force
 
     @checked
     def tangent(self, displacement: Array | float) -> Array:
-        """dF/dδy at a displacement [m], of its shape [N/m]."""
+        """dF/dδy at a displacement [m], of its shape (…) [N/m]."""
         cosine, pressed = self._pressed(displacement)
         slope = 1.5 * self.contact_stiffness * np.sqrt(pressed) * cosine**2
         tangent: Array = slope.sum(axis=-1)
@@ -94,7 +94,7 @@ class LinearBallGuide:
     def linear_range(self, share: float = 0.01) -> float:
         """Displacement up to which F/δy is within ``share`` of the stiffness [m]; 0 with clearance.
 
-        It is below s, where the first ball lifts off: 0.55 s for 1 %.
+        Of 1 % it is 0.55 s, of 4 % s, where the first ball lifts off; 2 s is the most it gives.
         """
         from scipy.optimize import brentq
 

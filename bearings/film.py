@@ -1,7 +1,7 @@
 """Oil film between balls and races: thickness, its ratio to the roughness, its stiffness.
 
 Hamrock and Dowson's formulas of a fully flooded, isothermal elliptic contact; inlet heating after
-Gupta (1992). Both are written from memory, which [M] marks.
+Gupta (1992). Both are from memory [M].
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ class Film:
     """Films of a state, by contact (…, balls, contacts); NaN where there is no state.
 
     ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them, 0 without load or
-    speed; ``heating``: by which factor it thins them; ``stiffness``: dQ/dh at constant speed [N/m],
-    in series with that of the contact. ``growth`` (…, balls) [m]: by which the films make a ball
+    speed; ``heating``: φT, by which it thins them; ``stiffness``: dQ/dh at constant speed [N/m], in
+    series with that of the contact. ``growth`` (…, balls) [m]: by which the films make a ball
     appear larger, hi + ho of the most loaded contact of each race; with four contacts a ball grows
     along both its diagonals.
     """
@@ -101,11 +101,11 @@ def film(
     ----------
     temperature : of the oil at the inlet, shape (…) [°C]
     starvation : factor on both thicknesses, 1 fully flooded
-    heating : with inlet heating
+    heating : with inlet heating, of pure rolling (S = 0)
 
     Raises
     ------
-    InvalidBearing : a factor outside 0 to 1
+    InvalidBearing : a starvation that is 0 or less, or above 1
     """
     if not 0.0 < starvation <= 1.0:
         raise InvalidBearing(f"starvation must lie above 0 up to 1, got {shown(starvation)}")

@@ -43,7 +43,6 @@ _BORE = {
     "P4": (4, 5, 6, 7, 8, 10, 12),
 }
 _OUTSIDE = {"P4": {30.0: 5, 50.0: 6, 80.0: 7, 120.0: 8, 150.0: 9, 180.0: 10, 250.0: 11}}
-_THIRD = 1.0 / 3.0
 
 
 class Interference(NamedTuple):
@@ -86,23 +85,24 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
             f"unknown tolerance class {shown(tolerance)}: a letter of {', '.join(_SHAFTS)} "
             f"(shafts) or {', '.join(_HOLES)} (holes) and a grade from 3 to 7, such as k5 or H6"
         )
-    row, width = _size(diameter), _IT[grade][_size(diameter)]
+    row = _size(diameter)
     if letter in ("k", "K") and grade < 4:
         raise InvalidBearing(f"{tolerance} is not tabled: k and K from grade 4 up")
     if letter == "j" and grade not in (5, 6):
         raise InvalidBearing(f"{tolerance} is not tabled: j5 and j6 are")
-    low, high = _deviations(letter, grade, row, width)
+    low, high = _deviations(letter, grade, row)
     return low * 1e-6, high * 1e-6
 
 
-def _deviations(letter: str, grade: int, row: int, width: int) -> tuple[float, float]:
-    """Lower and upper deviation [µm]."""
+def _deviations(letter: str, grade: int, row: int) -> tuple[float, float]:
+    """Lower and upper deviation [µm] in range ``row`` of the sizes."""
+    width = _IT[grade][row]
     if letter in ("js", "JS"):
         return -width / 2.0, width / 2.0
     if letter == "j":
         return -_J[row], width - _J[row]
     if letter == "K":
-        high = -_ABOVE["k"][row] + width - _IT[grade - 1][row]
+        high = -_ABOVE["k"][row] + width - _IT[grade - 1][row]  # with Δ of ISO 286
         return high - width, high
     if letter in _ABOVE:
         return _ABOVE[letter][row], _ABOVE[letter][row] + width
@@ -143,7 +143,7 @@ def interference(shaft: tuple[float, float], bore: tuple[float, float]) -> Inter
 def one_third(shaft: tuple[float, float], bore: tuple[float, float]) -> float:
     """Probable interference after NKE [m]: a third of each tolerance from the go side."""
     (s1, s2), (b1, b2) = shaft, bore
-    return (s2 - _THIRD * (s2 - s1)) - (b1 + _THIRD * (b2 - b1))
+    return (s2 - (s2 - s1) / 3.0) - (b1 + (b2 - b1) / 3.0)
 
 
 @checked

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,10 +41,10 @@ class Lubricant:
 
     def __post_init__(self) -> None:
         check_fields(self)
-        for name in ("viscosity_40", "viscosity_100", "density", "pressure_viscosity"):
-            value = getattr(self, name)
+        for each in fields(self):
+            value = getattr(self, each.name)
             if not (math.isfinite(value) and value > 0.0):
-                raise InvalidBearing(f"lubricant: {name} must be positive, got {shown(value)}")
+                raise InvalidBearing(f"lubricant: {each.name} must be positive, got {shown(value)}")
         if not self.viscosity_100 < self.viscosity_40:
             raise InvalidBearing(
                 f"lubricant: viscosity_100 {self.viscosity_100 * 1e6:g} mm²/s must be below "
@@ -55,7 +55,7 @@ class Lubricant:
                 f"lubricant: viscosity_40 must be up to {THICKEST:g} m²/s, got "
                 f"{self.viscosity_40:g} m²/s: is the unit right?"
             )
-        if self.viscosity_100 <= 0.5e-6:
+        if self.viscosity_100 <= 0.5e-6:  # near 0.3 mm²/s log log(ν + 0.7) ends
             raise InvalidBearing(
                 f"lubricant: viscosity_100 must be above 0.5 mm²/s, got "
                 f"{self.viscosity_100 * 1e6:g} mm²/s: is the unit right?"
@@ -83,6 +83,7 @@ class Lubricant:
         return np.asarray(np.log(low / high) / (2.0 * step))
 
     def _line(self) -> tuple[float, float]:
+        """Slope and level of log log(ν + 0.7) = level − slope log T, by both viscosities."""
         low, high = (
             math.log10(math.log10(v * 1e6 + _SHIFT))
             for v in (self.viscosity_40, self.viscosity_100)

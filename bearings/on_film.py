@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
 CLOSE = 1e-13  # m, change of the films at which the iteration ends
-MOST = 20  # iterations of state and films
+MOST = 20  # iterations of state and films; 3 or 4 are usual, since h ~ Q^−0.067
 
 
 @dataclass(frozen=True, eq=False)

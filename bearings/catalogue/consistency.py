@@ -31,7 +31,8 @@ _NEAR = 0.25  # of ln(factor)
 def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weight: Array) -> None:
     """Raise InvalidBearing where no inside is within the limits of all values.
 
-    ``computed`` (values, insides); ``weight`` (insides,): how usual each is.
+    ``computed`` (values, insides), ``apart``: its ln(computed/printed) in standard deviations;
+    ``weight`` (insides,): logarithm of how usual each is.
     """
     values = given.values
     if not values:
@@ -63,6 +64,7 @@ def _odd(values: list[tuple[Value, float]]) -> Iterator[str]:
 
 
 def _slip(kind: str, ratios: list[float]) -> str:
+    """What all ``ratios`` of printed to expected values look like, if they are near one factor."""
     for (of, factor), slip in _SLIPS.items():
         if of == kind and all(abs(math.log(ratio / factor)) < _NEAR for ratio in ratios):
             return f", which looks like that {slip}"

@@ -16,6 +16,7 @@ from bearings.catalogue.pair import axial_law, pair_values
 from bearings.catalogue.plausible import TIGHTEST, plausible, usual
 from bearings.catalogue.printed import Catalogue, Value
 from bearings.catalogue.races import Insides, contact_stiffness, static_rating
+from bearings.errors import InvalidBearing, shown
 from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.life.rating import radial_rating
 from bearings.materials import SILICON_NITRIDE, STEEL
@@ -95,7 +96,7 @@ class EstimatedBearing(AngularContactBallBearing):
         printed = given.dynamic_rating
         if printed is None or (given.static_rating is None and given.ball_diameter is None):
             return ""
-        others = of(replace(given, dynamic_rating=None))
+        others = likeliest(replace(given, dynamic_rating=None))
         expected = float(radial_rating(others._inside))
         if not _PAIR[0] < printed / expected < _PAIR[1]:
             return ""
@@ -106,7 +107,12 @@ class EstimatedBearing(AngularContactBallBearing):
         )
 
     def pair(self, preload: float) -> tuple[float, float]:
-        """Axial rigidity [N/m] and unloading force [N] of two, back to back, at a preload [N]."""
+        """Axial rigidity [N/m] and unloading force [N] of two, back to back, at a preload [N].
+
+        Raises InvalidBearing for a preload that is not positive.
+        """
+        if not preload > 0.0:
+            raise InvalidBearing(f"preload of a pair must be positive, got {shown(preload)}")
         scale, distance = _scale(self._inside, self.catalogue)
         law = axial_law(float(self.contact_angle))
         rigidity, unloading = pair_values(law, scale, distance, preload)
@@ -182,11 +188,11 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
         inner_conformity=inner_conformity,
         outer_conformity=outer_conformity,
     )
-    return of(given)
+    return likeliest(given)
 
 
-def of(given: Catalogue) -> EstimatedBearing:
-    """The estimate from checked values."""
+def likeliest(given: Catalogue) -> EstimatedBearing:
+    """The estimate from printed values; errors of ``estimate``."""
     x, likely, share = _weighed(given)
     best = _refined(x, likely, given)
     spread = {name: _range(getattr(x, name), share) for name in FIELDS}
@@ -223,7 +229,9 @@ def _computed(x: Insides, given: Catalogue) -> Array:
     law = axial_law(x.contact_angle)
     scale, distance = _scale(x, given)
     at = {
-        p: pair_values(law, scale, distance, p) for p in {v.preload for v in given.values} if p == p
+        p: pair_values(law, scale, distance, p)
+        for p in {v.preload for v in given.values}
+        if p > 0.0
     }
     rows: list[Any] = []
     for value in given.values:

@@ -41,7 +41,7 @@ class AxialLaw:
         self._log_slope = np.log(slope)
 
     def displacement(self, force: Array) -> Array:
-        """X where F/P is ``force``."""
+        """Displacement x at which F/P is ``force``."""
         return np.exp(np.interp(np.log(force), self._log_force, self._log_x))
 
     def force(self, x: Array) -> Array:

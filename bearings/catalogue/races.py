@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 
 class Insides(NamedTuple):
-    """Insides of a bearing, arrays that broadcast; lengths in m, ``gamma`` = D cos α/dm."""
+    """Insides (internal geometries) of a bearing: balls, pitch circle and conformities; arrays that
+    broadcast, lengths in m, ``contact_angle`` in rad."""
 
     ball_diameter: Array
     balls: Array

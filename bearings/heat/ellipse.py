@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 RADIAL, AROUND = 6, 16  # points of the quadrature: within 1 % of the integral
 FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
 _SMOOTH = 1e-6  # of the largest velocity, below which it counts as zero
-_STEPS, _NEWTON = 6, 5  # iterations: reweighted least squares first, then Newton's
+_STEPS, _NEWTON = 6, 5  # iterations: reweighted least squares, then Newton's
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,22 +86,18 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     omega = np.asarray(state.speed)[..., None, None]
     loads = np.nan_to_num(load)
     turning = (loads > 0.0) & (omega > 0.0)
-    several = np.where(
-        inner,
-        (loads[..., :split] > 0.0).sum(axis=-1, keepdims=True),
-        (loads[..., split:] > 0.0).sum(axis=-1, keepdims=True),
-    )
+    # a ball that presses a race in two places cannot roll in both: their slide is given
+    pressed = [np.sum(race > 0.0, -1, keepdims=True) for race in np.split(loads, [split], axis=-1)]
+    shared = np.where(inner, *pressed) > 1
     side = np.where(inner, 1.0, -1.0)
-    radius = side * 2.0 * f * g.ball_diameter / (2.0 * f + 1.0)
-    slide = np.where(several > 1, motion.slide[..., few, :] * omega, np.nan)
     wanted = grip / friction
     parts = (
         np.where(inner, ai, ao),
         np.where(inner, bi, bo),
-        radius,
+        side * 2.0 * f * g.ball_diameter / (2.0 * f + 1.0),
         motion.roll[..., few, :] * omega,
         motion.spin[..., few, :] * omega,
-        slide,
+        np.where(shared, motion.slide[..., few, :] * omega, np.nan),
         np.minimum(np.abs(wanted), FULL_SLIP),
     )
     each = Contacts(*(np.broadcast_to(part, loads.shape)[turning] for part in parts))
@@ -131,7 +127,10 @@ def spin_moment(state: BearingState, friction: float) -> Array:
 
 
 def mean_speed(contacts: Contacts) -> Array:
-    """Mean of the sliding speed |v| over the ellipse, weighed with the pressure (n,) [m/s]."""
+    """Mean of the sliding speed |v| over the ellipse, weighed with the pressure (n,) [m/s].
+
+    v and c minimise the functional of this module, smooth at |v| = 0.
+    """
     x, y, weight = _points()
     xi, eta = contacts.a[:, None] * x, contacts.b[:, None] * y
     roll, spin = contacts.roll[:, None], contacts.spin[:, None]
@@ -147,9 +146,9 @@ def mean_speed(contacts: Contacts) -> Array:
         part = weight / size
         total = part.sum(axis=1)
         force_x, force_y = (part * vx).sum(axis=1) - contacts.creep, (part * vy).sum(axis=1)
-        if step < _STEPS:  # always downhill, the slower the closer
+        if step < _STEPS:  # reweighted least squares: always downhill, the slower the closer
             dv, dc = -force_x / total, -force_y / total
-        else:
+        else:  # Newton: h the second derivatives, kept from being singular
             cube = part / (size * size)
             hxx, hyy = total - (cube * vx * vx).sum(axis=1), total - (cube * vy * vy).sum(axis=1)
             hxy = np.where(given, 0.0, -(cube * vx * vy).sum(axis=1))

@@ -1,6 +1,6 @@
 """Friction moment of a ball bearing after Palmgren, as Harris gives it [M].
 
-Good to some ±30 % in spindles; the viscous part does not know the state of the bearing.
+An order of magnitude in spindles; the viscous part does not know the state of the bearing.
 """
 
 from __future__ import annotations
@@ -48,19 +48,21 @@ def viscous_moment(
 
 
 @checked
-def load_moment(state: BearingState, static_rating_: float | None = None) -> Array:
+def load_moment(state: BearingState, rating: float | None = None) -> Array:
     """M1 = f1 P1 dm [N·m], f1 = z (P0/C0)^y, of the load on the ring (…).
 
     z and y: 0.001 and 0.33 of angular-contact, 0.0005 and 0.55 of deep-groove, 0.0008 and 0.33 of
-    thrust bearings. ``static_rating_``: C0 [N]; None: from the grooves.
+    thrust bearings. ``rating``: C0 [N]; None: from the grooves. Raises InvalidBearing for a
+    rating that is not positive.
     """
     grooves = state.operation.grooves
-    rating = static_rating(grooves) if static_rating_ is None else static_rating_
+    c0 = static_rating(grooves) if rating is None else rating
+    if not c0 > 0.0:
+        raise InvalidBearing(f"static rating C0 must be positive, got {shown(c0)}")
     axial = np.abs(np.asarray(state.load)[..., 0])
     radial = np.hypot(state.load[..., 1], state.load[..., 2])
     z, y, equivalent, driving = _loads(grooves, axial, radial)
-    factor = z * (equivalent / rating) ** y
-    return np.asarray(factor * driving * grooves.pitch_diameter)
+    return np.asarray(z * (equivalent / c0) ** y * driving * grooves.pitch_diameter)
 
 
 def _loads(grooves: Grooves, axial: Array, radial: Array) -> tuple[float, float, Array, Array]:

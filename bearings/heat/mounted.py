@@ -19,14 +19,14 @@ from bearings.heat.temperature import (
     parts,
     thermal_growth,
 )
-from bearings.heat.total import MODELS, losses
+from bearings.heat.total import MODELS, Losses, losses
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-CLOSE = 0.005  # of the speed limit
+CLOSE, STILL = 0.005, 1e-6  # of the speed limit; of the fastest speed, below which it is 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +137,7 @@ def speed_limit(
         for each in (slowest, fastest, fastest)
     )
     done = settles(high)
-    while not (done | (high - low <= CLOSE * high)).all():
+    while not (done | (high - low <= np.maximum(CLOSE * high, STILL * top))).all():
         middle = 0.5 * (low + high)
         fine = settles(middle)
         low, high = np.where(fine, middle, low), np.where(fine, high, middle)
@@ -159,7 +159,8 @@ def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
     return state
 
 
-def _lost(state: BearingState, mounting: Mounting, temperature: Array) -> Any:
+def _lost(state: BearingState, mounting: Mounting, temperature: Array) -> Losses:
+    """Losses with the oil at ``temperature`` (…) [°C]."""
     return losses(
         state,
         mounting.lubricant,

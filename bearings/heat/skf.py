@@ -14,20 +14,22 @@ from numpy.typing import ArrayLike
 from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
+from bearings.lubricant import THICKEST
 
-THICKEST, LARGEST = 0.1, 5.0  # oil [m²/s], outside diameter [m]
+LARGEST = 5.0  # outside diameter [m]
 FASTEST = 0.8e6  # n·dm [rpm·mm]
 REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oil-air": 6e-8}
-# geometry constants of rolling (R) and sliding (S) and of starvation (KZ), bearings 72 B and 73 B
+# SKF's geometry constants of rolling (R), sliding (S) and starvation (KZ), bearings 72 B and 73 B
 _R1, _R2, _R3 = 5.03e-7, 1.97, 1.90e-12
 _S1, _S2, _S3 = 1.30e-2, 0.68, 1.91e-12
 _KZ = 4.4
 _HYBRID = 0.41  # of the centrifugal force of steel balls
+_BOUNDARY = 0.15  # μbl; later catalogues have 0.12
 
 
 class SkfMoment(NamedTuple):
     """Moments of SKF's model [N·m], shape (…): rolling with its factors, sliding; no seals and no
-    drag of an oil bath. ``inlet`` φish, ``starved`` φrs."""
+    drag of an oil bath. ``inlet`` φish, ``starved`` φrs: factors of inlet shear and starvation."""
 
     rolling: Array
     sliding: Array
@@ -110,12 +112,11 @@ def skf_moment(
         )
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
     nu = np.asarray(viscosity, float) * 1e6
-    light = _HYBRID if hybrid else 1.0
-    spin = pitch**4 * n**2
-    grr = _R1 * pitch**1.97 * (fr + light * _R3 * spin + _R2 * fa) ** 0.54
-    gsl = _S1 * pitch**0.26 * ((fr + light * _S3 * spin) ** (4.0 / 3.0) + _S2 * fa ** (4.0 / 3.0))
-    mixed = np.exp(-2.6e-8 * (n * nu) ** 1.4 * pitch)
-    friction = mixed * 0.15 + (1.0 - mixed) * ehl_friction
+    centrifugal = (_HYBRID if hybrid else 1.0) * pitch**4 * n**2
+    grr = _R1 * pitch**1.97 * (fr + _R3 * centrifugal + _R2 * fa) ** 0.54
+    gsl = _S1 * pitch**0.26 * ((fr + _S3 * centrifugal) ** (4.0 / 3.0) + _S2 * fa ** (4.0 / 3.0))
+    boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * pitch)  # φbl
+    friction = boundary * _BOUNDARY + (1.0 - boundary) * ehl_friction
     inlet = inlet_shear(speed, 0.5 * (bore + outside), viscosity)
     starved = starvation(speed, viscosity, bore, outside, supply)
     rolling = inlet * starved * rolling_moment(grr, viscosity, speed)

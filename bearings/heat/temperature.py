@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from bearings.heat.total import Losses
 
 Heat = Callable[[Array], Any]
-HOTTEST = 250.0  # °C, beyond which no bearing runs
+HOTTEST = 250.0  # °C, beyond which temperatures count as running away
 TOLERANCE = 1e-5  # K
 MOST = 150  # iterations
 LONGEST = 20.0  # K, of one step: cold oil heats more than the bearing ever will
-_NUDGE = 0.02  # K, of differences
+_NUDGE = 0.02  # K, of differences: as they are, then each node warmer
 _MOVES = np.concatenate([np.zeros((1, 3)), _NUDGE * np.eye(3)])
-_CALM = 1e-3  # by which warming must calm down for Newton's step
+_STABLE = 1e-3  # K/K, least decay of a small warming at which Newton's step is taken
 _LEAST = 1.0  # K, of other steps: near a balance that is none, they would come to a halt
 REFERENCE = 20.0  # °C, at which bearings are measured
 
@@ -74,9 +74,9 @@ def balanced(
 
     Parameters
     ----------
-    heat : of temperatures (4, …, 3) of balls, inner and outer ring [°C] the heat (4, …, 3) of inner
-        contacts, outer contacts and oil [W], four cases of the same bearings; NaN where no state
-        exists
+    heat : function of the temperatures of balls, inner and outer ring (4, …, 3) [°C], the present
+        ones and each node nudged, to the heat of inner contacts, outer contacts and oil (4, …, 3)
+        [W]; NaN where no state exists
     shape : leading shape (…)
     tolerance : largest change of a temperature at the end [K]
 
@@ -116,17 +116,17 @@ def _step(gaps: Array) -> Array:
     """From temperatures towards those that their heat leads to (…, 3) [K].
 
     ``gaps`` (4, …, 3): by which those differ, here and with each node warmer by ``_NUDGE``. Newton
-    where warming calms down by itself, as below the balance a cold bearing reaches first; elsewhere
-    the bearing warms or cools as it would in time. NaN gaps make no step.
+    where a small warming decays by itself (negative eigenvalues), as below the balance a cold
+    bearing reaches first; elsewhere it warms or cools as it would in time. NaN gaps make no step.
     """
     here = np.nan_to_num(gaps[0])
     slope = np.nan_to_num(np.moveaxis(gaps[1:] - gaps[0], 0, -1)) / _NUDGE  # (…, to, of)
-    calm = np.linalg.eigvals(slope).real.max(axis=-1) < -_CALM
-    safe = np.where(calm[..., None, None], slope, -np.eye(3))
+    stable = np.linalg.eigvals(slope).real.max(axis=-1) < -_STABLE
+    safe = np.where(stable[..., None, None], slope, -np.eye(3))
     newton = -np.linalg.solve(safe, here[..., None])[..., 0]
     largest = np.abs(here).max(axis=-1, keepdims=True)
     onward = here * np.maximum(1.0, _LEAST / np.maximum(largest, 1e-300))
-    step = np.where(calm[..., None], newton, onward)
+    step = np.where(stable[..., None], newton, onward)
     size = np.abs(step).max(axis=-1, keepdims=True)
     return np.asarray(step * np.minimum(1.0, LONGEST / np.maximum(size, 1e-300)))
 
@@ -159,6 +159,7 @@ def _sources(power: Array) -> Array:
 
 
 def _words(here: Array, size: Array, stateless: Flags, tolerance: float) -> Words:
+    """Outcome of temperatures ``here`` (…, 3), still ``size`` (…) [K] off their balance."""
     hottest = here.max(axis=-1)
     words = np.full(stateless.shape, "", dtype=object)
     for at in np.ndindex(stateless.shape):

@@ -77,7 +77,7 @@ def losses(
     slid, split = sliding(state, friction), len(g.inner_grooves)
     races = slid.power.sum(axis=-2)
     inner, outer = races[..., :split].sum(axis=-1), races[..., split:].sum(axis=-1)
-    if model == "palmgren":
+    if model == "palmgren":  # races share his moment as they share the sliding
         loaded = load_moment(state, static_rating) * speed
         part = inner + outer
         share = np.where(part > 0.0, inner / np.where(part > 0.0, part, 1.0), 0.5)

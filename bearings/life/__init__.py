@@ -26,7 +26,7 @@ from bearings.life.modified import (
     viscosity_ratio,
 )
 from bearings.life.passing import Frequencies, frequencies, nominal_frequencies
-from bearings.life.rating import dynamic_rating, rating_factor, static_rating
+from bearings.life.rating import dynamic_rating, geometry_factor, static_rating
 from bearings.life.reference import (
     ReferenceLife,
     ball_ratings,
@@ -48,12 +48,12 @@ __all__ = [
     "equivalent_static",
     "fatigue_load_limit",
     "frequencies",
+    "geometry_factor",
     "life_factor",
     "life_of",
     "mean_life",
     "nominal_frequencies",
     "pair_rating",
-    "rating_factor",
     "reference_life",
     "reference_viscosity",
     "reliability_factor",

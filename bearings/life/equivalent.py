@@ -57,8 +57,8 @@ def dynamic_load(
 ) -> Array:
     """P of a single-row angular-contact bearing, X Fr + Y Fa where Fa/Fr > e, else Fr [N].
 
-    ``contact_angle`` [rad]: 15° or one of the table, 20° to 45° by 5°; ``axial_over_static``:
-    i Fa/C0, which a bearing of 15° asks for.
+    ``contact_angle`` [rad], to whole degrees: 15° or one of the table, 20° to 45° by 5°;
+    ``axial_over_static``: i Fa/C0, which a bearing of 15° asks for.
 
     Raises
     ------
@@ -84,11 +84,11 @@ def dynamic_load(
 def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float) -> Array:
     """P0 = max(0.5 Fr + Y0 Fa, Fr) of a single-row angular-contact bearing [N].
 
-    ``contact_angle`` [rad]: one of the table, 5° to 45° by 5°; raises InvalidBearing for others.
+    ``contact_angle`` [rad], to whole degrees: 5° to 45° by 5°; raises InvalidBearing for others.
     """
     degrees = round(math.degrees(contact_angle))
     if degrees not in STATIC_FACTOR:
-        raise InvalidBearing(f"no factor Y0 of ISO 76 for a contact angle of {degrees}°")
+        raise InvalidBearing(f"no factor Y0 of ISO 76 at {degrees}°: 5° to 45° by 5°")
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
     return np.asarray(np.maximum(0.5 * fr + STATIC_FACTOR[degrees] * fa, fr))
 

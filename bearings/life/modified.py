@@ -19,11 +19,11 @@ from bearings.life.rating import WEIBULL_SLOPE
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
 MOST = 50.0  # largest a_ISO
 _RELIABILITY = {0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25}
-HOTTEST = 300.0  # °C
+HOTTEST = 300.0  # °C, up to which factors on C are tabled
 _HOT = ((150.0, 1.0), (200.0, 0.73), (250.0, 0.42), (HOTTEST, 0.22))  # °C, factor on C
 # a_ISO: largest κ of each range, and the number and the exponent of its formula
 _KAPPA = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (HIGHEST_KAPPA, 1.9987, 0.071739))
-_BALLS_PER_LIMIT = 22.0  # C0/Cu of ball bearings
+_STATIC_PER_LIMIT = 22.0  # C0/Cu of ball bearings
 
 
 @checked
@@ -77,7 +77,7 @@ def viscosity_ratio(viscosity: ArrayLike, speed: ArrayLike, pitch_diameter: floa
 def fatigue_load_limit(static_rating: float, pitch_diameter: float) -> float:
     """Cu of a ball bearing [N]: C0/22, above a pitch diameter of 100 mm times (0.1/dm)^0.5."""
     size = 1.0 if pitch_diameter <= 0.1 else math.sqrt(0.1 / pitch_diameter)
-    return static_rating / _BALLS_PER_LIMIT * size
+    return static_rating / _STATIC_PER_LIMIT * size
 
 
 @checked
@@ -125,7 +125,7 @@ def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
     lives = np.moveaxis(np.asarray(life, float), axis, -1)
     q = np.asarray(share, float)
     if (q < 0.0).any() or not q.sum() > 0.0:
-        raise InvalidBearing(f"shares of a load spectrum must not be negative, got {shown(share)}")
+        raise InvalidBearing(f"shares of a load spectrum: from 0 up, not all 0: got {shown(share)}")
     if (lives < 0.0).any():
         raise InvalidBearing(f"lives must not be negative, got {shown(life)}")
     with np.errstate(divide="ignore"):

@@ -23,8 +23,8 @@ STATIC_PRESSURE = 4.2e9  # [Pa], ISO 76: a dent of 1e-4 of the ball diameter
 STEEPEST_RADIAL = math.radians(45.0)  # ISO 281: above it a bearing is a thrust bearing
 LARGE_BALL = 25.4e-3  # [m], from which size counts less
 _RADIAL, _THRUST, _MATERIAL = 0.95, 0.90, 1.3  # λ of both kinds, bm
-_LUNDBERG = 98.0665  # N, mm
-RADIAL_SHARE, REFERENCE_SHARE = 1.04, 1.044  # in ρ of ISO 281 and in that of ISO/TS 16281
+_LUNDBERG = 98.0665  # 10 kgf in N, of lengths in mm
+RADIAL_FACTOR, REFERENCE_FACTOR = 1.04, 1.044  # before ρ of ISO 281, before R of ISO/TS 16281
 WEIBULL_SLOPE = 10.0 / 9.0  # of the lives of ball bearings
 EXPONENT = 3.0 * WEIBULL_SLOPE  # of loads where probabilities of survival multiply, L ~ Q⁻³
 
@@ -40,23 +40,27 @@ def is_thrust(grooves: Grooves) -> bool:
     return nominal_angle(grooves) > STEEPEST_RADIAL + 1e-9
 
 
-def race_ratio(grooves: Grooves, share: float = RADIAL_SHARE) -> float:
+def race_ratio(grooves: Grooves, front: float = RADIAL_FACTOR) -> float:
     """ρ: strength of the inner race over that of the outer one under equal ball loads, where
-    radial bearings have ``share`` in front and thrust bearings 1."""
-    front = 1.0 if is_thrust(grooves) else share
-    return front * _ratio(_gamma(grooves), grooves.inner_conformity, grooves.outer_conformity)
+    radial bearings have ``front`` before the powers and thrust bearings 1."""
+    factor = 1.0 if is_thrust(grooves) else front
+    return factor * _strength_ratio(
+        _gamma(grooves), grooves.inner_conformity, grooves.outer_conformity
+    )
 
 
 @checked
-def rating_factor(bearing: BallBearing | Grooves) -> float:
-    """fc of ISO 281 [N, mm] from the bearing's grooves, without the 1.3 of modern steel."""
+def geometry_factor(bearing: BallBearing | Grooves) -> float:
+    """fc of ISO 281 [N, mm] from the bearing's grooves, without bm = 1.3 of modern steel."""
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
     gamma, alpha = _gamma(grooves), nominal_angle(grooves)
     conformities = grooves.inner_conformity, grooves.outer_conformity
     if not is_thrust(grooves):
         factor: float = _radial_factor(gamma, *conformities)
         return factor
-    both: float = _inner(gamma, conformities[0]) * (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
+    both: float = (
+        _race_factor(gamma, conformities[0]) * (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
+    )
     size = (grooves.ball_diameter / grooves.pitch_diameter) ** 0.3
     return _THRUST * (1.0 - math.sin(alpha) / 3.0) * size * both
 
@@ -69,28 +73,28 @@ def radial_rating(x: Any) -> Any:
     """
     factor = _radial_factor(x.gamma, x.inner_conformity, x.outer_conformity)
     angle = math.cos(x.contact_angle) ** 0.7
-    return _MATERIAL * factor * angle * x.balls ** (2.0 / 3.0) * _grown(x.ball_diameter)
+    return _MATERIAL * factor * angle * x.balls ** (2.0 / 3.0) * _size_factor(x.ball_diameter)
 
 
 def _radial_factor(gamma: Any, inner: Any, outer: Any) -> Any:
     """fc up to 45°."""
-    both = (1.0 + (RADIAL_SHARE * _ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
-    return 0.41 * _RADIAL * _inner(gamma, inner) * gamma**0.3 * both
+    both = (1.0 + (RADIAL_FACTOR * _strength_ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
+    return 0.41 * _RADIAL * _race_factor(gamma, inner) * gamma**0.3 * both
 
 
-def _ratio(gamma: Any, inner: Any, outer: Any) -> Any:
+def _strength_ratio(gamma: Any, inner: Any, outer: Any) -> Any:
     """ρ without the number in front."""
     osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
     return ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
 
 
-def _inner(gamma: Any, f: Any) -> Any:
-    """Factor of the inner race in fc: osculation of its groove and curvature along rolling."""
+def _race_factor(gamma: Any, f: Any) -> Any:
+    """Factor of the inner race in fc: its osculation f and curvature along rolling [N, mm]."""
     groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
     return groove * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
 
 
-def _grown(ball_diameter: Any) -> Any:
+def _size_factor(ball_diameter: Any) -> Any:
     """D^1.8 of small balls, 3.647 D^1.4 of large ones, D in mm."""
     import numpy as np
 
@@ -106,11 +110,10 @@ def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     materials: hybrid bearings keep it (ISO 20056-1).
     """
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    alpha, grown = nominal_angle(grooves), float(_grown(grooves.ball_diameter))
-    whole = _MATERIAL * rating_factor(grooves) * grooves.balls ** (2.0 / 3.0) * grown
-    if is_thrust(grooves):  # (D/dm)^0.3 stands for (γ/cos α)^0.3
-        return whole * math.sin(alpha)
-    return whole * math.cos(alpha) ** 0.7
+    alpha, size = nominal_angle(grooves), float(_size_factor(grooves.ball_diameter))
+    # of thrust bearings fc has (D/dm)^0.3 for γ^0.3, so that cos α^0.7 tan α becomes sin α
+    angle = math.sin(alpha) if is_thrust(grooves) else math.cos(alpha) ** 0.7
+    return _MATERIAL * geometry_factor(grooves) * angle * grooves.balls ** (2.0 / 3.0) * size
 
 
 @checked
@@ -139,4 +142,5 @@ def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESS
 
 
 def _gamma(grooves: Grooves) -> float:
+    """γ = D cos α/dm at the nominal angle."""
     return grooves.ball_diameter * math.cos(nominal_angle(grooves)) / grooves.pitch_diameter

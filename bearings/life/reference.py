@@ -18,7 +18,7 @@ from bearings.arrays import Array, Words
 from bearings.errors import InvalidBearing, shown
 from bearings.life.rating import (
     EXPONENT,
-    REFERENCE_SHARE,
+    REFERENCE_FACTOR,
     STATIC_PRESSURE,
     WEIBULL_SLOPE,
     dynamic_rating,
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
 ROTATING = ("inner", "outer", "both")
-_INNER, _OUTER = 0.407, 0.389  # ISO/TS 16281, of radial bearings
+_INNER, _OUTER = 0.407, 0.389  # of Qci and Qce of radial bearings, ISO/TS 16281
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,22 +59,23 @@ class ReferenceLife:
 
 @checked
 def ball_ratings(
-    bearing: BallBearing | Grooves, dynamic_rating_: float | None = None
+    bearing: BallBearing | Grooves, rating: float | None = None
 ) -> tuple[float, float]:
     """Qci and Qce, ball loads of one million revolutions of inner and outer race [N].
 
-    ``dynamic_rating_``: C of a catalogue [N]; None: from the grooves. Of one row.
+    ``rating``: C of a catalogue, of one row [N]; None: from the grooves. Raises InvalidBearing for
+    a rating that is not positive.
     """
     from bearings.grooves import Grooves
 
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    rating = _rating(grooves, dynamic_rating_)
-    ratio, alpha = race_ratio(grooves, REFERENCE_SHARE), nominal_angle(grooves)
+    given = _rating(grooves, rating)
+    ratio, alpha = race_ratio(grooves, REFERENCE_FACTOR), nominal_angle(grooves)
     if is_thrust(grooves):
-        inner = outer = rating / (grooves.balls * np.sin(alpha))
+        inner = outer = given / (grooves.balls * np.sin(alpha))
     else:
-        row = rating / (grooves.balls * np.cos(alpha) ** 0.7)
-        inner, outer = row / _INNER, row / _OUTER
+        one = given / (grooves.balls * np.cos(alpha) ** 0.7)
+        inner, outer = one / _INNER, one / _OUTER
     return (
         float(inner * (1.0 + ratio**EXPONENT) ** 0.3),
         float(outer * (1.0 + ratio**-EXPONENT) ** 0.3),
@@ -109,7 +110,8 @@ def life_of(
         [rotating != "outer"] * split + [rotating != "inner"] * len(grooves.outer_offsets)
     )
     load = np.asarray(state.contact_load)
-    # a ring that turns against the load sees every ball load in each of its points
+    # a point of a ring that turns against the load sees all ball loads, which average by L ~ Q⁻³;
+    # one of the other ring sees one of them, and probabilities of survival multiply
     equivalent = np.where(turns, _mean(load, 3.0), _mean(load, EXPONENT))
     qi, qo = ball_ratings(grooves, rating)
     capacity = np.array([qi] * split + [qo] * len(grooves.outer_offsets))
@@ -154,6 +156,7 @@ def _mean(load: Array, power: float) -> Array:
 
 
 def _rating(grooves: Grooves, given: float | None) -> float:
+    """C that is used [N]: the given one, else that of the grooves."""
     if given is None:
         return dynamic_rating(grooves)
     if not (finite(given) and given > 0.0):

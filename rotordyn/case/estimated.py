@@ -24,7 +24,7 @@ _SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter")
 
 def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     """The estimate from what the file gives; None where it has faults."""
-    from bearings.catalogue.estimate import of
+    from bearings.catalogue.estimate import likeliest
 
     model: Any = kind_class(DEFAULT)
     faults, kind = reading.faults, node.child("kind")
@@ -57,7 +57,9 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     taken = {field.name for field in fields(Catalogue)}
     named = {_CALLED.get(key, key): value for key, value in values.items()}
     try:
-        bearing = of(Catalogue(**{key: value for key, value in named.items() if key in taken}))
+        bearing = likeliest(
+            Catalogue(**{key: value for key, value in named.items() if key in taken})
+        )
         shoulders = {key: values[key] for key in _SHOULDERS if key in values}
         return replace(bearing, **shoulders) if shoulders else bearing
     except InvalidBearing as error:

@@ -133,9 +133,10 @@ def test_viscosity_of_a_known_oil() -> None:
         ((0.0, 5e-6), "viscosity_40 must be positive"),
         ((32e-6, float("nan")), "viscosity_100 must be a number"),
         ((1e-6, 0.4e-6), "is the unit right"),
+        ((32e-6, 5e-6, 870.0, 2e-8, 0.0), "conductivity must be positive"),
     ],
 )
-def test_impossible_oils(values: tuple[float, float], word: str) -> None:
+def test_impossible_oils(values: tuple[float, ...], word: str) -> None:
     with pytest.raises(InvalidBearing, match=word):
         Lubricant(*values)
 

@@ -233,6 +233,8 @@ def test_speed_limit_is_where_temperatures_cease_to_settle() -> None:
         assert ((found.outcome == "") == settles).all()
     slow = heat.speed_limit(VEX70, MOUNTING, preload=100.0, fastest=100 * RPM)
     assert slow == pytest.approx([100 * RPM])
+    hot = replace(MOUNTING, surroundings=heat.Surroundings(300.0, 300.0, 300.0))
+    assert heat.speed_limit(VEX70, hot, preload=100.0, fastest=100 * RPM) == [0.0]
 
 
 @pytest.mark.parametrize(
@@ -282,6 +284,7 @@ def skf(**changed: float) -> heat.SkfMoment:
         (lambda s: heat.sliding(s, 0.0), "friction of a contact"),
         (lambda s: heat.losses(s, OIL, 40.0, model="skf"), "unknown model"),
         (lambda s: heat.losses(s, OIL, 40.0, oil_factor=0.0), "oil_factor"),
+        (lambda s: heat.load_moment(s, -1.0), "C0 must be positive"),
         (lambda s: starvation(1.0, 1e-6, 0.07, 0.11, "drops"), "unknown supply"),
         (lambda s: skf(viscosity=20.0), "is the unit right"),
         (lambda s: skf(bore=0.12), "bore and outside"),

@@ -174,7 +174,7 @@ def _bearings() -> dict[str, Subject]:
         ),
         "heat.sliding": Subject(heat.sliding, dict(state=state, friction=0.05)),
         "heat.spin_moment": Subject(heat.spin_moment, dict(state=state, friction=0.05)),
-        "heat.load_moment": Subject(heat.load_moment, dict(state=state, static_rating_=2e4)),
+        "heat.load_moment": Subject(heat.load_moment, dict(state=state, rating=2e4)),
         "heat.viscous_moment": Subject(
             heat.viscous_moment,
             dict(pitch_diameter=0.09, viscosity=20.0, speed=1000.0, oil_factor=1.0),
@@ -238,9 +238,9 @@ def _bearings() -> dict[str, Subject]:
             life.nominal_frequencies, dict(bearing=ball, contact_angle=0.4)
         ),
         "life.dynamic_rating": Subject(life.dynamic_rating, dict(bearing=ball)),
-        "life.rating_factor": Subject(life.rating_factor, dict(bearing=ball)),
+        "life.geometry_factor": Subject(life.geometry_factor, dict(bearing=ball)),
         "life.static_rating": Subject(life.static_rating, dict(bearing=ball, pressure=4.2e9)),
-        "life.ball_ratings": Subject(life.ball_ratings, dict(bearing=ball, dynamic_rating_=3e4)),
+        "life.ball_ratings": Subject(life.ball_ratings, dict(bearing=ball, rating=3e4)),
         "life.life_of": Subject(
             life.life_of, dict(state=state, dynamic_rating=3e4, rotating="inner")
         ),

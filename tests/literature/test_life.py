@@ -15,7 +15,7 @@ from bearings import (
     DeepGrooveBallBearing,
     life,
 )
-from bearings.life.rating import rating_factor
+from bearings.life.rating import geometry_factor
 from tests.oracles.known_bearings import DEGREE, ISO_STEEL, RPM, VEX70
 
 GMN_S6014C = AngularContactBallBearing(
@@ -46,7 +46,7 @@ def test_table_of_iso_281(fine: float, factor: float) -> None:
     """Rows of its fc, remembered: the formula with both grooves of 0.52."""
     pitch = 100e-3
     b = DeepGrooveBallBearing(fine * pitch, pitch, 5, radial_clearance=0.0)
-    assert rating_factor(b) == pytest.approx(factor, rel=0.005)
+    assert geometry_factor(b) == pytest.approx(factor, rel=0.005)
 
 
 def test_factor_of_thrust_bearings_in_iso_281() -> None:
@@ -54,7 +54,7 @@ def test_factor_of_thrust_bearings_in_iso_281() -> None:
     from bearings import ThrustBallBearing
 
     b = ThrustBallBearing(1e-3, 100e-3, 20, inner_conformity=0.535, outer_conformity=0.535)
-    assert rating_factor(b) == pytest.approx(36.7, rel=0.005)
+    assert geometry_factor(b) == pytest.approx(36.7, rel=0.005)
 
 
 @pytest.mark.parametrize(

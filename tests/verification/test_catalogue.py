@@ -105,6 +105,8 @@ def test_catalogue_rows_of_known_bearings_give_them_back(bearing: Any) -> None:
     for preload, (rigidity, unloading) in rows.items():
         assert found.pair(preload) == pytest.approx((rigidity, unloading), rel=0.02)
         assert solved(found, preload) == pytest.approx(found.pair(preload), rel=1e-5)
+    with pytest.raises(InvalidBearing, match="preload of a pair must be positive"):
+        found.pair(0.0)
     for name, (low, high) in found.spread.items():
         assert low - 0.006 <= getattr(bearing, name) <= high + 0.006, name
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analyses.life.figures import headline_curves
-from rotordyn.analyses.life.result import LifeResult
-from rotordyn.analyses.life.summary import HOUR, hours
+from rotordyn.analyses.life.result import HOUR, LifeResult
+from rotordyn.analyses.life.summary import hours
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Shown, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.display import RPM, number

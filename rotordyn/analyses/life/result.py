@@ -12,15 +12,18 @@ from rotordyn.results.display import Shown
 from rotordyn.results.kinds import Array, Flags, Words
 
 BY = ("speed", "bearing")
-HOURS = Shown("h", 1.0 / 3600.0)
+HOUR = 3600.0  # s
+HOURS = Shown("h", 1.0 / HOUR)
 MILLIONS = Shown("1e6", 1e-6)
 NANOMETRE = Shown("nm", 1e9)
-TEMPERATURE = Shown("mm²/s", 1e6)
-
-
+VISCOSITY = Shown("mm²/s", 1e6)
 NO_OIL = Absence("without a lubricant")
 AT_REST = Absence("at rest", beside="speed")
 NO_LOAD = Absence("without load", beside="equivalent_load")
+THIN = Absence("where κ is below 0.1, as at rest", beside="life_factor")
+NO_SPECTRUM = Absence("without a load spectrum")
+STILL = Absence("where no step turns it under load", by=("bearing",))
+NO_TEMPERATURE = Absence("where the conditions have none")
 
 
 @dataclass(frozen=True)
@@ -30,17 +33,17 @@ class LifeResult:
     ``revolutions``: reference life L10r of ISO/TS 16281; ``life``: the same as time, infinite at
     rest; ``modified_life``: L_nm with the lubricant and the reliability. ``limiting``: the contact
     that fails first. ``groove_rating``: C from the grooves; ``dynamic_rating``: the one used.
-    ``rating_factor``: on ``dynamic_rating``, below 1 above 150 °C. ``set_life``: until the first
-    bearing fails. ``spectrum_life``, ``spectrum_set_life``, ``spectrum_safety``: under the load
-    spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
+    ``rating_factor``: of temperature, on ``dynamic_rating``, below 1 above 150 °C. ``set_life``:
+    until the first bearing fails. ``spectrum_life``, ``spectrum_set_life``, ``spectrum_safety``:
+    under the load spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
     ``shoulder_margin``: least angle from the end of a contact ellipse to the shoulder, NaN where no
     shoulder diameter is known; ``lost_load``: share of a ball's load that the shoulder takes away.
-    ``viscosity_ratio`` κ, ``film``: least thickness, ``film_ratio`` Λ, and heat are NaN without a
-    lubricant. Temperatures are NaN where the conditions have none; where they follow from the heat
-    of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect frequencies over
-    that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``:
-    largest stress of the fitted inner ring after Tresca, NaN without a fit. ``reliability``,
-    ``target``: as the case asks.
+    ``viscosity_ratio`` κ, ``film``: least thickness, 0 without load, ``film_ratio`` Λ, and heat are
+    NaN without a lubricant. Temperatures are NaN where the conditions have none; where they follow
+    from the heat of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect
+    frequencies over that of the spindle; ``ball``: turns of a ball, whose defect strikes twice.
+    ``ring_stress``: largest stress of the fitted inner ring after Tresca, NaN without a fit.
+    ``reliability``, ``target``: as the case asks.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -50,36 +53,17 @@ class LifeResult:
         *BY, unit="1", label="reference life L10r", printed=MILLIONS, infinite=(NO_LOAD,)
     )
     life: Array = quantity(
-        *BY,
-        unit="s",
-        label="reference life L10r",
-        printed=HOURS,
-        infinite=(
-            AT_REST,
-            NO_LOAD,
-        ),
+        *BY, unit="s", label="reference life L10r", printed=HOURS, infinite=(AT_REST, NO_LOAD)
     )
     modified_life: Array = quantity(
         *BY,
         unit="s",
         label="modified life",
         printed=HOURS,
-        absent=(NO_OIL,),
-        infinite=(
-            AT_REST,
-            NO_LOAD,
-        ),
+        absent=(NO_OIL, THIN),
+        infinite=(NO_LOAD,),
     )
-    life_factor: Array = quantity(
-        *BY,
-        unit="1",
-        label="factor a_ISO",
-        absent=(NO_OIL,),
-        infinite=(
-            AT_REST,
-            NO_LOAD,
-        ),
-    )
+    life_factor: Array = quantity(*BY, unit="1", label="factor a_ISO", absent=(NO_OIL, THIN))
     limiting: NDArray[np.str_] = quantity(*BY, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY, unit="N", label="equivalent load")
     static_safety: Array = quantity(*BY, unit="1", label="static safety S0", infinite=(NO_LOAD,))
@@ -109,20 +93,13 @@ class LifeResult:
     )
     slips: Flags = quantity(*BY, unit="", label="balls need more friction than the lubricant has")
     viscosity: float = quantity(
-        unit="m²/s", label="viscosity at work", printed=TEMPERATURE, absent=(NO_OIL,)
+        unit="m²/s", label="viscosity at work", printed=VISCOSITY, absent=(NO_OIL,)
     )
     viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ", absent=(NO_OIL,))
     film: Array = quantity(
-        *BY,
-        unit="m",
-        label="least film thickness",
-        printed=NANOMETRE,
-        absent=(NO_OIL,),
-        infinite=(NO_LOAD,),
+        *BY, unit="m", label="least film thickness", printed=NANOMETRE, absent=(NO_OIL,)
     )
-    film_ratio: Array = quantity(
-        *BY, unit="1", label="film over roughness Λ", absent=(NO_OIL,), infinite=(NO_LOAD,)
-    )
+    film_ratio: Array = quantity(*BY, unit="1", label="film over roughness Λ", absent=(NO_OIL,))
     cage: Array = quantity(*BY, unit="1", label="cage frequency over that of the spindle")
     outer: Array = quantity(*BY, unit="1", label="outer race frequency over that of the spindle")
     inner: Array = quantity(*BY, unit="1", label="inner race frequency over that of the spindle")
@@ -135,56 +112,42 @@ class LifeResult:
         absent=(Absence("without a fit", by=("bearing",)),),
     )
     ball_temperature: Array = quantity(
-        *BY,
-        unit="degC",
-        label="temperature of the balls",
-        absent=(Absence("where the conditions have none"),),
+        *BY, unit="degC", label="temperature of the balls", absent=(NO_TEMPERATURE,)
     )
     inner_temperature: Array = quantity(
-        *BY,
-        unit="degC",
-        label="temperature of the inner ring",
-        absent=(Absence("where the conditions have none"),),
+        *BY, unit="degC", label="temperature of the inner ring", absent=(NO_TEMPERATURE,)
     )
     outer_temperature: Array = quantity(
-        *BY,
-        unit="degC",
-        label="temperature of the outer ring",
-        absent=(Absence("where the conditions have none"),),
+        *BY, unit="degC", label="temperature of the outer ring", absent=(NO_TEMPERATURE,)
     )
     dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
     rating_factor: Array = quantity(*BY, unit="1", label="factor on the dynamic rating by heat")
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")
     set_life: Array = quantity(
-        "speed",
-        unit="s",
-        label="life of the set",
-        printed=HOURS,
-        infinite=(
-            AT_REST,
-            NO_LOAD,
-        ),
+        "speed", unit="s", label="life of the set", printed=HOURS, infinite=(AT_REST, NO_LOAD)
     )
     spectrum_life: Array = quantity(
         "bearing",
         unit="s",
         label="life under the spectrum",
         printed=HOURS,
-        absent=(Absence("without a load spectrum"),),
+        absent=(NO_SPECTRUM,),
+        infinite=(STILL,),
     )
     spectrum_safety: Array = quantity(
         "bearing",
         unit="1",
         label="least static safety S0 under the spectrum",
-        absent=(Absence("without a load spectrum"),),
-        infinite=(Absence("without load"),),
+        absent=(NO_SPECTRUM,),
+        infinite=(Absence("without load", by=("bearing",)),),
     )
     spectrum_set_life: float = quantity(
         unit="s",
         label="life of the set under the spectrum",
         printed=HOURS,
-        absent=(Absence("without a load spectrum"),),
+        absent=(NO_SPECTRUM,),
+        infinite=(STILL,),
     )
     reliability: float = quantity(unit="1", label="reliability of the modified life")
     target: float = quantity(

@@ -18,12 +18,12 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.results.display import RPM
-from rotordyn.scene.lubrication import hot_rating
+from rotordyn.scene.lubrication import Lubrication, hot_rating
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
 Values = dict[str, NDArray[Any]]
-NO_OIL = (
+OIL_FIELDS = (  # NaN without a lubricant
     *("inner_heat", "outer_heat", "spin_heat", "viscous_heat", "moment"),
     *("viscosity_ratio", "film", "film_ratio", "life_factor", "modified_life"),
 )
@@ -34,16 +34,16 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     state, seats = scene.preload, scene.spindle.seats
     good = np.array([word == "" for word in scene.outcome])
     ratings = _ratings(scene.spindle, spec)
-    known: dict[tuple[int, float], Values] = {}
+    of_model: dict[tuple[int, float], Values] = {}
     columns: list[Values] = []
     warm, rows = _temperatures(scene), scene.bearing_row
     hot = _rating_factor(spec, warm)[rows]
-    oiled = _oil_temperatures(scene, spec, warm)
+    oil_at = _oil_temperatures(scene, spec, warm)
     for (balls, column), rating in zip(state.seat_states(), ratings[0], strict=True):
         key = (id(balls), float(rating))
-        if key not in known:
-            known[key] = _of_bearings(balls, float(rating), spec, oiled[id(balls)])
-        columns.append({name: values[:, column] for name, values in known[key].items()})
+        if key not in of_model:
+            of_model[key] = _of_bearings(balls, float(rating), spec, oil_at[id(balls)])
+        columns.append({name: values[:, column] for name, values in of_model[key].items()})
 
     def joined(name: str) -> NDArray[Any]:
         values = np.stack([each[name] for each in columns], axis=1)[rows]
@@ -160,30 +160,24 @@ def _oiled(
     spec: LifeSpec,
     at: Array,
 ) -> Values:
-    """What depends on the lubricant; NaN without one."""
+    """What depends on the lubricant, the oil ``at`` its temperatures [°C]; NaN without one."""
     lubricant = spec.lubricant
     if lubricant is None:
-        nothing = {name: np.full_like(life, np.nan) for name in NO_OIL}
+        nothing = {name: np.full_like(life, np.nan) for name in OIL_FIELDS}
         return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
-    oil = lubricant.oil
-    factor = bearings.heat.OIL_FACTORS[lubricant.supply]
     lost = bearings.heat.losses(
-        state, oil, at, friction=lubricant.friction, oil_factor=factor, model=spec.heat
-    )
-    films = bearings.film.film(state, oil, at)
-    loaded = np.asarray(state.contact_load) > 0.0
-    film = np.where(loaded, films.least, np.inf).min(axis=(-2, -1))
-    ratio = np.where(
-        loaded, films.ratio(lubricant.ball_roughness, lubricant.race_roughness), np.inf
+        state,
+        lubricant.oil,
+        at,
+        friction=lubricant.friction,
+        oil_factor=bearings.heat.OIL_FACTORS[lubricant.supply],
+        model=spec.heat,
     )
     pitch = state.operation.grooves.pitch_diameter
-    kappa = bearings.life.viscosity_ratio(oil.kinematic(at), state.speed, pitch)
+    kappa = bearings.life.viscosity_ratio(lubricant.oil.kinematic(at), state.speed, pitch)
     static = bearings.life.static_rating(state.operation.grooves)
     limit = bearings.life.fatigue_load_limit(static, pitch)
-    modified = bearings.life.life_factor(
-        kappa, lubricant.contamination, limit, lived.equivalent_load
-    )
-    share = bearings.life.reliability_factor(spec.reliability)
+    factor = bearings.life.life_factor(kappa, lubricant.contamination, limit, lived.equivalent_load)
     return {
         "inner_heat": lost.inner,
         "outer_heat": lost.outer,
@@ -192,10 +186,21 @@ def _oiled(
         "moment": lost.moment,
         "slips": lost.slips,
         "viscosity_ratio": kappa,
-        "film": np.where(np.isfinite(film), film, 0.0),
-        "film_ratio": np.where(loaded.any(axis=(-2, -1)), ratio.min(axis=(-2, -1)), 0.0),
-        "life_factor": modified,
-        "modified_life": share * modified * life,
+        **_films(state, lubricant, at),
+        "life_factor": factor,
+        "modified_life": bearings.life.reliability_factor(spec.reliability) * factor * life,
+    }
+
+
+def _films(state: BearingState, lubricant: Lubrication, at: Array) -> Values:
+    """Least film of the loaded contacts, and its least ratio to the roughness; 0 without load."""
+    films = bearings.film.film(state, lubricant.oil, at)
+    loaded = np.asarray(state.contact_load) > 0.0
+    some = loaded.any(axis=(-2, -1))
+    ratio = films.ratio(lubricant.ball_roughness, lubricant.race_roughness)
+    return {
+        name: np.where(some, np.where(loaded, values, np.inf).min(axis=(-2, -1)), 0.0)
+        for name, values in (("film", films.least), ("film_ratio", ratio))
     }
 
 

@@ -8,16 +8,7 @@ from dataclasses import dataclass, field
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, known
-from rotordyn.quantity import (
-    Choice,
-    Duration,
-    Force,
-    Load,
-    Name,
-    Preload,
-    Share,
-    Speed,
-)
+from rotordyn.quantity import Choice, Duration, Force, Load, Name, Preload, Share, Speed
 from rotordyn.results.display import RPM
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import ELLIPSE, LOSS_MODELS, Lubrication

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analyses.contract import Code
+from rotordyn.analyses.life.result import HOUR
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
@@ -35,7 +36,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     result, rpm = variant.result, variant.result.speed * RPM.factor
     if not result.bearing:
         return
-    hours = np.where(np.isfinite(result.set_life), result.set_life / 3600.0, np.nan)
+    hours = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
     yield Curve("life", "life of the set L10r", "h", rpm, hours, log=True)
     low: Any = {"limits": (0.0, None)}
     yield Curve("life", "least static safety S0", "-", rpm, result.static_safety.min(axis=1), **low)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.life.result import LifeResult
+from rotordyn.analyses.life.result import HOUR, LifeResult
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import merged
 from rotordyn.figures.legends import top_legend
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-HOUR = 3600.0
 
 
 def life_figure(result: LifeResult) -> Figure:
