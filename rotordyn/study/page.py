@@ -74,7 +74,7 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
 
 def _require_files(folder: Path) -> None:
     """Raise InvalidInput where a pipe or a device stands in ``folder``: reading it may not end."""
-    for path in folder.iterdir() if folder.is_dir() else ():
+    for path in folder.iterdir() if os.path.isdir(folder) else ():
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise InvalidInput(f"{path} is no regular file, which no results folder holds")
 
