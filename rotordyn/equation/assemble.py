@@ -26,6 +26,8 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
+STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
+
 
 def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tuple[Component, ...]]:
     """Components that links join at any of the states, or that turn with one another; ``drawbar``:
@@ -91,7 +93,7 @@ def assemble(
         stiffness[:, in_z, in_y] -= spin * turning.T
     links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
     links += [(link, pull) for link in structure.drawbar] if force is not None else []
-    connections, alone = list[Connection](), (stiffness.copy(), damping.copy())
+    connections, bodies = list[Connection](), stiffness.copy()
     for link, share in links:
         if not any(component.has(link.dofs).any() for component in components):
             continue  # of other subsystems
@@ -100,7 +102,6 @@ def assemble(
         stiffness += connections[-1].stiffness
         if damped.any():
             damping += connections[-1].damping
-    bodies = Linear(structure, whole.components, speed, *alone, (), _loss(whole, ()))
     whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
     allowed = _allowed(whole, connections)
     if allowed is None:
@@ -115,8 +116,11 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
-    softest, none = size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
-    stiff = np.concatenate([none, *(each.strained(softest) for each in connections)])
+    least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    damped = any(c.damping.any() for c in linear.components) or any(c.damped for c in connections)
+    if linear.loss is not None or damped:
+        least = np.inf  # motions of damped systems would lose digits instead
+    stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
     rigid = np.concatenate([none, *held])
     rigid = rigid[rigid.any(axis=1)]

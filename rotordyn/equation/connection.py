@@ -11,7 +11,6 @@ from rotordyn.equation.term import Array, Link, LinkMatrices, Matrices
 
 Complex = NDArray[np.complex128]
 M = TypeVar("M", bound=Matrices)
-STIFF = 1e6  # of the softest mode: links so stiff take six of its digits
 
 
 def at_rows(values: M, rows: NDArray[np.intp]) -> M:
@@ -48,16 +47,18 @@ class Connection(NamedTuple):
         """By the coordinates (s or 1, n, n)."""
         return np.asarray(self.motions.T @ (self.matrices.damping @ self.motions))
 
-    def strained(self, softest: float) -> Array:
-        """Rows of ``motions`` that by the coordinates are ``STIFF`` times as stiff as ``softest``
-        [rad²/s²], or by damping alone decay as much faster, the stiffest first (k, n)."""
-        weight = (self.motions**2).sum(axis=1)
-        held, damped = (
-            weight * np.abs(np.diagonal(part, axis1=1, axis2=2)).max(axis=0)
-            for part in self.matrices
-        )
-        size = np.maximum(held / softest, damped / np.sqrt(softest))
-        chosen = np.flatnonzero(size >= STIFF)
+    @property
+    def damped(self) -> bool:
+        """Some motion of the coordinates is."""
+        moved = self.motions.any(axis=1)
+        return bool(self.matrices.damping[:, moved][:, :, moved].any())
+
+    def strained(self, least: float) -> Array:
+        """Rows of ``motions`` with a stiffness of ``least`` or more by the coordinates, the largest
+        first (k, n)."""
+        own = np.abs(np.diagonal(self.matrices.stiffness, axis1=1, axis2=2)).max(axis=0)
+        size = own * (self.motions**2).sum(axis=1)
+        chosen = np.flatnonzero(size >= least)
         return self.motions[chosen[np.argsort(-size[chosen], kind="stable")]]
 
     def force(self, omega: Array, moved: Complex) -> Complex:

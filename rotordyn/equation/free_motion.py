@@ -253,20 +253,14 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
     return linear.stiffness + linear.loss.stiffness(signs)
 
 
-def allowed_matrices(linear: Linear, signs: Signs) -> tuple[Matrices, Array]:
-    """The same within the motions that rigid supports allow (s, m, m), and damping there."""
-    stiffness, damping = linear.allowed_matrices
-    if linear.allowed_loss is None:
-        return stiffness, damping
-    return stiffness + linear.allowed_loss.stiffness(signs), damping
-
-
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     """All free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those of its
     own frequency. What is the same at all speeds is solved once."""
-    stiffness: Matrices
-    damping: Matrices
-    (stiffness, damping), loss = linear.allowed_matrices, linear.allowed_loss
+    stiffness: Matrices = linear.allowed_stiffness
+    damping: Matrices = linear.within(linear.damping)
+    loss = linear.loss
+    if loss is not None:
+        loss = Hysteresis(*(linear.within(part) for part in loss if part is not None))
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
     turns = loss is not None and loss.turns
     if len(linear.speed) > 1 and not turns and all((part == part[:1]).all() for part in parts):
@@ -285,7 +279,7 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
 
 def responding(linear: Linear) -> FreeMotions:
     """The same without poles, for receptances at a few frequencies alone; without loss factors."""
-    return FreeMotions(linear, unsolved(*linear.allowed_matrices))
+    return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
 
 
 def _circular(matrix: Matrices, half: int) -> Matrices:

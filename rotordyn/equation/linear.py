@@ -11,11 +11,10 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,7 @@ from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
-from rotordyn.equation.term import Array, LinkMatrices, Matrices
+from rotordyn.equation.term import Array, Matrices
 
 Complex = NDArray[np.complex128]
 STRAINED = 1e-13  # of a link's largest motion: less is rounding
@@ -40,8 +39,8 @@ class Linear:
 
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
     ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
-    which few strain very stiff links; None where there are neither. ``bodies``: the
-    same without links.
+    which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), beside
+    it: what of ``stiffness`` is not of links.
     """
 
     structure: Structure
@@ -52,7 +51,7 @@ class Linear:
     connections: tuple[Connection, ...]
     loss: Hysteresis | None = None
     allowed: Array | None = None
-    bodies: Linear | None = None
+    bodies: Array | None = None
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -78,7 +77,7 @@ class Linear:
             damping=self.damping[rows],
             connections=tuple(each.at(rows) for each in self.connections),
             loss=None if self.loss is None else self.loss.at(rows),
-            bodies=self.bodies and self.bodies.at(rows),
+            bodies=None if self.bodies is None else self.bodies[rows],
         )
 
     def within(self, matrix: T) -> T:
@@ -89,43 +88,17 @@ class Linear:
         return held
 
     @cached_property
-    def allowed_matrices(self) -> LinkMatrices:
-        """Stiffness and damping within the motions that rigid supports allow (s, m, m)."""
-        if self.bodies is None:
-            return LinkMatrices(self.stiffness, self.damping)
-        return LinkMatrices(
-            self._summed(self.bodies.stiffness, lambda each: each.matrices.stiffness),
-            self._summed(self.bodies.damping, lambda each: each.matrices.damping),
-        )
-
-    @cached_property
-    def allowed_loss(self) -> Hysteresis | None:
-        """Of ``loss`` what acts in the motions that rigid supports allow."""
-        if self.bodies is None or self.bodies.loss is None:
-            return self.loss
-        fixed, turning, across = self.bodies.loss
-        return Hysteresis(
-            self._summed(fixed, lambda each: each.link.loss_factor * each.matrices.stiffness),
-            self.within(turning),
-            None if across is None else self.within(across),
-        )
-
-    def _summed(self, bodies: T, of: Callable[[Connection], Array]) -> T:
-        """``bodies`` (s, n, n) and a matrix ``of`` each link in the allowed motions, link by link:
-        motions that do not strain a link get none of it, however stiff it is."""
-        whole: Any = self.within(bodies)
-        for each, motions in zip(self.connections, self._strains, strict=True):
-            whole = whole + motions.T @ (of(each) @ motions)
-        return cast(T, whole)
-
-    @cached_property
-    def _strains(self) -> list[Array]:
-        """Relative motions of each link by the allowed motions (k, m)."""
-        strains = [each.motions @ self.basis for each in self.connections]
-        for motions, each in zip(strains, self.connections, strict=True):
-            size = np.linalg.norm(each.motions, axis=1)
+    def allowed_stiffness(self) -> Array:
+        """``stiffness`` within the motions that rigid supports allow (s, m, m), summed link by link
+        there: motions that do not strain a link get none of it, however stiff it is."""
+        if self.allowed is None or self.bodies is None:
+            return self.stiffness
+        whole = self.within(self.bodies)
+        for each in self.connections:
+            motions, size = each.motions @ self.allowed, np.linalg.norm(each.motions, axis=1)
             motions[np.abs(motions) <= STRAINED * size[:, None]] = 0.0
-        return strains
+            whole = whole + motions.T @ (each.matrices.stiffness @ motions)
+        return whole
 
     @property
     def basis(self) -> Array:

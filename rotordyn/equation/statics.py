@@ -135,7 +135,7 @@ def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Ar
     places = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
     rows = [motions[id(link)][places] for link in structure.seats]
     seated = np.array(rows).reshape(-1, len(places), linear.size)
-    stiffness, acting = linear.allowed_matrices.stiffness, point @ linear.basis
+    stiffness, acting = linear.allowed_stiffness, point @ linear.basis
     return StaticRotor(dof, stiffness, seated @ linear.basis, acting, 0.0 * acting)
 
 
@@ -152,7 +152,7 @@ def withstands(
     every = subsystems(structure, state, drawbar=True)
     components = next(components_of for components_of in every if bent in components_of)
     both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
-    loaded, free = (each.allowed_matrices.stiffness for each in both)
+    loaded, free = (each.allowed_stiffness for each in both)
     return np.asarray(_negative(loaded) <= _negative(free))
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.equation.free_motion import FreeMotions, allowed_matrices
+from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.excitation import Line
@@ -134,8 +134,9 @@ def _corrected(
     """The mode of every start by itself; None where that is not clearly the one looked for."""
     linear, line = scene.linear(subsystem), starts[0].line.size
     signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))
-    stiffness, damping = (part[rows] for part in allowed_matrices(linear, signs))
+    stiffness = linear.within(answering_stiffness(linear, signs)[rows])
     begun = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
+    damping = linear.within(linear.damping[rows])
     turning = np.asarray(1j * line * at, dtype=complex)
     pole, vector, met = corrected(stiffness, damping, turning, begun)
     states: list[State | None] = [None] * len(starts)

@@ -4,7 +4,6 @@ none of them is taken for a free one."""
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,15 +12,12 @@ import pytest
 from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
-from rotordyn.analyses.unbalance import solve as unbalance
-from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.free_directions import free_directions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
 from tests.oracles.spinning_beam import PinnedBeam
 
@@ -84,63 +80,6 @@ def test_a_slow_motion_beside_a_stiff_spring_keeps_its_error(soft: float, stiff:
     rounds = soft == 1.0 and stiff == 1e12
     assert ("rounding" in found.unconverged) == rounds
     assert ("hold them rigid" in found.unconverged) == rounds
-
-
-def damped(support: LinearSupport, soft: float) -> LinearSupport:
-    """With a damping ratio of 1 % of the pendulum on a spring ``soft``."""
-    rate = 0.02 / (2.0 * math.pi * pendulum(soft))
-    damping = {pair: rate * float(held) for pair, held in support.stiffness.items()}  # type: ignore[arg-type]
-    return replace(support, damping=damping)
-
-
-@pytest.mark.parametrize("soft", [1e3, 1.0])
-@pytest.mark.parametrize("stiff", [1e10, 1e12, 1e14])
-def test_a_damped_slow_motion_beside_a_stiff_damper(soft: float, stiff: float) -> None:
-    """It keeps its digits, as that of a stiff spring does; bending of the shaft takes part."""
-    ends = (damped(spring(*each), soft) for each in (("a", 0.0, stiff), ("b", LENGTH, soft)))
-    found = solved(beam(*ends), 1e-6, 2000.0)
-    lowest = int(np.nanargmin(found.frequency[0]))
-    frequency, told = pendulum(soft) * math.sqrt(1.0 - 0.01**2), found.frequency_error[0, lowest]
-    assert found.frequency[0, lowest] == pytest.approx(frequency, rel=told + 1e-8 + 2e-8 * soft)
-    told += found.damping_error[0, lowest]
-    assert found.damping_ratio[0, lowest] == pytest.approx(0.01, rel=100 * told + 1e-7 * soft)
-    assert told < (3e-9 if stiff > 1e10 else 2e-6)  # the softest is not set apart
-
-
-@pytest.mark.parametrize("soft", [1e3, 1.0])
-def test_a_slow_motion_with_loss_beside_a_stiff_spring(soft: float) -> None:
-    """λ² = −k (1 + iη) / m of the pendulum, with the same loss factor of both springs."""
-    ends = (
-        replace(spring(*each), loss_factor=0.02) for each in (("a", 0.0, 1e14), ("b", LENGTH, soft))
-    )
-    found = solved(beam(*ends), 1e-6, 2000.0)
-    lowest = int(np.nanargmin(found.frequency[0]))
-    pole = 1j * np.sqrt(1.0 + 0.02j)
-    assert found.frequency[0, lowest] == pytest.approx(
-        pendulum(soft) * pole.imag, rel=1e-8 + 2e-8 * soft
-    )
-    ratio = -pole.real / abs(pole)
-    assert found.damping_ratio[0, lowest] == pytest.approx(ratio, rel=1e-9 + 1e-7 * soft)
-    assert found.frequency_error[0, lowest] < 3e-9
-
-
-def test_unbalance_of_a_slow_motion_beside_a_stiff_damper() -> None:
-    """U Ω² / (k − (I − Ip) Ω²/L² + iΩ c) at the free end, through resonance; bending takes 3e-8 of
-    k away, which a damping ratio of 1 % raises by 50."""
-    soft = 1.0
-    ends = (damped(spring(*each), soft) for each in (("a", 0.0, 1e14), ("b", LENGTH, soft)))
-    spindle = replace(beam(*ends), points={"end": LENGTH})
-    spin = 2.0 * math.pi * pendulum(soft) * np.array([0.5, 0.99, 1.02])
-    spec = UnbalanceSpec(("end",), (Unbalance("end", 1e-4),))
-    scene = Scene(spindle, Conditions(accuracy=1e-6), spin, 10.0)
-    result = unbalance.answer(scene, spec)
-    own = PinnedBeam(LENGTH, DIAMETER)
-    diametral = own.line_mass * LENGTH * (LENGTH**2 / 3.0 + DIAMETER**2 / 16.0)
-    polar = own.line_mass * LENGTH * DIAMETER**2 / 8.0
-    damper = 0.02 * soft / (2.0 * math.pi * pendulum(soft))
-    dynamic = soft - (diametral - polar) / LENGTH**2 * spin**2 + 1j * spin * damper
-    expected = 1e-4 * spin**2 / dynamic
-    assert np.abs(result.displacement[:, 0, 0] / expected - 1.0).max() < 50.0 * 3e-8
 
 
 @pytest.mark.parametrize("other", [spring("b", LENGTH, 1e-4), spring("b", 0.0, 0.0, thz=3e-5)])

@@ -18,15 +18,9 @@ from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.dofs import position
-from rotordyn.equation.free_motion import (
-    FORWARD,
-    FreeMotions,
-    allowed_matrices,
-    answering_stiffness,
-)
+from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
-from rotordyn.equation.term import Matrices
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
@@ -183,28 +177,22 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
     turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
     force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
     back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
-    every = answering_stiffness(linear, SYNCHRONOUS), linear.damping
-    allowed = allowed_matrices(linear, SYNCHRONOUS)
+    stiffness = answering_stiffness(linear, SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
-    for row in np.flatnonzero(speed).tolist():
-        w = abs(float(speed[row]))
-        whole, inside = (_dynamic(k[row], c[row], w) for k, c in (every, allowed))
+    for row in np.flatnonzero(speed):
+        w = abs(speed[row])
+        dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
         load = w**2 * (force if ahead[row] > 0.0 else back)
         try:
-            within = np.linalg.solve(inside, load @ linear.basis)
+            within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue
         moved[row] = linear.basis @ within
-        left[row] = load - whole @ moved[row]
+        left[row] = load - dynamic @ moved[row]
     return Steady(
         *(np.where(ahead[:, None] > 0.0, linear, linear.conj()) for linear in (moved, left))
     )
-
-
-def _dynamic(stiffness: Matrices, damping: Array, omega: float) -> Complex:
-    """Dynamic stiffness (n, n)."""
-    return np.asarray(stiffness + 1j * omega * damping - omega**2 * np.eye(len(damping)))
 
 
 def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
