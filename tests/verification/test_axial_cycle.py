@@ -96,6 +96,11 @@ def test_the_energy_lost_is_the_area_between_the_branches() -> None:
     rising, falling = (np.trapezoid(fine.force, fine.position[:, k, :, 0]) for k in (1, 0))
     assert cycle().loss == pytest.approx(rising - falling, rel=2e-3)
     assert cycle(steps=1).loss == pytest.approx(fine.loss, rel=1e-9)
+    front = fine.position[..., 1]
+    way = front.max(axis=(1, 2)) - front.min(axis=(1, 2))
+    assert fine.loss == pytest.approx(2.0 * FRICTION * way, rel=2e-3), (
+        "of one sleeve, there and back"
+    )
 
 
 def test_the_stiffness_at_no_load_does_not_hang_on_the_steps() -> None:
