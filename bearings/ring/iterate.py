@@ -33,9 +33,9 @@ class Iterate:
     ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved.
     ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
     ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
-    state; ``pressure`` (…): largest of both races [Pa]; ``lightest`` (…): smallest inner load
-    of a ball [N]; ``sound`` (…): every ball on the physical branch. A turning ball moves
-    by ``still``, and by ``follow`` times what its groove centre does; at rest balls have none.
+    state; ``pressure`` (…): largest of both races [Pa]; ``inner_load`` (…, n) of the balls [N];
+    ``sound`` (…): every ball on the physical branch. A turning ball moves by ``still``, and by
+    ``follow`` times what its groove centre does; at rest balls have none.
     """
 
     parts: Parts
@@ -46,7 +46,7 @@ class Iterate:
     stiffness: Array
     error: Array
     pressure: Array
-    lightest: Array
+    inner_load: Array
     sound: Flags
     still: Array
     follow: Array
@@ -120,7 +120,8 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     count, balls = sum(len(k) for k, _ in parts), ball.shape[-1]
     d, x = displacement.reshape(count, 5), ball.reshape(2, count, balls)
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
-    error, pressure, lightest = np.empty((3, count))
+    error, pressure = np.empty((2, count))
+    inner_load = np.empty((count, balls))
     sound = np.empty(count, dtype=bool)
     parts_of = len(parts[0][1].assembly.spread)
     still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
@@ -129,7 +130,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         load[k] = problem.assembly.load(np.stack(linear.balls.action))
         stiffness[k] = tangent(problem, linear.balls)
         error[k], pressure[k] = linear.error, _pressure(problem, linear)
-        lightest[k] = linear.balance.inner_load.min(axis=-1)
+        inner_load[k] = linear.balance.inner_load
         sound[k] = np.isfinite(linear.error)
         if problem.turning:
             sound[k] = (linear.fold > 0.0) & (linear.balance.outer_load > 0.0).all(axis=-1)
@@ -145,7 +146,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         stiffness=stiffness.reshape(*shape, 5, 5),
         error=error.reshape(shape),
         pressure=pressure.reshape(shape),
-        lightest=lightest.reshape(shape),
+        inner_load=inner_load.reshape(*shape, balls),
         sound=sound.reshape(shape),
         still=still.reshape(2, *shape, balls),
         follow=follow.reshape(2, parts_of, *shape, balls),

@@ -52,7 +52,7 @@ class Point:
     itself. ``load`` (speeds, seats, f), ``tangent`` (speeds, seats, f, f): in the DOF of the
     balance, of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest
     contact pressure [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its inner
-    race [N].
+    race [N], and ``lightest_ball`` (speeds, seats): which one.
     """
 
     coordinates: Array
@@ -63,6 +63,7 @@ class Point:
     imbalance: Array
     pressure: Array
     lightest: Array
+    lightest_ball: NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -149,15 +150,25 @@ class Balance:
         dof = list(self.dof)
         load = np.empty((len(coordinates), len(self.bearings), len(dof)))
         tangent = np.empty((*load.shape, len(dof)))
-        lightest = np.empty(load.shape[:2])
+        lightest, which = np.empty(load.shape[:2]), np.empty(load.shape[:2], dtype=np.intp)
         for places, balls in bearings:
             sign = self._sign[places]
             k = balls.stiffness[..., dof, :][..., dof]
             load[:, places] = balls.load[..., dof] * sign
             tangent[:, places] = k * sign[:, :, None] * sign[:, None, :]
-            lightest[:, places] = balls.lightest
-        imbalance, pressure = bearings.imbalance, bearings.pressure
-        return Point(coordinates, bearings, states, load, tangent, imbalance, pressure, lightest)
+            lightest[:, places] = balls.inner_load.min(axis=-1)
+            which[:, places] = balls.inner_load.argmin(axis=-1)
+        return Point(
+            coordinates,
+            bearings,
+            states,
+            load,
+            tangent,
+            bearings.imbalance,
+            bearings.pressure,
+            lightest,
+            which,
+        )
 
     @property
     def _forces(self) -> list[int]:

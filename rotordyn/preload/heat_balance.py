@@ -62,7 +62,10 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
     for _ in range(MOST):
         contacts, known = _contact_heat(solve(_tables(here, speed, names, flow)), flow)
         lost = active & ~known
-        words[lost] = f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C"
+        words[lost] = (
+            f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C, raise the "
+            "preload or cool more"
+        )
         active &= known
         step = _reached(contacts, pitches, speed, flow) - here
         size = np.abs(np.where(active[:, None, None], step, 0.0)).max(axis=(1, 2))
@@ -76,9 +79,9 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         active &= ~over & (size >= TOLERANCE)
         if not active.any():
             break
-    words[active] = "temperatures of the bearings do not settle"
+    words[active] = "temperatures do not settle, cool more, lower the preload or take springs"
     said = tuple(
-        f"{word} at {rpm:.0f} rpm" if word else ""
+        f"bearings at {rpm:.0f} rpm: {word}" if word else ""
         for word, rpm in zip(words, speed * 30.0 / np.pi, strict=True)
     )
     return HeatBalance(_tables(here, speed, names, flow), said)
@@ -91,7 +94,7 @@ def _hottest(here: Array, rows: NDArray[np.bool_]) -> float:
 def _run_away(here: Array, names: tuple[str, ...]) -> str:
     hot = [name for name, values in zip(names, here, strict=True) if values.max() > HOTTEST]
     return (
-        f"temperatures of bearing{'s' * (len(hot) > 1)} {', '.join(hot)} run away: "
+        f"temperatures run away at bearing{'s' * (len(hot) > 1)} {', '.join(hot)}, "
         f"{here.max():.0f} °C and rising; lower speed or preload, take a thinner oil or cool more"
     )
 

@@ -78,9 +78,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
             f"bearing {names[lost[0]]} has no equilibrium at {rpm:.0f} rpm: raise its preload or "
             "lower the speed"
         )
-    least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
-    idle = np.flatnonzero((load <= least) & ~network.both_ways)
-    if idle.size:
+    if idle := _idle(network, net, row, pushed):
         return (
             f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
             "preload"
@@ -96,8 +94,27 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
             "load it, or take away its play"
         )
     if not net.converged[row]:
-        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
+        return _unbalanced(network.arrangement.force, rpm)
     return _overload(names, net, row, rpm)
+
+
+def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[int]:
+    """Bearings whose lost preload leaves play: without any load, and no force from outside presses
+    the shaft against others."""
+    load = net.response.load[row]
+    if network.arrangement.force and net.converged[row] and (load > 0.0).any():
+        return []
+    least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
+    return np.flatnonzero((load <= least) & ~network.both_ways).tolist()
+
+
+def _unbalanced(force: float, rpm: float) -> str:
+    if force:
+        return (
+            f"nothing balances the axial force of {force:.4g} N on the shaft at {rpm:.0f} rpm: "
+            "lower it, raise the preload, or give the sleeves end stops"
+        )
+    return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
 
 
 def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:

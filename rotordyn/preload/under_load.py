@@ -10,7 +10,6 @@ Theory: docs/theory/loads.md.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,6 +19,7 @@ from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
 from rotordyn.preload.balance import Balance, Force, Point
+from rotordyn.preload.leaving import Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.state import PreloadState
 
@@ -27,7 +27,6 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
-REAL = 1e-12
 NEARER = 6  # loads that are tried within a step
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
 
@@ -36,7 +35,9 @@ def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadS
     """``state`` under loads of ``size`` [N], along ``rotor.point`` of a structure in its states."""
     first = Balance.at(state, rotor, np.arange(len(state.speed)))
     balance, there, converged = _marched(first, size)
-    words = ["" if good else _why(state, there, row) for row, good in enumerate(converged.tolist())]
+    words = [
+        "" if good else _why(state, there, row, size) for row, good in enumerate(converged.tolist())
+    ]
     return _as_state(state, balance, there, balance.error(there, size), tuple(words))
 
 
@@ -58,8 +59,7 @@ def contact_loss(
     """Loads of ``size`` [N] in so many ``steps`` on ``state``, the one without them, at ``rows``.
 
     Within the step in which the first ball of a bearing leaves its race the place is sought from
-    below: the approach of the lightest ball, Q^(2/3), is taken to go on as it did at the three
-    loads before, and another load is tried nearer to where it comes to zero.
+    below (``Leaving``).
     """
     first = Balance.at(state, rotor, rows)
     shares = np.linspace(0.0, 1.0, steps + 1)
@@ -67,81 +67,31 @@ def contact_loss(
     lost_at = np.full((len(rows), len(every[0])), np.nan)
     ball = np.full(lost_at.shape, -1)
     for seat in range(lost_at.shape[1]):
-        known = [
-            _Approach.of(shares, [each[seat][row] for each in every]) for row in range(len(rows))
-        ]
+        known = [_leaving(shares, [each[seat][row] for each in every]) for row in range(len(rows))]
         for _ in range(NEARER if any(known) else 0):
             trial = np.array([one.trial if one else 0.0 for one in known])
             loads = _inner_loads(_marched(first, trial * size)[1])[seat]
-            known = [one and one.after(trial[k], loads[k]) for k, one in enumerate(known)]
+            known = [
+                one and one.after(trial[k], float(loads[k].min()), int(loads[k].argmin()))
+                for k, one in enumerate(known)
+            ]
         for row, one in enumerate(known):
             if one is not None:
                 lost_at[row, seat], ball[row, seat] = one.zero, one.ball
     return ContactLoss(lost_at, ball)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _Approach:
-    """Where the lightest ball of a bearing in one state leaves its race.
-
-    ``share`` of the loads and ``approach`` Q^(2/3) of that ball while it is pressed, ascending;
-    ``lost``: share at which one has left; ``least`` load that counts; ``ball``: the lightest.
-    """
-
-    share: tuple[float, ...]
-    approach: tuple[float, ...]
-    lost: float
-    least: float
-    ball: int
-
-    @classmethod
-    def of(cls, shares: Array, loads: list[Array]) -> _Approach | None:
-        """From inner loads of the balls at every share; None where none leaves, or one has left
-        without loads."""
-        lightest = np.array([each.min() for each in loads])
-        least = LOST * float(lightest[0])
-        gone = np.flatnonzero(lightest <= least)
-        if not lightest[0] > 0.0 or not gone.size:
-            return None
-        held = slice(max(gone[0] - 3, 0), gone[0])
-        approach = tuple((lightest[held] ** (2.0 / 3.0)).tolist())
-        last = int(loads[gone[0] - 1].argmin())
-        return cls(tuple(shares[held].tolist()), approach, float(shares[gone[0]]), least, last)
-
-    @property
-    def zero(self) -> float:
-        """Share at which the approach comes to zero, as far as it is known."""
-        return leaving(self.share, self.approach, self.lost)
-
-    @property
-    def trial(self) -> float:
-        """Share to look at next, most of the way to where the approach comes to zero."""
-        zero = self.zero
-        return self.share[-1] + (0.9 if zero < self.lost else 0.5) * (zero - self.share[-1])
-
-    def after(self, share: float, loads: Array) -> _Approach:
-        """With the loads of the balls at a further share."""
-        lightest = float(loads.min())
-        if not lightest > self.least:
-            return replace(self, lost=share)
-        return replace(
-            self,
-            share=(*self.share, share)[-3:],
-            approach=(*self.approach, lightest ** (2.0 / 3.0))[-3:],
-            ball=int(loads.argmin()),
-        )
-
-
-def leaving(load: Sequence[float], approach: Sequence[float], lost: float) -> float:
-    """Load at which an ``approach``, known at up to three of them, comes to zero on its straight
-    line or parabola; ``lost``: one at which it has, taken where nothing nearer is known."""
-    if len(load) < 2:
-        return lost
-    curve = np.polynomial.Polynomial.fit(load, approach, len(load) - 1)
-    zeros = np.asarray(curve.roots())
-    zeros = zeros.real[np.abs(zeros.imag) < REAL]
-    inside = zeros[(load[-1] <= zeros) & (zeros <= lost)]
-    return float(inside.min(initial=lost))
+def _leaving(shares: Array, loads: list[Array]) -> Leaving | None:
+    """From inner loads of the balls at every share; None where none leaves, or one has left without
+    loads."""
+    lightest = np.array([each.min() for each in loads])
+    least = LOST * float(lightest[0])
+    gone = np.flatnonzero(lightest <= least)
+    if not lightest[0] > 0.0 or not gone.size:
+        return None
+    k = int(gone[0])
+    known = shares[:k].tolist(), lightest[:k].tolist()
+    return Leaving.between(*known, float(shares[k]), least, int(loads[k - 1].argmin()))
 
 
 def _inner_loads(there: Point) -> list[Array]:
@@ -191,16 +141,17 @@ def _ahead(balance: Balance, here: Point, step: Force, alive: Flags) -> list[Arr
     return [here.coordinates + change, *(x + dx for x, dx in zip(balls, moved, strict=True))]
 
 
-def _why(state: PreloadState, there: Point, row: int) -> str:
+def _why(state: PreloadState, there: Point, row: int, size: float) -> str:
     rpm, pressure = state.speed[row] * 30.0 / math.pi, float(there.pressure[row])
     if pressure > HIGHEST_PRESSURE:
         return (
-            f"bearings are overloaded under the loads at {rpm:.0f} rpm (peak pressure "
-            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower the loads"
+            f"bearings are overloaded under the loads of {size:.4g} N on the shaft at {rpm:.0f} "
+            f"rpm (peak pressure {pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} "
+            "GPa): lower the loads"
         )
     return (
-        f"nothing balances the loads at {rpm:.0f} rpm: lower them, raise the preload, or hold the "
-        "shaft by further bearings or supports"
+        f"nothing balances the loads of {size:.4g} N on the shaft at {rpm:.0f} rpm: lower them, "
+        "raise the preload, or hold the shaft by further bearings or supports"
     )
 
 

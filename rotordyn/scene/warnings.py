@@ -124,7 +124,7 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
             gripping(name, speed, grip) if free else "",
         )
         yield from (sentence for sentence in sentences if sentence)
-        if state.lateral is not None:
+        if state.lateral is not None or state.force:
             yield from _lost(name, speed, usable, balls.inner_load[:, column], seat)
     yield from state.small_shims()
 
@@ -138,7 +138,7 @@ def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
 def _lost(
     name: str, speed: Array, usable: NDArray[np.bool_], load: Array, seat: BearingSeat
 ) -> Iterator[str]:
-    """Of a bearing that takes thrust one way, balls that static loads leave without load."""
+    """Of a bearing that takes thrust one way, balls that loads from outside leave without load."""
     idle = usable[:, None] & (load <= 0.0)
     rows = np.flatnonzero(idle.any(axis=1))
     if seat.bearing.both_ways or not rows.size:
@@ -146,8 +146,9 @@ def _lost(
     balls, rpm = idle[rows[0]], speed[rows[0]] * RPM.factor
     if balls.all():
         yield (
-            f"{name}: static loads unload it at {rpm:.0f} rpm: it holds nothing there; raise its "
-            "preload, or lower the loads"
+            f"{name}: static loads unload it at {rpm:.0f} rpm: it holds nothing there, and "
+            "modes, stiffness and responses are those of the shaft without it; raise its preload, "
+            "or lower the loads"
         )
         return
     angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust

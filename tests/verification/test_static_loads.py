@@ -479,9 +479,28 @@ def test_contact_loss_is_named_and_is_where_the_ball_is_free() -> None:
     assert len(list(numbers(result, None))) > 0  # type: ignore[arg-type]
 
 
+def test_a_radial_force_takes_the_ball_off_that_loads_do() -> None:
+    """Two ways to the same place: rings and balls step by step, every load solved from nothing."""
+    plain = scene(mfw2310(), [0.0, 12000.0])
+    curve = stiffness_answer(plain, StiffnessSpec("Oc2", 2600.0, 3, variants=("nonlinear",)))
+    load = loaded([0.0, 12000.0], PointLoad(at="Oc2", Fy=2600.0))
+    rose = answer(load, BearingLoadsSpec())
+    lost = np.isfinite(rose.loss_share)
+    assert lost[0].sum() >= 2
+    assert (np.isfinite(curve.unloading_force) == lost).all()
+    there = curve.unloading_force[lost]
+    assert there == pytest.approx(2600.0 * rose.loss_share[lost], rel=5e-4)
+    turn = curve.unloaded_azimuth[lost] - rose.loss_azimuth[lost]
+    mirror = curve.unloaded_azimuth[lost] + rose.loss_azimuth[lost]
+    assert np.fmin(1 - np.cos(turn), 1 - np.cos(mirror)) == pytest.approx(0.0, abs=1e-9)
+    for k in np.flatnonzero(lost[0]):
+        ball = int(curve.unloaded_ball[0, k]) - 1
+        assert rose.ball_azimuth[k, ball] == pytest.approx(curve.unloaded_azimuth[0, k])
+
+
 def test_loads_beyond_the_bearings_are_named() -> None:
     found = loaded([0.0], PointLoad(at="Oc2", Fy=200000.0))
-    assert "the loads" in found.preload.outcome[0]
+    assert "the loads of 2e+05 N on the shaft" in found.preload.outcome[0]
     assert "lower" in found.preload.outcome[0]
     assert "0 rpm" in found.preload.outcome[0]
 

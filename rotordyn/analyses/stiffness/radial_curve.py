@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.balance import Balance, Point
-from rotordyn.preload.under_load import leaving
+from rotordyn.preload.leaving import Leaving
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
-LOST = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
+LOST = 1e-6  # of its lightest ball without radial force: a ball with less carries nothing
+NEARER = 6  # forces that are tried within a step in which balls leave
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -51,8 +52,8 @@ class RadialCurve:
     ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
     (speeds, bodies): furthest position of each body against its spring along the curve, as travel
     from rest [m]. ``unloading`` (speeds, seats): force under which the first ball of a bearing
-    carries nothing, where all of them were pressed, between two loads by the parabola of its
-    approach [N]; NaN: none.
+    carries nothing, where all of them were pressed [N]; NaN: none. ``unloaded`` (speeds, seats):
+    that ball, counted from 0; −1: none.
     """
 
     deflection: Array
@@ -60,6 +61,7 @@ class RadialCurve:
     outcome: Words
     reach: Array
     unloading: Array
+    unloaded: NDArray[np.intp]
 
     def at(self, rows: NDArray[np.intp]) -> RadialCurve:
         """The curve at some of its speeds, also repeated."""
@@ -77,27 +79,58 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     outcome = np.full(len(start), "", dtype=object)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
+    unloaded = np.full(unloading.shape, -1)
     least, lightest = LOST * here.lightest, [here.lightest]
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan
             break
-        guess = last.ahead(before)
+        guess, begun = last.ahead(before), (problem, here)
         problem, here, converged = problem.solved(guess, here, float(force[k]), outcome == "")
         lost = (outcome == "") & ~converged
         outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
+        light = (here.lightest < least) & np.isnan(unloading) & (outcome == "")[:, None]
+        for seat in np.flatnonzero(light.any(axis=0)).tolist():
+            known = {
+                row: Leaving.between(
+                    force[:k].tolist(),
+                    [float(each[row, seat]) for each in lightest],
+                    float(force[k]),
+                    float(least[row, seat]),
+                    int(begun[1].lightest_ball[row, seat]),
+                )
+                for row in np.flatnonzero(light[:, seat]).tolist()
+            }
+            for row, one in _nearer(*begun, last, known, seat, step).items():
+                unloading[row, seat], unloaded[row, seat] = one.zero, one.ball
         slope = problem.per_newton(here, outcome == "")
         before, last = last, _load_step(problem, here, step * slope)
         deflection[:, k] = (here.coordinates - start)[:, :p] @ point
         deflection[outcome != "", k] = np.nan
         reach = np.fmax(reach, problem.travel(here.coordinates))
-        light = (here.lightest < least) & (outcome == "")[:, None]
-        for row, seat in np.argwhere(light & np.isnan(unloading)):
-            pressed = [each[row, seat] ** (2.0 / 3.0) for each in lightest[-3:]]
-            below = force[k - len(pressed) : k].tolist()
-            unloading[row, seat] = leaving(below, pressed, float(force[k]))
         lightest.append(here.lightest)
-    return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading)
+    return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading, unloaded)
+
+
+def _nearer(
+    problem: Balance, here: Point, last: LoadStep, known: dict[int, Leaving], seat: int, step: float
+) -> dict[int, Leaving]:
+    """Balls of a ``seat`` that leave in the ``step`` [N] after ``last``, by speed, with further
+    forces tried within it."""
+    begin = next(iter(known.values())).load[-1]
+    (place, *balls), (slope, *moves) = last.place, last.slope
+    for _ in range(NEARER):
+        force, alive = np.full(len(place), begin), np.zeros(len(place), dtype=bool)
+        for row, one in known.items():
+            force[row], alive[row] = one.trial, True
+        share = ((force - begin) / step)[:, None]
+        guess = [place + share * slope]
+        guess += [x + share[..., None] * dx for x, dx in zip(balls, moves, strict=True)]
+        _, there, good = problem.solved(guess, here, force, alive)
+        for row in [row for row in known if good[row]]:
+            lightest, ball = there.lightest[row, seat], there.lightest_ball[row, seat]
+            known[row] = known[row].after(float(force[row]), float(lightest), int(ball))
+    return known
 
 
 def _load_step(problem: Balance, here: Point, slope: Array) -> LoadStep:

@@ -7,10 +7,16 @@ from dataclasses import dataclass
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
+NONE = Absence("where no ball is unloaded", beside="unloading_force")
+
 
 @dataclass(frozen=True)
 class StiffnessResult:
-    """Deflection of a point under a radial force, for each way of modelling the bearings."""
+    """Deflection of a point under a radial force, for each way of modelling the bearings.
+
+    Where balls lose their contact is that of the full bearing model; balls count from 1 and the
+    azimuth from y towards z of the spindle; of two balls that are mirror images it is one.
+    """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     variant: Words = coordinate("variant", unit="", label="bearing model")
@@ -26,4 +32,10 @@ class StiffnessResult:
         unit="N",
         label="radial force from which balls carry nothing",
         absent=(Absence("where no force of the range unloads a ball", by=("speed", "bearing")),),
+    )
+    unloaded_ball: Array = quantity(
+        "speed", "bearing", unit="", label="ball that is unloaded first", absent=(NONE,)
+    )
+    unloaded_azimuth: Array = quantity(
+        "speed", "bearing", unit="rad", label="azimuth of that ball", absent=(NONE,)
     )

@@ -6,6 +6,7 @@ case act besides. Tilts and the axial arrangement are free to follow.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import partial
 
@@ -63,7 +64,11 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
     seats = scene.spindle.seats
-    unloading = np.full((len(scene.usable), len(seats)), np.nan)
+    force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
+    if usual is not None:
+        force_lost = usual.unloading
+        ball = np.where(np.isfinite(force_lost), usual.unloaded, np.nan)
+    per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
     return StiffnessResult(
         speed=scene.speed,
         variant=tuple(variants),
@@ -73,7 +78,9 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         deflection=scene.scattered(deflection),
         tangent=scene.scattered(np.stack([v.tangent for v in variants.values()], axis=1)),
         secant=scene.scattered(_secant(force, deflection)),
-        unloading_force=scene.scattered(unloading if usual is None else usual.unloading),
+        unloading_force=scene.scattered(force_lost),
+        unloaded_ball=scene.scattered(ball + 1.0),
+        unloaded_azimuth=scene.scattered(np.mod(ball * per_ball, 2.0 * math.pi)),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -29,15 +30,17 @@ def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: StiffnessResult) -> list[str]:
-    """Bearings that the radial force unloads."""
+    """Bearings some ball of which the radial force unloads."""
     sentences = []
-    for name, force in zip(result.bearing, result.unloading_force.T, strict=True):
+    for k, (name, force) in enumerate(zip(result.bearing, result.unloading_force.T, strict=True)):
         if not np.isfinite(force).any():
             continue
         row = int(np.nanargmin(force))
+        angle = math.degrees(result.unloaded_azimuth[row, k])
         sentences.append(
-            f"bearing {name} has balls without load from a radial force of {force[row]:.4g} N at "
-            f"{result.speed[row] * RPM.factor:.0f} rpm, and gives way more from there: raise its "
-            "preload, or keep the force below"
+            f"bearing {name}: its ball {result.unloaded_ball[row, k]:.0f}, at {angle:.0f}° from y "
+            f"towards z, loses contact under a radial force of {force[row]:.4g} N at "
+            f"{result.speed[row] * RPM.factor:.0f} rpm, and the bearing gives way more from there: "
+            "raise its preload, or keep the force below"
         )
     return sentences

@@ -7,4 +7,5 @@ from rotordyn.results.layout import Layout
 LAYOUTS = (
     Layout("stiffness", ("speed", "variant")),
     Layout("stiffness_curves", ("speed", "variant", "force")),
+    Layout("stiffness_contact_loss", ("speed", "bearing")),
 )

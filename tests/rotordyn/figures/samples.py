@@ -368,7 +368,9 @@ def stiffness(count: int = 49) -> StiffnessResult:
         tangent=tangent,
         secant=tangent / 1.1,
         bearing=("B1", "B2"),
-        unloading_force=np.full((count, 2), np.nan),
+        unloading_force=np.array([np.full(count, np.nan), np.linspace(480.0, 220.0, count)]).T,
+        unloaded_ball=np.array([np.full(count, np.nan), np.full(count, 11.0)]).T,
+        unloaded_azimuth=np.array([np.full(count, np.nan), np.full(count, np.pi)]).T,
     )
 
 

@@ -25,7 +25,10 @@ from rotordyn.machine.reference import Reference
 from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+APART, BESIDE = 0.06, 0.68  # of the height and width of axes: labels of lost contacts
 
 
 def stiffness_figure(
@@ -52,7 +55,10 @@ def stiffness_figure(
 
 
 def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> Figure:
-    """Deflection under force at the first, the middle and the last speed, a line per variant."""
+    """Deflection under force at the first, the middle and the last speed, a line per variant.
+
+    Marks on the line of the full bearing model: balls that lose their contact there.
+    """
     figure = new_figure(168.0, 80.0)
     picked = evenly(result.speed.size, speeds)
     boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 6.0, 12.0, 9.0), gaps=(6.0, 0.0))
@@ -70,8 +76,30 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
                 label=name.replace("_", " "),
             )
         axes.set(xlim=(0.0, largest * 1.04), ylim=(0.0, float(result.force[-1])))
+        _contact_losses(axes, result, index)
         axes.tick_params(labelleft=not place)
         axes.set_title(f"{result.speed[index] * RPM.factor:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
         if place == len(picked) - 1:
             legend(axes, loc="lower right")
     return figure
+
+
+def _contact_losses(axes: Axes, result: StiffnessResult, index: int) -> None:
+    """Where the first ball of each bearing carries nothing, with its number: to the right of the
+    curves or below them, in the order of the forces and as far apart as they can be read."""
+    lost = result.unloading_force[index]
+    above = 0.0
+    for k in [k for k in np.argsort(lost) if np.isfinite(lost[k])]:
+        curve = result.deflection[index, result.variant.index("nonlinear")]
+        at = float(np.interp(lost[k], result.force, curve)) * MICROMETRE.factor
+        axes.plot(at, lost[k], color=CYCLE[0], marker="o", ms=3.0, mfc="white", zorder=3.0)
+        above = max(float(lost[k] / result.force[-1]), above + APART)
+        axes.annotate(
+            f"{result.bearing[k]}: ball {result.unloaded_ball[index, k]:.0f}",
+            xy=(at, lost[k]),
+            xytext=(BESIDE, above - (0.5 if at < 0.5 * axes.get_xlim()[1] else 2.5) * APART),
+            textcoords="axes fraction",
+            va="center",
+            fontsize=0.85 * FONT_SIZE,
+            arrowprops={"arrowstyle": "-", "lw": 0.4, "color": CYCLE[0], "relpos": (0.0, 0.5)},
+        )
