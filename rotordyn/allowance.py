@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from threading import Event
 
 from rotordyn.errors import TooCostly
 
@@ -55,6 +56,7 @@ def within(seconds: float = math.inf, memory: float = MOST_BYTES) -> Iterator[No
 
 Stop = KeyboardInterrupt | TooCostly
 STOPS = (KeyboardInterrupt, TooCostly)  # what ends a run
+ASKED = Event()  # a signal has asked to stop: libraries may turn that into an error of their own
 
 
 def keeps_finished() -> bool:

@@ -72,7 +72,7 @@ def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
 
 
 def _change(path: object, value: object) -> _Change:
-    if not isinstance(path, str) or not all(path.split(".")):
+    if not isinstance(path, str) or not all(path.split(".")) or not path.isprintable():
         raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'conditions.rotor'")
     if len(path) > LONGEST:
         raise InvalidInput(f"{path[:40]}...: a path longer than {LONGEST} characters")

@@ -7,6 +7,8 @@ import signal
 import sys
 import threading
 
+from rotordyn.allowance import ASKED
+
 LATER = 0.05  # s after which what swallowed Ctrl-C has ended
 
 
@@ -16,11 +18,17 @@ def heed_signals() -> None:
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) == signal.SIG_DFL:
             signal.signal(number, _stopped)
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
+        signal.signal(signal.SIGINT, _stopped)
+    ASKED.clear()
     sys.unraisablehook = _heeded
 
 
 def interruption(error: BaseException | None) -> KeyboardInterrupt | None:
-    """The Ctrl-C behind ``error``, even if a library has wrapped it; None where there is none."""
+    """The Ctrl-C behind ``error``, even if a library has wrapped it or, as NumPy does where it
+    compares types, put an error of its own in its place; None where there is none."""
+    if isinstance(error, Exception) and ASKED.is_set():
+        return KeyboardInterrupt()
     while error is not None:
         if isinstance(error, KeyboardInterrupt):
             return error
@@ -30,6 +38,7 @@ def interruption(error: BaseException | None) -> KeyboardInterrupt | None:
 
 def _stopped(*_: object) -> None:
     """Leave the way Ctrl-C does, so that nothing half-written stays."""
+    ASKED.set()
     raise KeyboardInterrupt
 
 

@@ -167,7 +167,7 @@ def enriched(
     energy = motions.T @ (stiffness @ motions)
     scale = (np.maximum(energy.diagonal(), 0.0) + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * energy * scale)
-    new = share > NEW
+    new = (share > NEW) & (np.arange(len(share)) >= len(share) - len(body.free))  # no more than DOF
     values, elastic = body.normalised(motions @ (scale[:, None] * turn[:, new] / share[new] ** 0.5))
     every = np.concatenate([np.zeros(rigid.shape[1]), values])
     vectors, modes = np.hstack([body.rigid, elastic]), np.ones(len(every), dtype=bool)
@@ -313,7 +313,7 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
     scale = (flexibility + TINY) ** -0.5
     energy = motions.T @ loads
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
-    new = share > NEW
+    new = (share > NEW) & (np.arange(len(share)) >= len(share) - len(body.free))  # no more than DOF
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
     return body.normalised(motions - elastic @ (pushed.T @ motions))
 

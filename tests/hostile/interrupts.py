@@ -11,6 +11,7 @@ import random
 import signal
 import sys
 import time
+import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -150,10 +151,16 @@ def _started(words: list[str]) -> int:
     if process == 0:
         os.setsid()
         signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background
-        from rotordyn.cli import main
+        code = 1
+        try:  # nothing of this process may be left by its copy
+            from rotordyn.cli import main
 
-        sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - until the process ends
-        os._exit(main(words))
+            sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - until the process ends
+            code = main(words)
+        except BaseException:  # noqa: BLE001 - whatever it is
+            traceback.print_exc()
+        finally:
+            os._exit(code)
     return process
 
 

@@ -15,10 +15,12 @@ import pytest
 
 import rotordyn
 from rotordyn import allowance
+from rotordyn.analyses.solving import _answered
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import NoSolution, TooCostly
 from rotordyn.job import solving
+from rotordyn.scene.spec import Spec
 from rotordyn.study.run import run
 from tests.rotordyn.test_surroundings import CASE, FRF
 
@@ -239,6 +241,52 @@ def run(arguments):
 solving.run = run
 sys.exit(cli.main(["run", "case.yaml"]))
 """
+
+
+SWALLOWED = """
+import os, signal, sys
+from rotordyn import cli
+from rotordyn.cli import signals, solving
+
+def run(arguments):
+    signals.heed_signals()
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+    except KeyboardInterrupt:
+        pass
+    raise TypeError("Cannot compare structured arrays")
+
+solving.run = run
+sys.exit(cli.main(["run", "case.yaml"]))
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a process sends signals to itself")
+def test_a_stop_that_a_library_turns_into_an_error_is_one() -> None:
+    """Whether anything is finished by then or not."""
+    words = [sys.executable, "-c", SWALLOWED]
+    ran = subprocess.run(words, capture_output=True, text=True, timeout=60.0, check=False)
+    assert ran.returncode == 130, ran.stderr
+    assert ran.stderr.strip() == "interrupted; nothing was written"
+
+
+def test_what_is_finished_when_a_library_turns_a_stop_into_an_error_is_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def solve(name: str, spec: Spec) -> Any:
+        if name == "second":
+            raise TypeError("Cannot compare structured arrays")
+        return spec
+
+    asked: Any = {"first": 1, "second": 2}
+    monkeypatch.setattr(allowance.ASKED, "is_set", lambda: False)
+    with allowance.within(), pytest.raises(TypeError):
+        _answered(asked, solve, lambda _: None)
+    monkeypatch.setattr(allowance.ASKED, "is_set", lambda: True)
+    with allowance.within():
+        results, stop = _answered(asked, solve, lambda _: None)
+    assert list(results) == ["first"]
+    assert isinstance(stop, KeyboardInterrupt)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a process sends signals to itself")

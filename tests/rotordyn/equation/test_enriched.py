@@ -87,6 +87,21 @@ def test_errors_are_squared(seed: int) -> None:
     )
 
 
+def test_no_more_vectors_than_the_body_has_motions() -> None:
+    """All motions are known but one, and the steps from each, which links far stiffer than the
+    others make uncertain, seem new."""
+    size, links = 40, np.ones(39)
+    links[3::3] = 1e8
+    stiffness = np.diag(np.r_[links, 0.0] + np.r_[0.0, links])
+    stiffness -= np.diag(links, 1) + np.diag(links, -1)
+    exact, modes = eigh(stiffness)
+    found = enriched(
+        csr_array(np.eye(size)), csr_array(stiffness), np.ones((size, 1)), modes[:, 1:]
+    )
+    assert len(found.values) == size
+    assert found.values[1:12] == pytest.approx(exact[1:12], rel=1e-5)
+
+
 def test_what_the_coarser_model_knows_already_is_not_added() -> None:
     mass, stiffness = (csr_array(each) for each in free_chain(3, 400))
     rigid = np.ones((400, 1))
