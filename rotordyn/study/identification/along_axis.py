@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -110,7 +110,7 @@ class AxialCurve(Axial):
     drift: float = 0.0
     lowest: float | None = None
     highest: float | None = None
-    places: tuple[str, ...] = ()
+    places: tuple[str, ...] = field(default=(), repr=False)  # the same study from another file
 
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "force", "displacement")

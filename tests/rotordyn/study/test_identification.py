@@ -247,5 +247,8 @@ def test_interrupt_keeps_the_best_and_goes_on(
     journal.write_text("".join(json.dumps(line) + "\n" for line in [head, *failed]))
     anew = identify(case, SPRINGS, **asked)
     assert anew.explained.fit.values == pytest.approx(whole.explained.fit.values, rel=1e-6)
-    with pytest.raises(InvalidInput, match="another identification"):
-        identify(case, dict(list(SPRINGS.items())[:2]), **asked)
+    shaft, rear = problem.measurements
+    front: dict[str, Any] = {"measurements": (shaft, replace(rear, of="front"))}  # points as before
+    for unknowns, other in ((dict(list(SPRINGS.items())[:2]), {}), (SPRINGS, front)):
+        with pytest.raises(InvalidInput, match="another identification"):
+            identify(case, unknowns, **asked | other)
