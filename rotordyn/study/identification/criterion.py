@@ -21,14 +21,14 @@ LEAST = 1e-12  # probability that is printed
 
 
 @dataclass(frozen=True, slots=True)
-class Criterion:
+class FitCriterion:
     """``most`` mean absolute difference in ``unit``, over all measurements in it; None: by χ²."""
 
     unit: str
     most: float | None = None
 
     @classmethod
-    def of(cls, given: str | None, measurements: Sequence[Measurement]) -> Criterion:
+    def of(cls, given: str | None, measurements: Sequence[Measurement]) -> FitCriterion:
         """A criterion as written, held against the measurements.
 
         Raises

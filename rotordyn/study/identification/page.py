@@ -19,7 +19,7 @@ from rotordyn.study.identification.certainty import BY_ITS_PRIOR, ON_A_BOUND, UN
 from rotordyn.study.identification.curve_charts import Curves, curve_blocks
 from rotordyn.study.identification.deliver import BEST, DATASET, SUMMARY
 from rotordyn.study.identification.identification import INSUFFICIENT, SURVIVES, UNDECIDED
-from rotordyn.study.identification.started import JOURNAL
+from rotordyn.study.identification.searches import JOURNAL
 from rotordyn.study.identification.summary import decimals
 
 FILES = (DATASET, JOURNAL)  # one of which a folder of an identification has

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,8 @@ from rotordyn.case.identification import MINIMISED
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.numerics.threads import processors
-from rotordyn.study.identification.certainty import (
-    certainty,
-)
-from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.certainty import certainty
+from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.identification import Explained, Identification
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model, Phase, models
@@ -31,13 +29,10 @@ from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import asked_profiles
 from rotordyn.study.identification.profile import profiles as profiles_of
 from rotordyn.study.identification.search import Fit
-from rotordyn.study.identification.started import Progress, Search, Searches, best_of, run
+from rotordyn.study.identification.searches import Progress, Search, Searches, best_of, run
 from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import Unknown, sought
 from rotordyn.study.parameter import is_whole
-
-if TYPE_CHECKING:
-    pass
 
 Array = NDArray[np.float64]
 
@@ -48,7 +43,7 @@ class Asked:
 
     case: Case
     searches: Searches
-    criterion: Criterion
+    criterion: FitCriterion
     predict: tuple[Predicted, ...]
     profiles: tuple[str, ...] = ()
 
@@ -85,7 +80,7 @@ def asked(  # noqa: PLR0913 - see identify
     every = models(case, found, hypotheses or {}, phases or {})
     _require_points(every, measurements)
     searches = Searches(every, tuple(measurements), starts, seed, minimise == MINIMISED[1])
-    held = Criterion.of(criterion, searches.measurements)
+    held = FitCriterion.of(criterion, searches.measurements)
     first = searches.problem(0)
     _require_numbers(first)
     if predict:
