@@ -55,7 +55,7 @@ def identified_table() -> str:
         value = unknown.shown(float(best.sure.values[k]))
         low, high = (unknown.shown(float(end)) for end in best.sure.interval[k])
         ours = f"{_plain(value)} ({_plain(low)} to {_plain(high)})"
-        name = unknown.heading.replace("um", "µm")
+        name = unknown.heading
         rows.append((name, THESIS[unknown.name], ours, word, NOTES.get(unknown.name, "")))
     return table(("", "thesis, phase 6:", "ours (95 %):", "", "measured, or known"), rows)
 

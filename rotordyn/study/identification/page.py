@@ -240,8 +240,9 @@ def _predictions(held: Held) -> Table:
     rows = []
     for k, name in enumerate(of["name"].words):
         unit = of["unit"].words[k]
-        cells = [f"{name} [{unit}]" if unit else name, f"{of['value'].values[k]:.4g}"]
-        cells += [" to ".join(f"{of[end].values[k]:.4g}" for end in pair) for pair in pairs]
+        digits = decimals(*(float(of[end].values[k]) for end in ("low", "high")))
+        cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
+        cells += [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

@@ -14,7 +14,7 @@ from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
-from rotordyn.units import parse_unit
+from rotordyn.units import parse_unit, pretty_unit
 
 FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
 
@@ -75,8 +75,8 @@ class Sought:
 
     @property
     def heading(self) -> str:
-        """Name and unit."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+        """Name and unit, as printed."""
+        return f"{self.name} [{pretty_unit(self.unit)}]" if self.unit else self.name
 
     def changes(self, value: float) -> dict[str, Any]:
         """The value at its paths, as ``vary`` takes them."""
