@@ -201,9 +201,9 @@ def errors(of: Twin, found: rotordyn.Case) -> Array:
 
 def insufficient(of: Problem, fit: Fit) -> bool:
     """Whether the verdict finds the model out."""
-    left = [w.left(p) for w, p in zip(of.weighings, fit.predicted, strict=True)]
+    residuals = [w.residual(p) for w, p in zip(of.weighings, fit.predicted, strict=True)]
     criterion = FitCriterion.of(None, of.measurements)
-    return bool(criterion.excess(of, left, certainty(of, fit)))
+    return bool(criterion.excess(of, residuals, certainty(of, fit)))
 
 
 def jointed(of: Twin, rng: np.random.Generator) -> Spindle:

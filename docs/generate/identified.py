@@ -64,12 +64,12 @@ def predicted_table() -> str:
     """What was measured, beside thesis and our machine."""
     found, rows = anew(), []
     best = found.explained
-    for measurement, left in zip(best.problem.measurements, best.left, strict=True):
+    for measurement, residual in zip(best.problem.measurements, best.residuals, strict=True):
         data = measurement.data
-        if len(left) > 1:
+        if len(residual) > 1:
             continue
         observed = float(data.observed[0]) * data.factor
-        machine = observed - float(left[0]) * data.factor
+        machine = observed - float(residual[0]) * data.factor
         noise = float(data.deviation[0]) * data.factor
         rows.append(
             (f"{data.name} [{data.unit}]", f"{_plain(observed)} ± {noise:g}", _plain(machine))

@@ -156,7 +156,7 @@ def inseparable(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
         words = " ".join(f"{s} {p}" for s, p in zip(signs, parts, strict=True)).removeprefix("+ ")
         sentences.append(
             f"the data do not determine {words}"
-            + (" (each over its scale)" if len(order) > 1 else "")
+            + (" (each over what was known of it before)" if len(order) > 1 else "")
         )
     correlation = sure.correlation
     soft = np.abs(sure.directions)

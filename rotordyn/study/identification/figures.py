@@ -1,4 +1,4 @@
-"""Measured and computed curves, what is left of them, correlations, and models side by side."""
+"""Measured and computed curves, residuals, correlations, and models side by side."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def _series(data: Data) -> Iterator[tuple[str, str, NDArray[np.intp], dict[str, 
 def _curve(axes: Axes, best: Explained, place: int) -> None:
     data = best.problem.measurements[place].data
     machine = best.fit.predicted[place] * data.factor
-    shown = machine + best.left[place] * data.factor
+    shown = machine + best.residuals[place] * data.factor
     for speed, branch, rows, look in _series(data):
         order = rows[np.argsort(data.at[rows])]
         label = speed or "the machine"
@@ -130,9 +130,10 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
     """Differences of single points, over their noise."""
     names, values = [], []
     for place in places:
-        data, left = best.problem.measurements[place].data, best.left[place]
-        for k, size in enumerate(left / data.deviation):
-            at = f" {data.at[k]:g}" if len(left) > 1 else ""
+        data, residual = best.problem.measurements[place].data, best.residuals[place]
+        unit = data.along.partition("[")[2].removesuffix("]")
+        for k, size in enumerate(residual / data.deviation):
+            at = f" at {data.at[k]:g} {unit}" if len(residual) > 1 else ""
             names.append(shortened(f"{data.name}{at}", 30))
             values.append(size)
     axes.barh(np.arange(len(names)), values, color=BLUE, height=0.6)
@@ -148,17 +149,17 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
 
 
 def _residuals(found: Identification) -> Figure:
-    """What is left of every curve, tare and drift taken off, with ± two deviations of the noise."""
+    """Residuals of every curve, tare and drift taken off, with ± two deviations of the noise."""
     curves, single = _panels(found)
     places, best = curves or single, found.explained
     figure, boxes = _grid(len(places))
     drawn = []
     for place, box in zip(places, boxes, strict=False):
         axes, data = add_axes(figure, box), best.problem.measurements[place].data
-        left = best.left[place] * data.factor
+        residual = best.residuals[place] * data.factor
         for speed, branch, rows, look in _series(data):
             label = ", ".join(filter(None, (speed, branch))) or data.name
-            axes.plot(data.at[rows], left[rows], lw=0.5, ms=2.2, label=label, **look)
+            axes.plot(data.at[rows], residual[rows], lw=0.5, ms=2.2, label=label, **look)
         noise = 2.0 * float(data.deviation.mean()) * data.factor
         axes.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0.0)
         _labelled(axes, data, "measured − machine")
@@ -211,7 +212,7 @@ def _models(found: Identification) -> Figure:
     names = [shortened(each.name, 26) for each in story]
     place = np.arange(len(story))
     axes = add_axes(figure, (38.0, 38.0, 40.0, tall))
-    means = [found.criterion.residual(each.problem, each.left) for each in story]
+    means = [found.criterion.mean_difference(each.problem, each.residuals) for each in story]
     kept = [each.name in found.surviving for each in story]
     axes.barh(place, means, height=0.6, color=[BLUE if k else GREY for k in kept])
     axes.set_yticks(place, names, fontsize=FONT_SIZE - 1.5)

@@ -69,10 +69,10 @@ class Explained:
         return self.fit.cost + len(self.problem.unknowns) * float(np.log(self.problem.count))
 
     @property
-    def left(self) -> list[Array]:
-        """What it does not explain of every measurement [SI]."""
+    def residuals(self) -> list[Array]:
+        """Of every measurement (n,), what machine, tare and drift do not explain [SI]."""
         pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
-        return [each.left(one) for each, one in pairs]
+        return [each.residual(one) for each, one in pairs]
 
     @property
     def case(self) -> Case:
@@ -173,13 +173,13 @@ class Identification:
     @property
     def residual(self) -> float:
         """What the criterion bounds: the mean absolute difference, in its unit."""
-        return self.criterion.residual(self.explained.problem, self.explained.left)
+        return self.criterion.mean_difference(self.explained.problem, self.explained.residuals)
 
     @cached_property
     def _insufficient(self) -> list[str]:
         """Why the best model does not suffice; empty where it does."""
         best = self.explained
-        why = self.criterion.excess(best.problem, best.left, best.sure)
+        why = self.criterion.excess(best.problem, best.residuals, best.sure)
         bound = best.on_bounds
         if bound:
             what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"

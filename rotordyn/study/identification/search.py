@@ -150,9 +150,9 @@ def search_absolute(problem: Problem, start: Array) -> Fit:
     found, before = search(problem, start), np.inf
     for _ in range(ROUNDS):
         pairs = zip(problem.weighings, found.predicted, strict=True)
-        left = [each.left(one) / each.data.deviation for each, one in pairs]
-        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in left)
-        mean = float(np.abs(np.concatenate(left)).mean())
+        residuals = [each.residual(one) / each.data.deviation for each, one in pairs]
+        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
+        mean = float(np.abs(np.concatenate(residuals)).mean())
         if not found.ended or before - mean < 1e-3 * before:
             break
         before = mean

@@ -116,17 +116,17 @@ def decimals(low: float, high: float) -> int:
 
 
 def _differences(model: Explained) -> Iterator[tuple[str, ...]]:
-    for each, left in zip(model.problem.measurements, model.left, strict=True):
+    for each, residual in zip(model.problem.measurements, model.residuals, strict=True):
         data = each.data
-        mean = float(np.abs(left).mean()) * data.factor
+        mean = float(np.abs(residual).mean()) * data.factor
         noise = float(data.deviation.mean()) * data.factor
-        yield data.name, str(len(left)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
+        yield data.name, str(len(residual)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
 
 
 def _models(found: Identification) -> Iterator[tuple[str, ...]]:
     rows = list(zip(found.models, found.evidence, strict=True))
     for model, above in rows[:MOST_MODELS]:
-        mean = found.criterion.residual(model.problem, model.left)
+        mean = found.criterion.mean_difference(model.problem, model.residuals)
         bound = model.on_bounds
         words = f"{ON_A_BOUND}: {', '.join(bound)}" if bound else ""
         yield model.name, f"{above:.1f}", f"{mean:.3g}", words

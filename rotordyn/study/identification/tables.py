@@ -98,13 +98,13 @@ def _columns_of_models(found: Identification) -> list[Column]:
 
 def _points(best: Explained) -> list[Column]:
     rows = []
-    for each, predicted, left in zip(
-        best.problem.measurements, best.fit.predicted, best.left, strict=True
+    for each, predicted, residual in zip(
+        best.problem.measurements, best.fit.predicted, best.residuals, strict=True
     ):
         data = each.data
-        explained = data.observed - left
-        for k in range(len(left)):
-            values = (data.observed[k], predicted[k], explained[k], left[k], data.deviation[k])
+        explained = data.observed - residual
+        for k in range(len(residual)):
+            values = (data.observed[k], predicted[k], explained[k], residual[k], data.deviation[k])
             rows.append(
                 (
                     *(data.name, data.series[k], data.along, f"{data.at[k]:.9g}", data.unit),
@@ -113,6 +113,6 @@ def _points(best: Explained) -> list[Column]:
             )
     heads = (
         "measurement", "curve", "along", "at", "unit",
-        "measured", "machine", "with tare and drift", "left", "noise",
+        "measured", "machine", "with tare and drift", "residual", "noise",
     )  # fmt: skip
     return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]

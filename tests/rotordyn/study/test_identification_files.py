@@ -101,9 +101,9 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     with (out / "differences.csv").open(newline="", encoding="utf-8-sig") as file:
         row = next(csv.DictReader(file))  # falling, the highest force
     drawn = array(charts[1]["traces"][1]["y"], numbers)
-    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["left"]), rel=1e-6)
-    left = array(charts[2]["traces"][1]["y"], numbers)
-    assert left[-1] == pytest.approx(float(row["left"]), rel=1e-6)
+    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["residual"]), rel=1e-6)
+    residual = array(charts[2]["traces"][1]["y"], numbers)
+    assert residual[-1] == pytest.approx(float(row["residual"]), rel=1e-6)
     (out / "models.csv").unlink()
     assert main(["report", str(out)]) == 2
     assert "an identification that is not complete" in capsys.readouterr().err
