@@ -312,7 +312,10 @@ class AxialStiffness(Axial):
         _as_arrays(self, "speed", "stiffness")
         _require_speeds(self.name, self.speed)
         if len(self.speed) != len(self.stiffness):
-            raise InvalidInput(f"measurement {self.name}: one stiffness at each speed is needed")
+            raise InvalidInput(
+                f"measurement {self.name}: one stiffness at each speed is needed, got "
+                f"{len(self.stiffness)} at {len(self.speed)} speeds"
+            )
         if self.branch not in BRANCHES:
             raise InvalidInput(
                 f"measurement {self.name}: branch {shown(self.branch)}; allowed: "

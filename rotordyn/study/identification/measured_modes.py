@@ -50,12 +50,13 @@ class Modes:
             raise InvalidInput(f"measurement {self.name}: {sentence}")
 
     def _refusals(self) -> Iterator[str]:
-        n = len(self.speed)
-        sizes = [len(self.frequency), n if self.damping is None else len(self.damping)]
-        sizes.append(len(self.whirl) or n)
-        if {*sizes} != {n}:
-            yield f"as many frequencies, dampings and whirls as speeds: got {n}, {sizes}"
-            return
+        n, whirls = len(self.speed), self.whirl or None
+        given = {"frequencies": self.frequency, "dampings": self.damping, "whirls": whirls}
+        for name, values in given.items():
+            if values is not None and len(values) != n:
+                yield f"{name}: given {len(values)}; needed: one for each of {n} speeds"
+        if not self.deviation > 0.0:
+            yield f"deviation: given {100.0 * self.deviation:g} %; allowed: above 0 %"
         if (self.damping is None) != (self.damping_deviation is None):
             yield "dampings have a deviation: give both or none"
         for word in sorted({*self.whirl} - {*WHIRLS}):

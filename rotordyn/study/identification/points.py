@@ -119,6 +119,6 @@ def _number(path: Path, line: int, name: str, cell: str) -> float:
 
 def _allowed(columns: Mapping[str, Quantity | None]) -> str:
     return ", ".join(
-        name if held is None else f"{name} [{KINDS[held.kind][-1]}]"
+        name if held is None else f"{name} [{', '.join(KINDS[held.kind])}]"
         for name, held in columns.items()
     )

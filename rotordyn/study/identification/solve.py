@@ -72,7 +72,7 @@ def asked(  # noqa: PLR0913 - see identify
         raise InvalidInput(f"minimise: given {shown(minimise)}; allowed: {', '.join(MINIMISED)}")
     profiled = asked_profiles(found, profiles)
     if profiled and minimise == MINIMISED[1]:
-        raise InvalidInput(f"profiles: are of least squares; given minimise: {minimise}")
+        raise InvalidInput(f"profiles: need minimise: {MINIMISED[0]}; given minimise: {minimise}")
     if not is_whole(starts, 1, 1000):
         raise InvalidInput(f"starts: given {shown(starts)}; allowed: a whole number up to 1000")
     if not is_whole(seed, 0):
@@ -104,7 +104,8 @@ def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> No
             noise = float(data.deviation.min()) * data.factor
             raise InvalidInput(
                 f"measurement {data.name}: noise swamps it: its points differ by {size:.3g} "
-                f"{data.unit}, their deviation is {noise:.3g} {data.unit}"
+                f"{data.unit}, their deviation is {noise:.3g} {data.unit}: leave it out, or check "
+                "both units"
             )
 
 
@@ -114,8 +115,8 @@ def _require_points(every: Sequence[Model], measurements: Sequence[Measurement])
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:
             raise InvalidInput(
-                f"unknowns: {len(model.unknowns)} are sought, but the measurements have {count} "
-                f"points and there are {priors} priors: fewer unknowns, or more points"
+                f"unknowns: {len(model.unknowns)} are sought, more than numbers measured "
+                f"({count}) and priors ({priors}): seek fewer, measure more points, or give priors"
             )
 
 

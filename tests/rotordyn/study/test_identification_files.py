@@ -213,7 +213,7 @@ def test_more_unknowns_than_points(case: Case) -> None:
         )
     ]
     with pytest.raises(
-        InvalidInput, match="unknowns: 4 are sought, but the measurements have 1 points"
+        InvalidInput, match=r"4 are sought, more than numbers measured \(1\) and priors \(0\)"
     ):
         identify(case, SPRINGS, measured)
 
