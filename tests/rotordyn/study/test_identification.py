@@ -25,6 +25,7 @@ from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
+from rotordyn.study.optimum.criterion import Criterion
 from tests.rotordyn.study.axial_twin import (
     FRONT,
     KNOWN,
@@ -212,6 +213,9 @@ def test_nearest_mode(case: Case) -> None:
     every = trial.results["campbell"].frequency.ravel()
     every = every[np.isfinite(every)]
     assert found == pytest.approx([every[np.abs(every - f).argmin()] for f in (900.0, 1300.0)])
+    read = Criterion("campbell.frequency", {"mode": "bending 1*"}).read(case, trial.results)
+    whirls = ("backward", "forward")
+    assert read.names == tuple(f"campbell.frequency bending 1 {whirl}" for whirl in whirls)
 
 
 def test_interrupt_keeps_the_best_and_goes_on(
