@@ -67,9 +67,12 @@ def _predictions(found: Identification) -> Iterator[str]:
     for each in found.predictions:
         measured = "" if each.measured is None else f"{each.measured:.4g}"
         digits = decimals(each.low, each.high)
-        value, low, high = (number(v, digits) for v in (each.value, each.low, each.high))
+        value, low, high, least, most = (
+            "" if v is None else number(v, digits)
+            for v in (each.value, each.low, each.high, each.least, each.most)
+        )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
-        between = (f"{each.least:.4g} to {each.most:.4g}",) if several else ()
+        between = (f"{least} to {most}",) if several else ()
         rows.append((heading, value, f"{low} to {high}", *between, measured))
     yield from _table(rows)
     for each in found.predictions:
