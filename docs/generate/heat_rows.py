@@ -31,7 +31,7 @@ HEAD = ("axial load [N]:", "speed [rpm]:", "SKF [N mm]:", "`ellipse`:", "`palmgr
 
 
 # SKF catalogue 6000, p. 104: 22208 E at 3500 rpm, oil of 68 mm²/s, Grr 0.26, KZ 5.5 [N mm]. The
-# rest as remembered [M]: its loads, which give the printed Grr, the factors of series 222 E, the oil
+# rest as remembered [M]: its loads, which give the printed Grr, factors of series 222 E, the oil
 # 2.5 mm above the lowest contact with the drag variable VM that a chart gives for it.
 ROLLER_SPEED, ROLLER_OIL, ROLLER_FACTOR, ROLLER_SHAPE = 3500.0, 68e-6, 0.26, 5.5
 ROLLER_BORE, ROLLER_OUTSIDE = 40e-3, 80e-3
