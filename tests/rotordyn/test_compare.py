@@ -20,7 +20,6 @@ from rotordyn.job import Delivery, deliver, one_variant, restricted, solve, solv
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
 from rotordyn.report.side_by_side import comparison_summary
-from rotordyn.scene.conditions import Conditions
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
 pytestmark = pytest.mark.usefixtures("draft")
