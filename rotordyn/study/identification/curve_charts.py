@@ -11,9 +11,9 @@ from rotordyn.page.blocks import Block, Chart, Control, Table
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, mark
 from rotordyn.results.kinds import Array
 from rotordyn.study.columns import Column
+from rotordyn.study.identification.measurement import FEW
 from rotordyn.study.identification.responses import PARTS
 
-FEW = 4  # points of a measurement from which it is a curve
 WITHIN = 2.0  # deviations of the noise, shaded
 GREY = "rgba(138, 138, 138, 0.3)"
 

@@ -27,8 +27,9 @@ from rotordyn.figures.style import (
 from rotordyn.study.identification import profile_figure, response_figures
 from rotordyn.study.identification.certainty import ON_A_BOUND
 from rotordyn.study.identification.identification import Explained, Identification
-from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.measurement import FEW, Data
 from rotordyn.study.identification.responses import Responses
+from rotordyn.study.identification.summary import MOST_WRITTEN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,9 +38,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 ROW, COLUMNS = 58.0, 2  # mm
 NAMES = 30.0  # mm, of single values
-FEW = 4  # points of a measurement from which it is a curve
 MOST_MODELS = 16
-MOST_WRITTEN = 14  # unknowns of which every correlation is written
 
 
 def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:

@@ -171,7 +171,7 @@ class Identification:
         return [each.name for each in self.survivors]
 
     @property
-    def residual(self) -> float:
+    def mean_difference(self) -> float:
         """What the criterion bounds: the mean absolute difference, in its unit."""
         return self.criterion.mean_difference(self.explained.problem, self.explained.residuals)
 
@@ -190,7 +190,7 @@ class Identification:
     def verdict(self) -> list[str]:
         """In sentences: does the model suffice, what is identified, what is not."""
         best, why = self.explained, self._insufficient
-        kept = self.criterion.kept(self.residual, best.sure)
+        kept = self.criterion.kept(self.mean_difference, best.sure)
         lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):

@@ -15,7 +15,8 @@
    solved once for all measurements; ``trial.axial`` the shaft along its axis with friction.
    What has no solution raises ``NoSolution``, ``InvalidInput`` or ``BearingError``: the search then
    steps back. A number that does not exist is NaN and counts as that.
-6. Its entry in files: a line in ``kinds``.
+6. Its keys in files: a class and a line in ``rotordyn.case.identification``, and in ``kinds`` what
+   is made of them.
 7. If it likes: ``step``, of an unknown's scale, by which ``predicted`` is differentiated;
    ``blurred``, the same measurement seen less sharply, from the vaguest on, each with all of the
    above: a search goes through them first; ``carried``, how many numbers its points tell, where
@@ -39,6 +40,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
+FEW = 4  # points of a measurement from which it is drawn as a curve
 
 
 @dataclass(frozen=True, eq=False, slots=True)

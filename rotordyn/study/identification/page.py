@@ -20,10 +20,9 @@ from rotordyn.study.identification.curve_charts import Curves, curve_blocks
 from rotordyn.study.identification.deliver import BEST, DATASET, SUMMARY
 from rotordyn.study.identification.identification import INSUFFICIENT, SURVIVES, UNDECIDED
 from rotordyn.study.identification.searches import JOURNAL
-from rotordyn.study.identification.summary import decimals
+from rotordyn.study.identification.summary import MOST_WRITTEN, decimals
 
 FILES = (DATASET, JOURNAL)  # one of which a folder of an identification has
-MOST_WRITTEN = 14  # unknowns of which every correlation is written
 CELL, ROOM = 34, 190  # px of a row of correlations, and of what surrounds them
 DOUBTS = (UNIDENTIFIABLE, BY_ITS_PRIOR, UNDECIDED)
 RED_TO_BLUE = [[0.0, COLOURS[0]], [0.5, "#F2F2F2"], [1.0, COLOURS[1]]]

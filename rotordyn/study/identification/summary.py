@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Explained, Identification
 
 MOST_MODELS, MOST_ROWS = 12, 20
+MOST_WRITTEN = 14  # unknowns of which figures and pages write every correlation
 
 
 def summary(found: Identification) -> str:

@@ -14,7 +14,7 @@ from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
-from rotordyn.units import parse_unit, pretty_unit
+from rotordyn.units import parse, parse_unit, pretty_unit
 
 FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
 
@@ -193,7 +193,5 @@ def _amount(case: Case, path: str, value: float | str) -> float:
     """A deviation: a difference of what the path holds, which may be below its range."""
     if not isinstance(value, str):
         return float(value)
-    from rotordyn.units import parse
-
     quantity = quantity_of(found_at(case, path)[0][1])
     return parse(value, quantity.kind) if quantity is not None else float(value)

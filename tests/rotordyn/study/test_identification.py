@@ -124,7 +124,7 @@ def test_first_model_of_the_story_is_insufficient() -> None:
     first = replace(asked.searches, models=asked.searches.models[:1], absolute=False)
 
     found = identified(replace(asked, searches=first), workers=1)
-    assert 4.0 < found.residual < 6.5
+    assert 4.0 < found.mean_difference < 6.5
     assert not found.sufficient
     assert "allowed 1" in found.verdict[0]
     assert "the model lacks a phenomenon" in found.verdict[0]
