@@ -9,7 +9,7 @@
 3. ``faults(case)``: sentences about what of the case contradicts it (an unknown sleeve, an analysis
    that the case lacks). They are said before anything is solved.
 4. ``speeds(case)``: speeds [rad/s] at which it needs machines solved; ``analyses(case)``: what it
-   asks of the case there, name to spec, empty where it solves by itself.
+   asks of the case there, name to spec; nothing where it solves by itself (``AsksNothing``).
 5. ``predicted(trial)``: what a machine would show (n,) without tare and drift. ``trial.case`` is
    the case with trial values; ``trial.results`` answers to all ``analyses`` at all ``speeds``,
    solved once for all measurements; ``trial.axial`` the shaft along its axis with friction.
@@ -93,6 +93,18 @@ class Beside(NamedTuple):
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     remarks: tuple[str, ...]
+
+
+class AsksNothing:
+    """A measurement that solves the machine at its own speeds, by its equation of motion alone."""
+
+    def speeds(self, case: Case) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None."""
+        return {}
 
 
 class Measurement(Protocol):

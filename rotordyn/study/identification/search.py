@@ -120,24 +120,18 @@ def nearest(problem: Problem, start: Array) -> Fit:
     """
     from scipy.optimize import least_squares
 
-    objective = _Objective(problem)
+    goal = _Objective(problem)
     low, high = (end / problem.scale for end in problem.bounds)
     room = 1e-6 * (high - low)  # scipy begins between the ends, on none
     begin = np.clip(start / problem.scale, low + room, high - room)
-    objective.at(begin * problem.scale)
+    goal.at(begin * problem.scale)
     try:
         least_squares(
-            objective.rows,
-            begin,
-            objective.slopes,
-            (low, high),
-            ftol=SMALL,
-            xtol=SMALL,
-            max_nfev=MOST,
+            goal.rows, begin, goal.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
         )
     except KeyboardInterrupt:
-        return objective.reached
-    return replace(objective.reached, ended=True)
+        return goal.reached
+    return replace(goal.reached, ended=True)
 
 
 def search_absolute(problem: Problem, start: Array) -> Fit:
