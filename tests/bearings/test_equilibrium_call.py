@@ -49,6 +49,7 @@ FAST = 30000.0 * RPM
         dict(load=THRUST, speed=1e200),
         dict(load=THRUST, friction=True),
         dict(load=THRUST, friction=0.0),
+        dict(load=THRUST, friction=1.01e6),
         dict(load=THRUST, friction=math.inf),
         dict(load=THRUST, friction="0.1"),
         dict(load=THRUST, start="x"),

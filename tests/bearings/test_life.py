@@ -98,6 +98,20 @@ def test_orbit_is_what_the_centrifugal_force_has() -> None:
     assert life.frequencies(state).cage == pytest.approx(orbit.mean(), rel=1e-9)
 
 
+@pytest.mark.parametrize(("kappa", "factor"), [(0.2, 0.1883505), (0.7, 1.127238), (2.0, 4.201611)])
+def test_factor_of_iso_281(kappa: float, factor: float) -> None:
+    """Equations of a_ISO of radial ball bearings, as remembered, by hand at eC Cu/P = 0.1."""
+    assert life.life_factor(kappa, 0.5, 1000.0, 5000.0) == pytest.approx(factor, rel=1e-4)
+
+
+def test_lives_of_races_make_up_that_of_the_bearing() -> None:
+    """Probabilities of survival multiply: L^−e is the sum of those of the races, e = 10/9."""
+    state = VEX70.equilibrium(load=[[610.0, 200.0, 0, 0, 0], [200.0, 0, 0, 0, 0]], speed=300.0)
+    found = life.life_of(state, 23_000.0)
+    together = (found.race_life ** (-10.0 / 9.0)).sum(axis=-1) ** (-9.0 / 10.0)
+    assert found.revolutions == pytest.approx(together, rel=1e-12)
+
+
 def test_modification_is_continuous_and_bounded() -> None:
     limit, load = 1000.0, 5000.0
     for kappa in (0.4, 1.0):

@@ -7,13 +7,20 @@ rotations, whose velocities in the turning frame add Î© likewise, remain (2 Jd â
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.linalg import eigvals
 
 from rotordyn.equation.mesh import build_mesh
+from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.formulation import SOFTENED
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEPPED
+from tests.oracles.spindles import system_of
 from tests.oracles.whirl import by_modulus, whirl_frequencies
 
 MESH = build_mesh(STEPPED, 0.02)
@@ -52,3 +59,20 @@ def test_without_coriolis_terms_it_is_wrong() -> None:
     right = whirl_frequencies(PLANE.mass, PLANE.polar, STIFFNESS, SPIN)
     first = slice(0, 2)
     assert (np.abs(wrong[first]) < 0.99 * np.abs(by_modulus(right)[first])).all()
+
+
+def test_softened_frequencies_of_a_case() -> None:
+    """What the formulation `fixed-frame softening` solves, beside dense matrices."""
+    held = (5, MESH.nodes - 2)
+    supports = tuple(
+        LinearSupport(f"s{k}", float(MESH.x[k]), {(w, w): 2e8 for w in "yz"}) for k in held
+    )
+    spring = np.array([[2e8, 0.0], [0.0, 0.0]])
+    stiffness = add_at_nodes(PLANE.stiffness, held, np.array([spring, spring]))
+    softened = stiffness - SPIN**2 * PLANE.translational_mass
+    dense = np.sort(np.abs(whirl_frequencies(PLANE.mass, PLANE.polar, softened, SPIN)))[:4]
+    machine = replace(STEPPED, supports=supports)
+    asked = Conditions(formulation=SOFTENED, element_length=0.02)
+    scene = Scene(machine, asked, np.array([SPIN]), 3000.0)
+    found = np.sort(np.abs(system_of(scene).modes.pole[0].imag))
+    assert np.unique(found.round(3))[:4] == pytest.approx(dense, rel=1e-3)

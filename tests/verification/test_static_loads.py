@@ -403,6 +403,17 @@ def test_misaligned_bores_press_bearings_without_any_load() -> None:
     assert abs(radial[0]) > 0.1
 
 
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_bore_off_the_axis_presses_its_bearing_back(way: float) -> None:
+    """Its outer ring takes the shaft along, so that the shaft presses the inner ring back."""
+    spindle = two_bearings()
+    moved = replace(spindle.seats[1], misalignment=Misalignment(y=way * 20e-6))
+    found = Scene(replace(spindle, seats=(spindle.seats[0], moved)), Conditions(), np.zeros(1))
+    result = answer(found, BearingLoadsSpec())
+    radial = result.radial_load[0] * np.cos(result.load_angle[0])
+    assert way * radial[1] < -0.1
+
+
 # --- published roses ----------------------------------------------------------------------------
 
 
