@@ -21,6 +21,7 @@ from rotordyn.preload.arrangement import Arrangement
 from rotordyn.preload.balance import Balance, Force, Point
 from rotordyn.preload.leaving import Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
+from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
 
 Array = NDArray[np.float64]
@@ -36,7 +37,8 @@ def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadS
     first = Balance.at(state, rotor, np.arange(len(state.speed)))
     balance, there, converged = _marched(first, size)
     words = [
-        "" if good else _why(state, there, row, size) for row, good in enumerate(converged.tolist())
+        _pushed_apart(state, balance, there, row) if good else _why(state, there, row, size)
+        for row, good in enumerate(converged.tolist())
     ]
     return _as_state(state, balance, there, balance.error(there, size), tuple(words))
 
@@ -153,6 +155,14 @@ def _why(state: PreloadState, there: Point, row: int, size: float) -> str:
         f"nothing balances the loads of {size:.4g} N on the shaft at {rpm:.0f} rpm: lower them, "
         "raise the preload, or hold the shaft by further bearings or supports"
     )
+
+
+def _pushed_apart(state: PreloadState, balance: Balance, there: Point, row: int) -> str:
+    """That the loads push a bearing apart, or nothing."""
+    seats = state.spindle.seats
+    load = there.load[row, :, 0] * [seat.thrust for seat in seats]
+    both_ways, rpm = state.network.both_ways[balance.bearings], state.speed[row] * 30.0 / math.pi
+    return pushed_apart([seat.name for seat in seats], load, both_ways, rpm)
 
 
 def _as_state(
