@@ -70,6 +70,21 @@ def rolling_moment(factor: ArrayLike, viscosity: ArrayLike, speed: ArrayLike) ->
     return np.asarray(1e-3 * np.asarray(factor, float) * product**0.6)
 
 
+def sliding_moment(
+    factor: ArrayLike,
+    viscosity: ArrayLike,
+    speed: ArrayLike,
+    pitch_diameter: float,
+    ehl_friction: float,
+) -> Array:
+    """Msl = Gsl (φbl μbl + (1 − φbl) μEHL) [N·m] of SKF's variable Gsl [N·mm]; φbl is the share of
+    boundary lubrication, exp(−2.6e-8 (n ν)^1.4 dm)."""
+    product = np.asarray(viscosity, float) * 1e6 * _rpm(speed)
+    boundary = np.exp(-2.6e-8 * product**1.4 * pitch_diameter * 1e3)
+    friction = boundary * _BOUNDARY + (1.0 - boundary) * ehl_friction
+    return np.asarray(1e-3 * np.asarray(factor, float) * friction)
+
+
 @checked
 def skf_moment(
     *,
@@ -111,17 +126,15 @@ def skf_moment(
             "Palmgren's moment or the sliding in the contact ellipses"
         )
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
-    nu = np.asarray(viscosity, float) * 1e6
     centrifugal = (_HYBRID if hybrid else 1.0) * pitch**4 * n**2
     grr = _R1 * pitch**1.97 * (fr + _R3 * centrifugal + _R2 * fa) ** 0.54
     gsl = _S1 * pitch**0.26 * ((fr + _S3 * centrifugal) ** (4.0 / 3.0) + _S2 * fa ** (4.0 / 3.0))
-    boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * pitch)  # φbl
-    friction = boundary * _BOUNDARY + (1.0 - boundary) * ehl_friction
     inlet = inlet_shear(speed, 0.5 * (bore + outside), viscosity)
     starved = starvation(speed, viscosity, bore, outside, supply)
     rolling = inlet * starved * rolling_moment(grr, viscosity, speed)
+    sliding = sliding_moment(gsl, viscosity, speed, 0.5 * (bore + outside), ehl_friction)
     turning = np.where(n > 0.0, 1.0, 0.0)
-    return SkfMoment(turning * rolling, turning * 1e-3 * gsl * friction, inlet, starved)
+    return SkfMoment(turning * rolling, turning * sliding, inlet, starved)
 
 
 def _refuse(

@@ -26,9 +26,9 @@ from bearings import (
 )
 from bearings.fit.compound import Cylinder, compound
 from bearings.geometry import geometry
-from bearings.heat.skf import inlet_shear, rolling_moment, starvation
 from bearings.ring.state import BearingState
 from benchmarks.bearing.subject import VEX70
+from docs.generate.heat_rows import PUBLISHED_MOMENT, roller_moment
 from docs.generate.rows import Row
 
 RPM, DEGREE, MILLION, MICRON = math.pi / 30.0, math.pi / 180.0, 1e6, 1e-6
@@ -245,24 +245,21 @@ def _unloading() -> list[Row]:
 
 
 def _friction() -> list[Row]:
-    speed, oil = 3500.0 * RPM, 68e-6
-    inlet = float(inlet_shear(speed, 60e-3, oil))
-    starved = float(starvation(speed, oil, 40e-3, 80e-3, "low bath", 5.5))
-    rolling = 1e3 * float(rolling_moment(0.26, oil, speed))
+    found = roller_moment()
     return [
         Row(
             "φish, φrs, Mrr of the 22208 E, 3500 rpm, 68 mm²/s, Grr 0.26 [1, 1, N mm]",
-            (inlet, starved, rolling),
+            (found.inlet, found.starved, found.bare),
             0.01,
             f"{SKF}, p. 104",
             (0.85, 0.80, 437),
         ),
         Row(
-            "the rolling part of its M, φish φrs Mrr; its sliding part is a roller's [N mm]",
-            (inlet * starved * rolling,),
-            0.01,
-            f"{SKF}, p. 104, of the printed factors; M is 334",
-            (0.85 * 0.80 * 437,),
+            "M of the same, its sliding and drag with a roller's factors [N mm]",
+            (found.total,),
+            0.02,
+            f"{SKF}, p. 104; loads, factors of series 222 E and drag variable [M]",
+            (PUBLISHED_MOMENT,),
         ),
     ]
 

@@ -34,7 +34,7 @@ class StiffnessResult:
         absent=(Absence("where no force of the range unloads a ball", by=("speed", "bearing")),),
     )
     unloaded_ball: Array = quantity(
-        "speed", "bearing", unit="", label="ball that is unloaded first", absent=(NONE,)
+        "speed", "bearing", unit="1", label="ball that is unloaded first", absent=(NONE,)
     )
     unloaded_azimuth: Array = quantity(
         "speed", "bearing", unit="rad", label="azimuth of that ball", absent=(NONE,)

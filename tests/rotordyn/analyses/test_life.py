@@ -124,7 +124,7 @@ def test_reliability_shortens_life() -> None:
     ("step", "sentence"),
     [
         (
-            LoadStep(share=1.0, speed=6000 * RPM, axial_force=-20e3),
+            LoadStep(share=1.0, speed=6000 * RPM, axial_force=-2e6),
             r"spectrum\[0\] at 6000 rpm has",
         ),
         (
