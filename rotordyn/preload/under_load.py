@@ -19,7 +19,7 @@ from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
 from rotordyn.preload.balance import Balance, Force, Point
-from rotordyn.preload.leaving import Leaving
+from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
@@ -28,7 +28,6 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
-NEARER = 6  # loads that are tried within a step
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
 
 
@@ -70,7 +69,9 @@ def contact_loss(
     ball = np.full(lost_at.shape, -1)
     for seat in range(lost_at.shape[1]):
         known = [_leaving(shares, [each[seat][row] for each in every]) for row in range(len(rows))]
-        for _ in range(NEARER if any(known) else 0):
+        for _ in range(NEARER):
+            if all(one is None or one.found for one in known):
+                break
             trial = np.array([one.trial if one else 0.0 for one in known])
             loads = _inner_loads(_marched(first, trial * size)[1])[seat]
             known = [
