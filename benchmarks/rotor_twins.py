@@ -34,7 +34,7 @@ from rotordyn.numerics.pole_count import counted
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from rotordyn.study.identification.certainty import certainty
-from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.responses import Responses
 from rotordyn.study.identification.search import Fit, search
@@ -201,9 +201,9 @@ def errors(of: Twin, found: rotordyn.Case) -> Array:
 
 def insufficient(of: Problem, fit: Fit) -> bool:
     """Whether the verdict finds the model out."""
-    left = [w.left(p) for w, p in zip(of.weighings, fit.predicted, strict=True)]
-    criterion = Criterion.of(None, of.measurements)
-    return bool(criterion.excess(of, left, certainty(of, fit)))
+    residuals = [w.residual(p) for w, p in zip(of.weighings, fit.predicted, strict=True)]
+    criterion = FitCriterion.of(None, of.measurements)
+    return bool(criterion.excess(of, residuals, certainty(of, fit)))
 
 
 def jointed(of: Twin, rng: np.random.Generator) -> Spindle:

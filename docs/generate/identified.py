@@ -55,7 +55,7 @@ def identified_table() -> str:
         value = unknown.shown(float(best.sure.values[k]))
         low, high = (unknown.shown(float(end)) for end in best.sure.interval[k])
         ours = f"{_plain(value)} ({_plain(low)} to {_plain(high)})"
-        name = unknown.heading.replace("um", "µm")
+        name = unknown.heading
         rows.append((name, THESIS[unknown.name], ours, word, NOTES.get(unknown.name, "")))
     return table(("", "thesis, phase 6:", "ours (95 %):", "", "measured, or known"), rows)
 
@@ -64,12 +64,12 @@ def predicted_table() -> str:
     """What was measured, beside thesis and our machine."""
     found, rows = anew(), []
     best = found.explained
-    for measurement, left in zip(best.problem.measurements, best.left, strict=True):
+    for measurement, residual in zip(best.problem.measurements, best.residuals, strict=True):
         data = measurement.data
-        if len(left) > 1:
+        if len(residual) > 1:
             continue
         observed = float(data.observed[0]) * data.factor
-        machine = observed - float(left[0]) * data.factor
+        machine = observed - float(residual[0]) * data.factor
         noise = float(data.deviation[0]) * data.factor
         rows.append(
             (f"{data.name} [{data.unit}]", f"{_plain(observed)} ± {noise:g}", _plain(machine))

@@ -4,10 +4,10 @@
 ``numbers`` its kinds, ``paired_modes`` modes of responses beside those of a machine, ``kinds`` what
 files say of them, ``unknown`` what is sought, ``trial`` a machine with trial values, ``weighing``
 differences without tare and drift, ``problem`` predictions and derivatives, ``search`` the best
-values, ``models`` hypotheses and phases, ``started`` searches on disk, ``certainty`` how sure
-values are, ``profile`` the same without straight lines, ``criterion`` when a model suffices,
-``prediction`` what it would show, ``identification`` what all that comes to, ``solve`` the call
-that joins these.
+values, ``models`` hypotheses and phases, ``searches`` those of all models, kept on disk,
+``certainty`` how sure values are, ``profile`` the same without straight lines, ``criterion`` when a
+model suffices, ``prediction`` what it would show, ``identification`` what all that comes to,
+``solve`` the call that joins these.
 """
 
 from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad

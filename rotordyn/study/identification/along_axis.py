@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -17,7 +17,6 @@ from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.scene.spec import acts_across
 from rotordyn.study.identification.measurement import Data
-from rotordyn.study.identification.points import along_curve
 from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
@@ -110,7 +109,7 @@ class AxialCurve(Axial):
     drift: float = 0.0
     lowest: float | None = None
     highest: float | None = None
-    places: tuple[str, ...] = ()
+    places: tuple[str, ...] = field(default=(), repr=False)  # the same study from another file
 
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "force", "displacement")
@@ -159,7 +158,7 @@ class AxialCurve(Axial):
                 f"measurement {self.name}: points: given {count}; the longest branch has {longest}"
             )
         parts = [
-            rows[along_curve(self.force[rows], self.displacement[rows], count)]
+            rows[_along_curve(self.force[rows], self.displacement[rows], count)]
             for _, _, rows in self._curves()
             if len(rows)
         ]
@@ -224,6 +223,19 @@ class AxialCurve(Axial):
             for rows, shifts in zip((falling, rising), branches, strict=True):
                 found[rows] = shifts[:, body]
         return found
+
+
+def _along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.intp]:
+    """Rows of ``count`` points of a curve at equal distances along it, its ends among them.
+
+    Force and displacement count by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).
+    """
+    if len(force) <= count:
+        return np.arange(len(force))
+    parts = [np.diff(each) / (np.ptp(each) or 1.0) for each in (force, displacement)]
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*parts))])
+    rows = [int(np.abs(way - at).argmin()) for at in np.linspace(0.0, way[-1], count)]
+    return np.array(sorted(set(rows)))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -300,7 +312,10 @@ class AxialStiffness(Axial):
         _as_arrays(self, "speed", "stiffness")
         _require_speeds(self.name, self.speed)
         if len(self.speed) != len(self.stiffness):
-            raise InvalidInput(f"measurement {self.name}: one stiffness at each speed is needed")
+            raise InvalidInput(
+                f"measurement {self.name}: one stiffness at each speed is needed, got "
+                f"{len(self.stiffness)} at {len(self.speed)} speeds"
+            )
         if self.branch not in BRANCHES:
             raise InvalidInput(
                 f"measurement {self.name}: branch {shown(self.branch)}; allowed: "

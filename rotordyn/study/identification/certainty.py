@@ -27,7 +27,7 @@ VAGUE = 0.5  # of what was known before: a deviation above says nothing
 BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
 PART = 0.2  # of the largest part of a direction: named
 TIED = 0.95  # correlation from which two unknowns are named together
-LOST = 1e-6  # singular value that counts as none
+LOST = 1e-6  # least singular value: along one that is 0 the deviation is a million scales
 
 IDENTIFIED = "identifiable"
 ON_A_BOUND = "on a bound"
@@ -37,10 +37,13 @@ BY_ITS_PRIOR = "known by its prior alone"
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Certainty:
-    """``deviation`` (p,) and ``interval`` (p, 2) of the unknowns [SI] at 95 %, their ``covariance``
-    over scales (p, p), rows of those on a bound 0; ``words`` of each; ``singular`` values (q,) and
-    ``directions`` (q, p) that the data do not determine, softest first; ``degrees`` of freedom,
-    ``birge``: factor of all deviations."""
+    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI].
+
+    ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
+    verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
+    determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
+    of all deviations, √reduced where above 1; ``quantile``: Student's t at 97.5 %.
+    """
 
     values: Array
     deviation: Array
@@ -141,7 +144,7 @@ def _word(unknown: Sought, deviation: float, on: bool) -> str:
     return UNIDENTIFIABLE if share > VAGUE else IDENTIFIED
 
 
-def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
+def inseparable(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
     """What cannot be told apart, a sentence for each."""
     sentences = []
     for direction in sure.directions:
@@ -153,7 +156,7 @@ def apart(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
         words = " ".join(f"{s} {p}" for s, p in zip(signs, parts, strict=True)).removeprefix("+ ")
         sentences.append(
             f"the data do not determine {words}"
-            + (" (each over its scale)" if len(order) > 1 else "")
+            + (" (each over what was known of it before)" if len(order) > 1 else "")
         )
     correlation = sure.correlation
     soft = np.abs(sure.directions)

@@ -21,14 +21,14 @@ LEAST = 1e-12  # probability that is printed
 
 
 @dataclass(frozen=True, slots=True)
-class Criterion:
+class FitCriterion:
     """``most`` mean absolute difference in ``unit``, over all measurements in it; None: by χ²."""
 
     unit: str
     most: float | None = None
 
     @classmethod
-    def of(cls, given: str | None, measurements: Sequence[Measurement]) -> Criterion:
+    def of(cls, given: str | None, measurements: Sequence[Measurement]) -> FitCriterion:
         """A criterion as written, held against the measurements.
 
         Raises
@@ -50,31 +50,31 @@ class Criterion:
             raise InvalidInput(f"criterion: given {given}; allowed: above 0 {like}")
         return cls(like, most)
 
-    def residual(self, problem: Problem, left: Sequence[Array]) -> float:
+    def mean_difference(self, problem: Problem, residuals: Sequence[Array]) -> float:
         """Mean absolute difference in the unit."""
-        return float(np.abs(np.concatenate([*self._of_unit(problem, left)])).mean())
+        return float(np.abs(np.concatenate([*self._of_unit(problem, residuals)])).mean())
 
-    def _of_unit(self, problem: Problem, left: Sequence[Array]) -> list[Array]:
-        pairs = zip(problem.measurements, left, strict=True)
+    def _of_unit(self, problem: Problem, residuals: Sequence[Array]) -> list[Array]:
+        pairs = zip(problem.measurements, residuals, strict=True)
         return [part * m.data.factor for m, part in pairs if m.data.unit == self.unit]
 
-    def excess(self, problem: Problem, left: Sequence[Array], sure: Certainty) -> list[str]:
+    def excess(self, problem: Problem, residuals: Sequence[Array], sure: Certainty) -> list[str]:
         """Why the model does not suffice, empty where it does."""
-        mean = self.residual(problem, left)
+        mean = self.mean_difference(problem, residuals)
         if self.most is not None:
             if mean <= self.most:
                 return []
             words = f"differs by {mean:.3g} {self.unit} in the mean, allowed {self.most:.3g}"
-            return [words + self._worst(problem, left, mean)]
+            return [words + self._worst(problem, residuals, mean)]
         if sure.degrees < 1 or _by_noise(sure) > UNLIKELY:
             return []
         words = f"differs by {_of_noise(sure)}: {_test(sure)}"
-        return [words + self._worst(problem, left, mean)]
+        return [words + self._worst(problem, residuals, mean)]
 
-    def _worst(self, problem: Problem, left: Sequence[Array], mean: float) -> str:
+    def _worst(self, problem: Problem, residuals: Sequence[Array], mean: float) -> str:
         """The curve that differs most, where it stands out."""
         means: dict[str, list[float]] = {}
-        for each, part in zip(problem.measurements, left, strict=True):
+        for each, part in zip(problem.measurements, residuals, strict=True):
             if each.data.unit == self.unit:
                 for series, value in zip(each.data.series, part, strict=True):
                     words = f"{each.data.name} {series}".strip()

@@ -1,4 +1,4 @@
-"""Charts of what was measured beside the identified machine, and of what is left of it."""
+"""Charts of what was measured beside the identified machine, and of its residuals."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from rotordyn.page.blocks import Block, Chart, Control, Table
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, mark
 from rotordyn.results.kinds import Array
 from rotordyn.study.columns import Column
+from rotordyn.study.identification.measurement import FEW
 from rotordyn.study.identification.responses import PARTS
 
-FEW = 4  # points of a measurement from which it is a curve
 WITHIN = 2.0  # deviations of the noise, shaded
 GREY = "rgba(138, 138, 138, 0.3)"
 
 
 class Curves(NamedTuple):
     """Points of all measurements: to which measurement and curve they belong, abscissa and unit;
-    ``machine``, what is ``left`` and the ``noise`` (points,) in that unit."""
+    ``machine``, the ``residual`` and the ``noise`` (points,) in that unit."""
 
     measurement: Sequence[str]
     series: Sequence[str]
@@ -28,7 +28,7 @@ class Curves(NamedTuple):
     unit: Sequence[str]
     at: Array
     machine: Array
-    left: Array
+    residual: Array
     noise: Array
 
     @classmethod
@@ -36,7 +36,7 @@ class Curves(NamedTuple):
         """Of the columns of ``differences.csv``."""
         along, unit = table["along"].words, table["unit"].words
         series = table["measurement"].words, table["curve"].words
-        values = (table[head].values for head in ("at", "machine", "left", "noise"))
+        values = (table[head].values for head in ("at", "machine", "residual", "noise"))
         return cls(*series, along, unit, *values)
 
     def rows(self, chosen: Sequence[int]) -> Curves:
@@ -53,7 +53,7 @@ class Curves(NamedTuple):
             words(self.unit),
             self.at[places],
             self.machine[places],
-            self.left[places],
+            self.residual[places],
             self.noise[places],
         )
 
@@ -84,11 +84,12 @@ def _measured(name: str, points: Curves) -> Chart:
     traces: list[dict[str, Any]] = []
     for place, (word, curve) in enumerate(points.split(points.series)):
         order = np.argsort(curve.at)
-        x, model, left = (part[order] for part in (curve.at, curve.machine, curve.left))
+        x, model = curve.at[order], curve.machine[order]
+        measured = model + curve.residual[order]
         marker = {"color": colour(place), "symbol": f"{mark(place)}-open", "size": 6}
         traces += [
             {"x": x, "y": model, "mode": "lines", "line": line(place), "name": word or "computed"},
-            {"x": x, "y": model + left, "mode": "markers", "marker": marker, "name": "measured"},
+            {"x": x, "y": measured, "mode": "markers", "marker": marker, "name": "measured"},
         ]
         traces[-1]["showlegend"] = not place
     note = "Marks: measured, tare and drift taken off; lines: the identified machine."
@@ -114,9 +115,9 @@ def _left(name: str, points: Curves) -> Chart:
     for place, (word, curve) in enumerate(points.split(points.series)):
         order = np.argsort(curve.at)
         looks = {"line": line(place, width=0.8), "marker": {"symbol": mark(place), "size": 5}}
-        x, y = curve.at[order], curve.left[order]
+        x, y = curve.at[order], curve.residual[order]
         traces.append({"x": x, "y": y, "mode": "lines+markers", "name": word or name, **looks})
-    return Chart(f"{name}: what is left", traces, _axes(points))
+    return Chart(f"{name}: residuals", traces, _axes(points))
 
 
 def _axes(points: Curves) -> dict[str, Any]:
@@ -125,7 +126,7 @@ def _axes(points: Curves) -> dict[str, Any]:
 
 
 def _responses(name: str, points: Curves) -> Chart:
-    """Amplitude over frequency of a response that is chosen, and of what is left."""
+    """Amplitude over frequency of a response that is chosen, and of its residual."""
     pairs = [word.rpartition(", ")[0] for word in points.series]
     drawn = list(points.split(pairs))
     longest = max(len(curve.at) // 2 for _, curve in drawn)
@@ -133,7 +134,7 @@ def _responses(name: str, points: Curves) -> Chart:
     for k, (_, curve) in enumerate(drawn):
         count = len(curve.at) // 2
         values[0, k, :count] = curve.at[:count]
-        shown = (curve.machine + curve.left, curve.machine, curve.left, curve.noise)
+        shown = (curve.machine + curve.residual, curve.machine, curve.residual, curve.noise)
         for place, part in enumerate(shown):
             values[1 + place, k, :count] = np.hypot(part[:count], part[count:])
     looks: tuple[dict[str, Any], ...] = (
@@ -154,7 +155,7 @@ def _responses(name: str, points: Curves) -> Chart:
 def _single(name: str, points: Curves) -> Iterator[list[str]]:
     for k in range(len(points.at)):
         which = points.series[k] or (f"{points.at[k]:g}" if len(points.at) > 1 else "")
-        left, noise, machine = points.left[k], points.noise[k], points.machine[k]
-        numbers = (machine + left, machine, left, noise, left / noise)
+        residual, noise, machine = points.residual[k], points.noise[k], points.machine[k]
+        numbers = (machine + residual, machine, residual, noise, residual / noise)
         words = [f"{value:.4g}".replace("-", "−") for value in numbers]
         yield [f"{name} {which}".strip(), points.unit[k] or "–", *words]

@@ -48,14 +48,14 @@ def dataset(found: Identification) -> xr.Dataset:
     best, sure = found.explained, found.explained.sure
     problem = best.problem
     names = [each.path for each in problem.unknowns]
-    fit = zip(problem.measurements, best.fit.predicted, best.left, strict=True)
+    fit = zip(problem.measurements, best.fit.predicted, best.residuals, strict=True)
     rows = [
-        (data.name, data.series[k], data.observed[k], data.deviation[k], predicted[k], left[k])
-        for data, predicted, left in ((m.data, p, d) for m, p, d in fit)
-        for k in range(len(left))
+        (data.name, data.series[k], data.observed[k], data.deviation[k], predicted[k], residual[k])
+        for data, predicted, residual in ((m.data, p, d) for m, p, d in fit)
+        for k in range(len(residual))
     ]
     words = [np.array([row[k] for row in rows], dtype=object) for k in range(2)]
-    observed, deviation, predicted, left = (np.array([r[k] for r in rows]) for k in range(2, 6))
+    observed, deviation, predicted, residual = (np.array([r[k] for r in rows]) for k in range(2, 6))
     other = [f"{name}'" for name in names]
     values = {
         "value": ("unknown", sure.values, {"long_name": "value, SI"}),
@@ -68,7 +68,11 @@ def dataset(found: Identification) -> xr.Dataset:
         "observed": ("point", observed, {"long_name": "measured, SI"}),
         "noise": ("point", deviation, {"long_name": "standard deviation of the noise, SI"}),
         "machine": ("point", predicted, {"long_name": "of the identified machine, SI"}),
-        "left": ("point", left, {"long_name": "not explained, tare and drift taken out, SI"}),
+        "residual": (
+            "point",
+            residual,
+            {"long_name": "not explained, tare and drift off, SI"},
+        ),
         "evidence": ("model", found.evidence, {"long_name": "BIC above the best"}),
     }
     coords = {

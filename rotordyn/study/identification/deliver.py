@@ -10,8 +10,9 @@ from rotordyn.case.written import write_changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.study import record
-from rotordyn.study.identification.started import JOURNAL, Progress
-from rotordyn.study.identification.summary import summary, write_tables
+from rotordyn.study.identification.searches import JOURNAL, Progress
+from rotordyn.study.identification.summary import summary
+from rotordyn.study.identification.tables import write_tables
 from rotordyn.whole import whole_files
 
 if TYPE_CHECKING:

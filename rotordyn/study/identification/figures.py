@@ -1,14 +1,15 @@
-"""Measured and computed curves, what is left of them, correlations, and models side by side."""
+"""Measured and computed curves, residuals, correlations, and models side by side."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.case.identification import BRANCHES
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -24,8 +25,11 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.study.identification import profile_figure, response_figures
+from rotordyn.study.identification.certainty import ON_A_BOUND
 from rotordyn.study.identification.identification import Explained, Identification
+from rotordyn.study.identification.measurement import FEW, Data
 from rotordyn.study.identification.responses import Responses
+from rotordyn.study.identification.summary import MOST_WRITTEN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,9 +38,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 ROW, COLUMNS = 58.0, 2  # mm
 NAMES = 30.0  # mm, of single values
-FEW = 4  # points of a measurement from which it is a curve
 MOST_MODELS = 16
-MOST_WRITTEN = 14  # unknowns of which every correlation is written
 
 
 def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
@@ -65,14 +67,18 @@ def _panels(found: Identification) -> tuple[list[int], list[int]]:
     return curves, [k for k, n in sizes.items() if n < FEW]
 
 
-def _measured(found: Identification) -> Figure:
-    """Every curve, tare and drift taken off, beside the machine; single points as differences."""
-    curves, single = _panels(found)
-    count = len(curves) + bool(single)
+def _grid(count: int) -> tuple[Figure, list[tuple[float, float, float, float]]]:
+    """A figure with room for so many panels."""
     columns = min(COLUMNS, count)
     rows = -(-count // columns)
     figure = new_figure(height=20.0 + ROW * rows)
-    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
+    return figure, grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
+
+
+def _measured(found: Identification) -> Figure:
+    """Every curve, tare and drift taken off, beside the machine; single points as differences."""
+    curves, single = _panels(found)
+    figure, boxes = _grid(len(curves) + bool(single))
     drawn = []
     for place, box in zip(curves, boxes, strict=False):
         axes = add_axes(figure, box)
@@ -87,41 +93,46 @@ def _measured(found: Identification) -> Figure:
     return head(figure, f"{_titled(found)}: tare and drift taken off, lines the machine")
 
 
+def _series(data: Data) -> Iterator[tuple[str, str, NDArray[np.intp], dict[str, Any]]]:
+    """Speed and branch of every curve of a measurement, its rows, how its points look."""
+    words = list(dict.fromkeys(data.series))
+    speeds = list(dict.fromkeys(word.partition(", ")[0] for word in words))
+    for word in words:
+        speed, _, branch = word.partition(", ")
+        colour, rising = CYCLE[speeds.index(speed) % len(CYCLE)], branch == BRANCHES[1]
+        face = "none" if rising else colour
+        look = {"color": colour, "marker": POINTS[rising], "mew": 0.5, "markerfacecolor": face}
+        yield speed, branch, np.flatnonzero(np.array(data.series) == word), look
+
+
 def _curve(axes: Axes, best: Explained, place: int) -> None:
     data = best.problem.measurements[place].data
-    predicted, left = best.fit.predicted[place], best.left[place]
-    groups = list(dict.fromkeys(_group(word) for word in data.series))
-    for word in dict.fromkeys(data.series):
-        rows = np.array([k for k, other in enumerate(data.series) if other == word])
+    machine = best.fit.predicted[place] * data.factor
+    shown = machine + best.residuals[place] * data.factor
+    for speed, branch, rows, look in _series(data):
         order = rows[np.argsort(data.at[rows])]
-        colour = CYCLE[groups.index(_group(word)) % len(CYCLE)]
-        model = predicted * data.factor
-        label = _group(word) or "the machine"
-        axes.plot(data.at[order], model[order], "-", lw=0.9, color=colour, label=label)
-        shown = (predicted + left) * data.factor
-        mark = POINTS[1] if word.endswith("rising") else POINTS[0]
-        full = "none" if word.endswith("rising") else colour
-        said = ", ".join(["measured", *word.split(", ")[1:]])
-        points = axes.plot(data.at[rows], shown[rows], mark, ms=2.2, mew=0.5, color=colour)
-        points[0].set(markerfacecolor=full, label=said)
+        label = speed or "the machine"
+        axes.plot(data.at[order], machine[order], lw=0.9, color=look["color"], label=label)
+        label = f"measured, {branch}" if branch else "measured"
+        axes.plot(data.at[rows], shown[rows], ls="none", ms=2.2, label=label, **look)
+    _labelled(axes, data, "")
+
+
+def _labelled(axes: Axes, data: Data, what: str) -> None:
     axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
-    axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
-
-
-def _group(series: str) -> str:
-    """A speed, without the branch."""
-    return series.partition(",")[0]
+    axes.set_ylabel(f"{what} [{data.unit}]".strip(), fontsize=FONT_SIZE - 1.0)
 
 
 def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
     """Differences of single points, over their noise."""
     names, values = [], []
     for place in places:
-        data, left = best.problem.measurements[place].data, best.left[place]
-        for k, size in enumerate(left / data.deviation):
-            at = f" {data.at[k]:g}" if len(left) > 1 else ""
+        data, residual = best.problem.measurements[place].data, best.residuals[place]
+        unit = data.along.partition("[")[2].removesuffix("]")
+        for k, size in enumerate(residual / data.deviation):
+            at = f" at {data.at[k]:g} {unit}" if len(residual) > 1 else ""
             names.append(shortened(f"{data.name}{at}", 30))
             values.append(size)
     axes.barh(np.arange(len(names)), values, color=BLUE, height=0.6)
@@ -137,37 +148,20 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
 
 
 def _residuals(found: Identification) -> Figure:
-    """What is left of every curve, tare and drift taken off, with ± two deviations of the noise."""
+    """Residuals of every curve, tare and drift taken off, with ± two deviations of the noise."""
     curves, single = _panels(found)
-    places = curves or single
-    columns = min(COLUMNS, len(places))
-    rows = -(-len(places) // columns)
-    figure = new_figure(height=20.0 + ROW * rows)
-    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
+    places, best = curves or single, found.explained
+    figure, boxes = _grid(len(places))
     drawn = []
     for place, box in zip(places, boxes, strict=False):
-        axes, best = add_axes(figure, box), found.explained
-        data, left = best.problem.measurements[place].data, best.left[place]
-        groups = list(dict.fromkeys(_group(word) for word in data.series))
-        for word in dict.fromkeys(data.series):
-            rows_of = np.array([k for k, other in enumerate(data.series) if other == word])
-            colour = CYCLE[groups.index(_group(word)) % len(CYCLE)]
-            look = "-o" if word.endswith("rising") else "-s"
-            axes.plot(
-                data.at[rows_of],
-                left[rows_of] * data.factor,
-                look,
-                ms=1.8,
-                lw=0.5,
-                color=colour,
-                label=_group(word) or data.name,
-            )
+        axes, data = add_axes(figure, box), best.problem.measurements[place].data
+        residual = best.residuals[place] * data.factor
+        for speed, branch, rows, look in _series(data):
+            label = ", ".join(filter(None, (speed, branch))) or data.name
+            axes.plot(data.at[rows], residual[rows], lw=0.5, ms=2.2, label=label, **look)
         noise = 2.0 * float(data.deviation.mean()) * data.factor
         axes.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0.0)
-        axes.set_title(shortened(data.name, 40), fontsize=FONT_SIZE)
-        axes.locator_params(axis="x", nbins=5)
-        axes.set_xlabel(data.along, fontsize=FONT_SIZE - 1.0)
-        axes.set_ylabel(f"[{data.unit}]", fontsize=FONT_SIZE - 1.0)
+        _labelled(axes, data, "measured − machine")
         drawn.append(axes)
     top_legend(figure, *drawn)
     words = f"{_titled(found)}: what is not explained, with ± 2 deviations of the noise"
@@ -217,7 +211,7 @@ def _models(found: Identification) -> Figure:
     names = [shortened(each.name, 26) for each in story]
     place = np.arange(len(story))
     axes = add_axes(figure, (38.0, 38.0, 40.0, tall))
-    means = [found.criterion.residual(each.problem, each.left) for each in story]
+    means = [found.criterion.mean_difference(each.problem, each.residuals) for each in story]
     kept = [each.name in found.surviving for each in story]
     axes.barh(place, means, height=0.6, color=[BLUE if k else GREY for k in kept])
     axes.set_yticks(place, names, fontsize=FONT_SIZE - 1.5)
@@ -235,7 +229,7 @@ def _models(found: Identification) -> Figure:
             value = float(model.fit.values[k])
             share = (value - unknown.low) / (unknown.high - unknown.low)
             beside.plot([column - 0.4, column + 0.4], [row, row], "-", lw=0.6, color=GREY)
-            bound = model.sure.words[k] == "on a bound"
+            bound = model.sure.words[k] == ON_A_BOUND
             colour = ORANGE if bound else BLUE
             beside.plot(column - 0.4 + 0.8 * share, row, "D", ms=3.5, color=colour)
             words = f"{unknown.shown(value):.3g}"

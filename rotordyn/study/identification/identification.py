@@ -22,16 +22,16 @@ from rotordyn.study.identification.certainty import (
     ON_A_BOUND,
     UNIDENTIFIABLE,
     Certainty,
-    apart,
+    inseparable,
 )
-from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.measurement import Beside
 from rotordyn.study.identification.models import Model
 from rotordyn.study.identification.prediction import Prediction
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import Profile, remarks
 from rotordyn.study.identification.search import Fit
-from rotordyn.study.identification.started import Search
+from rotordyn.study.identification.searches import Search
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -69,10 +69,10 @@ class Explained:
         return self.fit.cost + len(self.problem.unknowns) * float(np.log(self.problem.count))
 
     @property
-    def left(self) -> list[Array]:
-        """What it does not explain of every measurement [SI]."""
+    def residuals(self) -> list[Array]:
+        """Of every measurement (n,), what machine, tare and drift do not explain [SI]."""
         pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
-        return [each.left(one) for each, one in pairs]
+        return [each.residual(one) for each, one in pairs]
 
     @property
     def case(self) -> Case:
@@ -111,7 +111,7 @@ class Identification:
     name: str
     title: str
     models: tuple[Explained, ...]
-    criterion: Criterion
+    criterion: FitCriterion
     predictions: tuple[Prediction, ...] = ()
     profiles: Mapping[str, Profile] = field(default_factory=dict)
     failed: Mapping[str, str] = field(default_factory=dict)
@@ -171,27 +171,33 @@ class Identification:
         return [each.name for each in self.survivors]
 
     @property
-    def residual(self) -> float:
+    def mean_difference(self) -> float:
         """What the criterion bounds: the mean absolute difference, in its unit."""
-        return self.criterion.residual(self.explained.problem, self.explained.left)
+        return self.criterion.mean_difference(self.explained.problem, self.explained.residuals)
 
-    @property
-    def verdict(self) -> list[str]:
-        """In sentences: does the model suffice, what is identified, what is not."""
-        best, lines = self.explained, []
-        why = self.criterion.excess(best.problem, best.left, best.sure)
+    @cached_property
+    def _insufficient(self) -> list[str]:
+        """Why the best model does not suffice; empty where it does."""
+        best = self.explained
+        why = self.criterion.excess(best.problem, best.residuals, best.sure)
         bound = best.on_bounds
         if bound:
             what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
             why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
-        kept = self.criterion.kept(self.residual, best.sure)
-        lines.append(f"{INSUFFICIENT}: " + "; ".join(why) if why else kept)
+        return why
+
+    @property
+    def verdict(self) -> list[str]:
+        """In sentences: does the model suffice, what is identified, what is not."""
+        best, why = self.explained, self._insufficient
+        kept = self.criterion.kept(self.mean_difference, best.sure)
+        lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
             names = [name for name, each in best.named if each == word]
             if names:
                 lines.append(f"{word}: {', '.join(names)}")
-        lines += apart(best.problem.unknowns, best.sure)
+        lines += inseparable(best.problem.unknowns, best.sure)
         lines += remarks(self.profiles, best.problem, best.sure)
         others = self.surviving
         if len(others) > 1:
@@ -201,7 +207,7 @@ class Identification:
     @property
     def sufficient(self) -> bool:
         """Whether the best model explains the measurements with no value on a bound."""
-        return not self.verdict[0].startswith(INSUFFICIENT)
+        return not self._insufficient
 
     @property
     def summary(self) -> str:

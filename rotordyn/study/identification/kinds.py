@@ -75,12 +75,16 @@ def _numbers(name: str, given: Entry, _: Path) -> Measurement:
     unit = str(given["values"][0]).strip().partition(" ")[2]
     if not unit:
         raise InvalidInput(f"values: given {shown(given['values'][0])}; needed: with their unit")
+    try:
+        *values, deviation = [amount(each, unit) for each in (*given["values"], given["deviation"])]
+    except InvalidInput as refusal:
+        raise InvalidInput(f"values and deviation have one unit: {refusal}") from None
     return Numbers(
         name=name,
         of=given["of"],
         speed=np.array(given["speeds"]),
-        values=np.array([amount(each, unit) for each in given["values"]]),
-        deviation=amount(given["deviation"], unit),
+        values=np.array(values),
+        deviation=deviation,
         unit=unit,
         where=given["where"],
         nearest=given["nearest"],

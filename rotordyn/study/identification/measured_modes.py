@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
-from rotordyn.study.identification.measurement import Data
+from rotordyn.study.identification.measurement import AsksNothing, Data
 from rotordyn.study.identification.paired_modes import FAR, SWINGS, assigned
 from rotordyn.study.identification.trial import Trial, require_all_speeds
 
@@ -27,7 +26,7 @@ OTHER = 1.0  # cost of a mode that whirls the other way, as that of one ``FAR`` 
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Modes:
+class Modes(AsksNothing):
     """``frequency`` |λ|/2π [Hz] at ``speed`` [rad/s], both (n,), with a relative ``deviation``.
 
     ``damping`` ratios (n,) with a relative ``damping_deviation``, or none; ``whirl`` (n,):
@@ -50,12 +49,13 @@ class Modes:
             raise InvalidInput(f"measurement {self.name}: {sentence}")
 
     def _refusals(self) -> Iterator[str]:
-        n = len(self.speed)
-        sizes = [len(self.frequency), n if self.damping is None else len(self.damping)]
-        sizes.append(len(self.whirl) or n)
-        if {*sizes} != {n}:
-            yield f"as many frequencies, dampings and whirls as speeds: got {n}, {sizes}"
-            return
+        n, whirls = len(self.speed), self.whirl or None
+        given = {"frequencies": self.frequency, "dampings": self.damping, "whirls": whirls}
+        for name, values in given.items():
+            if values is not None and len(values) != n:
+                yield f"{name}: given {len(values)}; needed: one for each of {n} speeds"
+        if not self.deviation > 0.0:
+            yield f"deviation: given {100.0 * self.deviation:g} %; allowed: above 0 %"
         if (self.damping is None) != (self.damping_deviation is None):
             yield "dampings have a deviation: give both or none"
         for word in sorted({*self.whirl} - {*WHIRLS}):
@@ -91,14 +91,6 @@ class Modes:
         """A machine without a rotor."""
         if case.spindle is None:
             yield f"measurement {self.name}: needs a spindle"
-
-    def speeds(self, case: Case) -> tuple[float, ...]:
-        """None: solved at its own speeds by itself."""
-        return ()
-
-    def analyses(self, case: Case) -> Mapping[str, Any]:
-        """None: the equation of motion is enough."""
-        return {}
 
     def predicted(self, trial: Trial) -> Array:
         """Rows as those of ``data`` [Hz]."""

@@ -9,13 +9,14 @@
 3. ``faults(case)``: sentences about what of the case contradicts it (an unknown sleeve, an analysis
    that the case lacks). They are said before anything is solved.
 4. ``speeds(case)``: speeds [rad/s] at which it needs machines solved; ``analyses(case)``: what it
-   asks of the case there, name to spec, empty where it solves by itself.
+   asks of the case there, name to spec; nothing where it solves by itself (``AsksNothing``).
 5. ``predicted(trial)``: what a machine would show (n,) without tare and drift. ``trial.case`` is
    the case with trial values; ``trial.results`` answers to all ``analyses`` at all ``speeds``,
    solved once for all measurements; ``trial.axial`` the shaft along its axis with friction.
    What has no solution raises ``NoSolution``, ``InvalidInput`` or ``BearingError``: the search then
    steps back. A number that does not exist is NaN and counts as that.
-6. Its entry in files: a line in ``kinds``.
+6. Its keys in files: a class and a line in ``rotordyn.case.identification``, and in ``kinds`` what
+   is made of them.
 7. If it likes: ``step``, of an unknown's scale, by which ``predicted`` is differentiated;
    ``blurred``, the same measurement seen less sharply, from the vaguest on, each with all of the
    above: a search goes through them first; ``carried``, how many numbers its points tell, where
@@ -39,6 +40,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.study.identification.trial import Trial
 
 Array = NDArray[np.float64]
+FEW = 4  # points of a measurement from which it is drawn as a curve
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -91,6 +93,18 @@ class Beside(NamedTuple):
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     remarks: tuple[str, ...]
+
+
+class AsksNothing:
+    """A measurement that solves the machine at its own speeds, by its equation of motion alone."""
+
+    def speeds(self, case: Case) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def analyses(self, case: Case) -> Mapping[str, Any]:
+        """None."""
+        return {}
 
 
 class Measurement(Protocol):

@@ -46,9 +46,12 @@ class Numbers:
         for name in ("speed", "values"):
             object.__setattr__(self, name, np.atleast_1d(np.asarray(getattr(self, name), float)))
         if len(self.speed) != len(self.values):
-            raise InvalidInput(f"measurement {self.name}: one value at each speed is needed")
+            raise InvalidInput(
+                f"measurement {self.name}: one value at each speed is needed, got "
+                f"{len(self.values)} at {len(self.speed)} speeds"
+            )
         if len(set(self.speed.tolist())) < len(self.speed) and not self.nearest:
-            raise InvalidInput(f"measurement {self.name}: has a speed twice")
+            raise InvalidInput(f"measurement {self.name}: has a speed twice: nearest is needed")
 
     @property
     def _criterion(self) -> Criterion:
@@ -120,7 +123,7 @@ class Numbers:
             return values[np.abs(values[:, None] - observed).argmin(axis=0)]
         if len(values) != len(observed):
             raise InvalidInput(
-                f"measurement {self.name}: {self.of} has {len(values)} values where "
-                f"{len(observed)} were measured: select one with where, or take the nearest"
+                f"measurement {self.name}: {self.of} has {len(values)} values for "
+                f"{len(observed)} measured: select with where, or give nearest: true"
             )
         return values

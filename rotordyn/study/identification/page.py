@@ -19,11 +19,10 @@ from rotordyn.study.identification.certainty import BY_ITS_PRIOR, ON_A_BOUND, UN
 from rotordyn.study.identification.curve_charts import Curves, curve_blocks
 from rotordyn.study.identification.deliver import BEST, DATASET, SUMMARY
 from rotordyn.study.identification.identification import INSUFFICIENT, SURVIVES, UNDECIDED
-from rotordyn.study.identification.started import JOURNAL
-from rotordyn.study.identification.summary import decimals
+from rotordyn.study.identification.searches import JOURNAL
+from rotordyn.study.identification.summary import MOST_WRITTEN, decimals
 
 FILES = (DATASET, JOURNAL)  # one of which a folder of an identification has
-MOST_WRITTEN = 14  # unknowns of which every correlation is written
 CELL, ROOM = 34, 190  # px of a row of correlations, and of what surrounds them
 DOUBTS = (UNIDENTIFIABLE, BY_ITS_PRIOR, UNDECIDED)
 RED_TO_BLUE = [[0.0, COLOURS[0]], [0.5, "#F2F2F2"], [1.0, COLOURS[1]]]
@@ -240,8 +239,9 @@ def _predictions(held: Held) -> Table:
     rows = []
     for k, name in enumerate(of["name"].words):
         unit = of["unit"].words[k]
-        cells = [f"{name} [{unit}]" if unit else name, f"{of['value'].values[k]:.4g}"]
-        cells += [" to ".join(f"{of[end].values[k]:.4g}" for end in pair) for pair in pairs]
+        digits = decimals(*(float(of[end].values[k]) for end in ("low", "high")))
+        cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
+        cells += [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

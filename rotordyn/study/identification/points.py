@@ -119,19 +119,6 @@ def _number(path: Path, line: int, name: str, cell: str) -> float:
 
 def _allowed(columns: Mapping[str, Quantity | None]) -> str:
     return ", ".join(
-        name if held is None else f"{name} [{KINDS[held.kind][-1]}]"
+        name if held is None else f"{name} [{', '.join(KINDS[held.kind])}]"
         for name, held in columns.items()
     )
-
-
-def along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.intp]:
-    """Rows of ``count`` points of a curve at equal distances along it, its ends among them.
-
-    Force and displacement count by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).
-    """
-    if len(force) <= count:
-        return np.arange(len(force))
-    parts = [np.diff(each) / (np.ptp(each) or 1.0) for each in (force, displacement)]
-    way = np.concatenate([[0.0], np.cumsum(np.hypot(*parts))])
-    rows = [int(np.abs(way - at).argmin()) for at in np.linspace(0.0, way[-1], count)]
-    return np.array(sorted(set(rows)))

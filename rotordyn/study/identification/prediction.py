@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +75,8 @@ def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
 def numbers(
     problem: Problem, values: Array, wanted: tuple[Predicted, ...], known: Known
 ) -> dict[str, tuple[str, float, float | None]]:
-    """Of the machine with such values: unit, number and what was measured, by name.
+    """Of the machine with such values: unit, number and what was measured, by name (those that
+    share one are counted).
 
     Raises
     ------
@@ -86,11 +86,9 @@ def numbers(
     results = known.neighbours.solve(case)[0].results
     found: dict[str, tuple[str, float, float | None]] = {}
     for each in wanted:
-        criterion = Criterion(each.of, each.where)
-        headings = _headings(case, results, criterion)
-        reading = criterion.read(case, results)
+        reading = Criterion(each.of, each.where).read(case, results)
         for k, value in enumerate(reading.values.tolist()):
-            words = each.name or (headings[k] if k < len(headings) else each.of)
+            words = each.name or reading.names[k]
             words = words if words not in found else f"{words} ({k + 1})"
             found[words] = reading.unit, value, _known(each, reading.unit)
     return found
@@ -101,15 +99,6 @@ def _known(of: Predicted, unit: str) -> float | None:
         return None if of.measured is None else amount(of.measured, unit)
     except InvalidInput as refusal:
         raise InvalidInput(f"{shown(of.of)}: measured: {refusal}") from None
-
-
-def _headings(case: Case, results: Mapping[str, Any], of: Criterion) -> list[str]:
-    if ":" not in of.of:
-        return []
-    words = of.of.partition(":")[2].strip()
-    every = analysis(of.analysis).numbers(results[of.analysis], case)
-    kept = [each for each in every if each.heading.startswith(words) and not np.isnan(each.value)]
-    return [f"{of.analysis}: {each.heading.removesuffix(f' [{each.unit}]')}" for each in kept]
 
 
 def predictions(

@@ -19,14 +19,14 @@ from rotordyn.study.identification.unknown import Sought
 from rotordyn.study.identification.weighing import Weighing
 
 Array = NDArray[np.float64]
-STEP = 5e-3  # of the scale of an unknown, of differences
+STEP = 5e-3  # of finite differences, over the scale of an unknown
 ALIKE = 1e-9  # of a speed
 
 
 @dataclass
 class Problem:
     """What is sought and what was measured; ``weights``: of rows besides the noise, by measurement;
-    ``evaluations``: machines solved."""
+    ``evaluations``: machines solved; ``why``: the last of them has no solution."""
 
     case: Case
     unknowns: tuple[Sought, ...]
@@ -74,7 +74,7 @@ class Problem:
 
     @property
     def scale(self) -> Array:
-        """What unknowns are measured by (p,)."""
+        """Standard deviation of what is known of each unknown before (p,) [SI]."""
         return np.array([each.scale for each in self.unknowns])
 
     @property
@@ -119,7 +119,8 @@ class Problem:
             return None
         if all(np.isfinite(each).all() for each in found):
             return found
-        lost = next(m for m, p in zip(self.measurements, found, strict=True) if np.isnan(p).any())
+        pairs = zip(self.measurements, found, strict=True)
+        lost = next(m for m, p in pairs if not np.isfinite(p).all())
         self.why = f"measurement {lost.data.name}: the machine has no such number"
         return None
 

@@ -49,7 +49,7 @@ def read_identification(path: str | Path) -> Asked:
     reading = reading_of(reader)
     free = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
     given = reading.fields(IdentificationFile, root, annotations=free)
-    _stop(reading, root)
+    _require_no_faults(reading, root)
     case = case_of(given["case"], root)
     case = replace(case, name=file.stem, title=given["title"] or case.title)
     parts: dict[str, Any] = {
@@ -59,7 +59,7 @@ def read_identification(path: str | Path) -> Asked:
         "phases": _each(reading, root, "phases", case, _phase),
         "predict": _predicted(reading, root),
     }
-    _stop(reading, root)
+    _require_no_faults(reading, root)
     how = {key: given[key] for key in ("profiles", "criterion", "minimise", "starts", "seed")}
     try:
         return asked(case, **parts, **how)
@@ -70,7 +70,7 @@ def read_identification(path: str | Path) -> Asked:
         raise InvalidInput(in_order(faults.reported, root.file)) from None
 
 
-def _stop(reading: Reading, root: Node) -> None:
+def _require_no_faults(reading: Reading, root: Node) -> None:
     if reading.faults:
         raise InvalidInput(in_order(reading.faults.reported, root.file))
 

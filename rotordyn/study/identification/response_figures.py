@@ -68,12 +68,12 @@ def _response(axes: Axes, found: Identification, place: int, k: int) -> None:
     assert isinstance(measurement, Responses)
     one, data = measurement.responses[k], measurement.data
     parts = _parts(measurement, k)
-    left, predicted = best.left[place], best.fit.predicted[place]
+    residual, predicted = best.residuals[place], best.fit.predicted[place]
     frequency = np.array(one.frequency)
     lines = (
-        (predicted + left, ".", GREY, "measured", 1.0),
+        (predicted + residual, ".", GREY, "measured", 1.0),
         (predicted, "-", BLUE, "the machine", 1.0),
-        (left, "-", ORANGE, "difference", 0.6),
+        (residual, "-", ORANGE, "difference", 0.6),
     )
     high = 0.0
     for values, look, colour, label, width in lines:

@@ -28,7 +28,7 @@ from rotordyn.numerics.pole_count import Counted, counted
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM, is_rotation
 from rotordyn.scene.scene import Scene
-from rotordyn.study.identification.measurement import Beside, Data
+from rotordyn.study.identification.measurement import AsksNothing, Beside, Data
 from rotordyn.study.identification.paired_modes import beside
 from rotordyn.study.identification.trial import Trial, require_all_speeds
 
@@ -45,7 +45,7 @@ INCOHERENT = 1e-3  # 1 − γ² below which noise comes from elsewhere
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Responses:
+class Responses(AsksNothing):
     """``responses`` of any pairs and speeds, those of one speed at the same frequencies.
 
     Each sample has a standard deviation, of its real and of its imaginary part: ``noise`` times its
@@ -210,14 +210,6 @@ class Responses:
                     yield f"measurement {self.name}: {sentence}"
                     return
 
-    def speeds(self, case: Case) -> tuple[float, ...]:
-        """None: solved at its own speeds by itself."""
-        return ()
-
-    def analyses(self, case: Case) -> Mapping[str, Any]:
-        """None: the equation of motion is enough."""
-        return {}
-
     def predicted(self, trial: Trial) -> Array:
         """Rows as those of ``data`` (n,) [SI]."""
         frequency = {s: np.array(self.of_speed(s)[0].frequency) for s in self.speed}
@@ -285,7 +277,7 @@ class Responses:
 
 
 @dataclass(frozen=True, eq=False)
-class Blurred:
+class Blurred(AsksNothing):
     """Responses ``of`` a measurement under a force that grows, s = (``share`` + i) ω."""
 
     of: Responses
@@ -322,14 +314,6 @@ class Blurred:
     def faults(self, case: Case) -> tuple[str, ...]:
         """None beside those of the measurement."""
         return ()
-
-    def speeds(self, case: Case) -> tuple[float, ...]:
-        """None."""
-        return ()
-
-    def analyses(self, case: Case) -> Mapping[str, Any]:
-        """None."""
-        return {}
 
     def predicted(self, trial: Trial) -> Array:
         """Rows as those of ``data`` (n,) [SI]."""

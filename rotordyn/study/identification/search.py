@@ -7,7 +7,6 @@ changes (iteratively reweighted: P. Holland and R. Welsch, Commun. Statist. A6, 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,17 +16,16 @@ from rotordyn.errors import NoSolution
 from rotordyn.study.identification.problem import Problem
 
 Array = NDArray[np.float64]
-FAR = 1e4  # rows of a machine without a solution
+FAR = 1e4  # weighed difference of every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
 MOST = 60  # Jacobians of one search
 ROUNDS, FLOOR = 12, 0.05  # of weighing anew; least difference over noise that weighs no more
 CANDIDATES = 6  # machines tried for each further start
-Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Fit:
-    """The best of a search: ``values`` (p,), its ``cost`` (sum of squares of all rows),
+    """The best of a search: ``values`` (p,) [SI], its ``cost`` χ² (sum of squares of all rows),
     ``predicted`` of every measurement; ``ended``: whether the search came to its end."""
 
     values: Array
@@ -36,11 +34,12 @@ class Fit:
     ended: bool = True
 
 
-class _Search:
-    """Keeps the best machine seen, so that an interrupted search has one."""
+class _Objective:
+    """Residuals and Jacobian over scaled unknowns z (p,); keeps the best machine seen, so that an
+    interrupted search has one."""
 
-    def __init__(self, problem: Problem, progress: Progress) -> None:
-        self.problem, self.progress = problem, progress
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
         self.best: Fit | None = None
         self._last: tuple[bytes, list[Array] | None] = (b"", None)
 
@@ -62,6 +61,7 @@ class _Search:
         return self.best
 
     def rows(self, z: Array) -> Array:
+        """Weighed differences (n,), ``FAR`` each where the machine has no solution."""
         values = z * self.problem.scale
         predicted = self._predicted(values)
         if predicted is None:
@@ -70,10 +70,10 @@ class _Search:
         cost = float(rows @ rows)
         if self.best is None or cost < self.best.cost:
             self.best = Fit(values, cost, predicted, ended=False)
-            self.progress(cost)
         return rows
 
     def slopes(self, z: Array) -> Array:
+        """Derivatives of the rows (n, p)."""
         values = z * self.problem.scale
         predicted = self._predicted(values)
         if predicted is None:
@@ -95,7 +95,7 @@ class _Search:
         return rows + len(self.problem.unknowns)
 
 
-def search(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
+def search(problem: Problem, start: Array) -> Fit:
     """The best from one start, led there by blurred measurements; interrupted, the best so far.
 
     Raises
@@ -107,11 +107,11 @@ def search(problem: Problem, start: Array, progress: Progress = lambda cost: Non
         problem.evaluations += blurred.evaluations
         start = led.values
         if not led.ended:
-            return _Search(problem, progress).at(start)
-    return nearest(problem, start, progress)
+            return _Objective(problem).at(start)
+    return nearest(problem, start)
 
 
-def nearest(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
+def nearest(problem: Problem, start: Array) -> Fit:
     """The best about one start; interrupted, the best so far.
 
     Raises
@@ -120,34 +120,38 @@ def nearest(problem: Problem, start: Array, progress: Progress = lambda cost: No
     """
     from scipy.optimize import least_squares
 
-    seen = _Search(problem, progress)
+    goal = _Objective(problem)
     low, high = (end / problem.scale for end in problem.bounds)
-    begin = np.clip(start / problem.scale, low, high)
-    room = 1e-6 * (high - low)
-    begin = np.clip(begin, low + room, high - room)
-    seen.at(begin * problem.scale)
+    room = 1e-6 * (high - low)  # scipy begins between the ends, on none
+    begin = np.clip(start / problem.scale, low + room, high - room)
+    goal.at(begin * problem.scale)
     try:
         least_squares(
-            seen.rows, begin, seen.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
+            goal.rows, begin, goal.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
         )
     except KeyboardInterrupt:
-        return seen.reached
-    return replace(seen.reached, ended=True)
+        return goal.reached
+    return replace(goal.reached, ended=True)
 
 
-def search_absolute(problem: Problem, start: Array, progress: Progress = lambda cost: None) -> Fit:
-    """The same of the least mean absolute difference."""
-    found, before = search(problem, start, progress), np.inf
+def search_absolute(problem: Problem, start: Array) -> Fit:
+    """The best by the mean absolute difference from one start; interrupted, the best so far.
+
+    Raises
+    ------
+    NoSolution : the machine at the start has none
+    """
+    found, before = search(problem, start), np.inf
     for _ in range(ROUNDS):
         pairs = zip(problem.weighings, found.predicted, strict=True)
-        left = [each.left(one) / each.data.deviation for each, one in pairs]
-        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in left)
-        mean = float(np.abs(np.concatenate(left)).mean())
+        residuals = [each.residual(one) / each.data.deviation for each, one in pairs]
+        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
+        mean = float(np.abs(np.concatenate(residuals)).mean())
         if not found.ended or before - mean < 1e-3 * before:
             break
         before = mean
         weighed = replace(problem, weights=weights)
-        found = search(weighed, found.values, progress)
+        found = search(weighed, found.values)
         problem.evaluations = weighed.evaluations
     rows = problem.rows(found.predicted, found.values)
     return replace(found, cost=float(rows @ rows))

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,8 @@ from rotordyn.case.identification import MINIMISED
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.numerics.threads import processors
-from rotordyn.study.identification.certainty import (
-    certainty,
-)
-from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.certainty import certainty
+from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.identification import Explained, Identification
 from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.models import Model, Phase, models
@@ -31,13 +29,10 @@ from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import asked_profiles
 from rotordyn.study.identification.profile import profiles as profiles_of
 from rotordyn.study.identification.search import Fit
-from rotordyn.study.identification.started import Progress, Search, Searches, best_of, run
+from rotordyn.study.identification.searches import Progress, Search, Searches, best_of, run
 from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import Unknown, sought
 from rotordyn.study.parameter import is_whole
-
-if TYPE_CHECKING:
-    pass
 
 Array = NDArray[np.float64]
 
@@ -48,7 +43,7 @@ class Asked:
 
     case: Case
     searches: Searches
-    criterion: Criterion
+    criterion: FitCriterion
     predict: tuple[Predicted, ...]
     profiles: tuple[str, ...] = ()
 
@@ -77,7 +72,7 @@ def asked(  # noqa: PLR0913 - see identify
         raise InvalidInput(f"minimise: given {shown(minimise)}; allowed: {', '.join(MINIMISED)}")
     profiled = asked_profiles(found, profiles)
     if profiled and minimise == MINIMISED[1]:
-        raise InvalidInput(f"profiles: are of least squares; given minimise: {minimise}")
+        raise InvalidInput(f"profiles: need minimise: {MINIMISED[0]}; given minimise: {minimise}")
     if not is_whole(starts, 1, 1000):
         raise InvalidInput(f"starts: given {shown(starts)}; allowed: a whole number up to 1000")
     if not is_whole(seed, 0):
@@ -85,7 +80,7 @@ def asked(  # noqa: PLR0913 - see identify
     every = models(case, found, hypotheses or {}, phases or {})
     _require_points(every, measurements)
     searches = Searches(every, tuple(measurements), starts, seed, minimise == MINIMISED[1])
-    held = Criterion.of(criterion, searches.measurements)
+    held = FitCriterion.of(criterion, searches.measurements)
     first = searches.problem(0)
     _require_numbers(first)
     if predict:
@@ -109,7 +104,8 @@ def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> No
             noise = float(data.deviation.min()) * data.factor
             raise InvalidInput(
                 f"measurement {data.name}: noise swamps it: its points differ by {size:.3g} "
-                f"{data.unit}, their deviation is {noise:.3g} {data.unit}"
+                f"{data.unit}, their deviation is {noise:.3g} {data.unit}: leave it out, or check "
+                "both units"
             )
 
 
@@ -119,8 +115,8 @@ def _require_points(every: Sequence[Model], measurements: Sequence[Measurement])
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:
             raise InvalidInput(
-                f"unknowns: {len(model.unknowns)} are sought, but the measurements have {count} "
-                f"points and there are {priors} priors: fewer unknowns, or more points"
+                f"unknowns: {len(model.unknowns)} are sought, more than numbers measured "
+                f"({count}) and priors ({priors}): seek fewer, measure more points, or give priors"
             )
 
 

@@ -1,14 +1,12 @@
-"""An identification in one screen of plain text, and its values and differences as tables."""
+"""An identification in one screen of plain text."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
 from rotordyn.results.text import wrapped
 from rotordyn.study.identification.certainty import ON_A_BOUND
@@ -19,6 +17,7 @@ if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Explained, Identification
 
 MOST_MODELS, MOST_ROWS = 12, 20
+MOST_WRITTEN = 14  # unknowns of which figures and pages write every correlation
 
 
 def summary(found: Identification) -> str:
@@ -63,14 +62,19 @@ def _lines(found: Identification) -> Iterator[str]:
 def _predictions(found: Identification) -> Iterator[str]:
     """Numbers of the best model, and their range over all that survive."""
     several = any(each.least is not None for each in found.predictions)
+    beside = any(each.measured is not None for each in found.predictions)
     over = ("over surviving models",) if several else ()
-    rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured")]
+    rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured" * beside)]
     for each in found.predictions:
         measured = "" if each.measured is None else f"{each.measured:.4g}"
-        interval = f"{each.low:.4g} to {each.high:.4g}"
+        digits = decimals(each.low, each.high)
+        value, low, high, least, most = (
+            "" if v is None else number(v, digits)
+            for v in (each.value, each.low, each.high, each.least, each.most)
+        )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
-        between = (f"{each.least:.4g} to {each.most:.4g}",) if several else ()
-        rows.append((heading, f"{each.value:.4g}", interval, *between, measured))
+        between = (f"{least} to {most}",) if several else ()
+        rows.append((heading, value, f"{low} to {high}", *between, measured))
     yield from _table(rows)
     for each in found.predictions:
         if each.lacking:
@@ -116,17 +120,17 @@ def decimals(low: float, high: float) -> int:
 
 
 def _differences(model: Explained) -> Iterator[tuple[str, ...]]:
-    for each, left in zip(model.problem.measurements, model.left, strict=True):
+    for each, residual in zip(model.problem.measurements, model.residuals, strict=True):
         data = each.data
-        mean = float(np.abs(left).mean()) * data.factor
+        mean = float(np.abs(residual).mean()) * data.factor
         noise = float(data.deviation.mean()) * data.factor
-        yield data.name, str(len(left)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
+        yield data.name, str(len(residual)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
 
 
 def _models(found: Identification) -> Iterator[tuple[str, ...]]:
     rows = list(zip(found.models, found.evidence, strict=True))
     for model, above in rows[:MOST_MODELS]:
-        mean = found.criterion.residual(model.problem, model.left)
+        mean = found.criterion.mean_difference(model.problem, model.residuals)
         bound = model.on_bounds
         words = f"{ON_A_BOUND}: {', '.join(bound)}" if bound else ""
         yield model.name, f"{above:.1f}", f"{mean:.3g}", words
@@ -138,108 +142,3 @@ def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     for row in rows:
         yield "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
-
-
-def write_tables(folder: Path, found: Identification) -> None:
-    """Tables ``values``, ``profiles``, ``differences``, ``models`` and ``predictions``."""
-    best = found.explained
-    unknowns, sure = best.problem.unknowns, best.sure
-    columns: list[Column] = [
-        ("path", [each.path for each in unknowns]),
-        ("name", [each.name for each in unknowns]),
-        ("unit", [each.unit for each in unknowns]),
-    ]
-    for name, values in (
-        ("value", sure.values),
-        ("standard deviation", sure.deviation),
-        ("lower end of 95 %", sure.interval[:, 0]),
-        ("upper end of 95 %", sure.interval[:, 1]),
-    ):
-        pairs = zip(unknowns, values.tolist(), strict=True)
-        columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
-    if found.profiles:
-        columns += _ends_of_profiles(found)
-        write_table(folder / "profiles.csv", _profiles(found))
-    write_table(folder / "values.csv", [*columns, ("verdict", list(sure.words))])
-    write_table(folder / "differences.csv", _points(best))
-    for beside in best.beside:
-        columns = [(h, [row[k] for row in beside.rows]) for k, h in enumerate(beside.head)]
-        write_table(folder / f"{beside.name}.csv", columns)
-    models = list(zip(found.models, found.evidence, strict=True))
-    write_table(
-        folder / "models.csv",
-        [
-            ("model", [model.name for model, _ in models]),
-            ("BIC above the best", [f"{above:.6g}" for _, above in models]),
-            ("sum of squares", [f"{model.fit.cost:.6g}" for model, _ in models]),
-            *_columns_of_models(found),
-        ],
-    )
-    if found.predictions:
-        heads = {n: n for n in ("name", "unit", "value", "low", "high", "measured")}
-        if any(each.least is not None for each in found.predictions):
-            heads |= {n: f"{n} over surviving models" for n in ("least", "most")}
-        rows = [(h, [getattr(each, n) for each in found.predictions]) for n, h in heads.items()]
-        write_table(folder / "predictions.csv", rows)
-
-
-def _ends_of_profiles(found: Identification) -> Iterator[Column]:
-    """Ends of intervals by profile, empty where none was asked for."""
-    for end, head in enumerate(("lower", "upper")):
-        cells = []
-        for unknown in found.explained.problem.unknowns:
-            profile = found.profiles.get(unknown.path)
-            cells.append("" if profile is None else f"{unknown.shown(profile.interval[end]):.9g}")
-        yield f"{head} end by profile", cells
-
-
-def _profiles(found: Identification) -> list[Column]:
-    """Every value of every profile, with its χ² above the best."""
-    unknowns = found.explained.problem.unknowns
-    rows = [
-        (unknown.path, unknown.unit, f"{unknown.shown(value):.9g}", f"{excess:.6g}")
-        for profile in found.profiles.values()
-        for unknown in (unknowns[profile.number],)
-        for value, excess in zip(profile.values, profile.excess, strict=True)
-    ]
-    heads = ("path", "unit", "value", "chi squared above the best")
-    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
-
-
-def _columns_of_models(found: Identification) -> list[Column]:
-    """Value of every unknown of each model; empty where it is not sought."""
-    every = {u.path: u for model in found.models for u in model.problem.unknowns}
-    columns: list[Column] = []
-    for path, unknown in every.items():
-        cells = []
-        for model in found.models:
-            known = dict(
-                zip(
-                    (u.path for u in model.problem.unknowns), model.fit.values.tolist(), strict=True
-                )
-            )
-            cells.append(f"{unknown.shown(known[path]):.9g}" if path in known else "")
-        columns.append((unknown.heading, cells))
-    return columns
-
-
-def _points(best: Explained) -> list[Column]:
-    rows = []
-    for each, predicted, left in zip(
-        best.problem.measurements, best.fit.predicted, best.left, strict=True
-    ):
-        data = each.data
-        explained = data.observed - left
-        for k in range(len(left)):
-            values = (data.observed[k], predicted[k], explained[k], left[k], data.deviation[k])
-            rows.append(
-                (
-                    *(data.name, data.series[k], data.along, f"{data.at[k]:.9g}", data.unit),
-                    *(f"{value * data.factor:.9g}" for value in values),
-                )
-            )
-    heads = (
-        "measurement", "curve", "along", "at", "unit",
-        "measured", "machine", "with tare and drift", "left", "noise",
-    )  # fmt: skip
-    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]

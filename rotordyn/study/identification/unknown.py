@@ -14,7 +14,7 @@ from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
-from rotordyn.units import parse_unit
+from rotordyn.units import parse, parse_unit, pretty_unit
 
 FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
 
@@ -75,8 +75,8 @@ class Sought:
 
     @property
     def heading(self) -> str:
-        """Name and unit."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+        """Name and unit, as printed."""
+        return f"{self.name} [{pretty_unit(self.unit)}]" if self.unit else self.name
 
     def changes(self, value: float) -> dict[str, Any]:
         """The value at its paths, as ``vary`` takes them."""
@@ -193,7 +193,5 @@ def _amount(case: Case, path: str, value: float | str) -> float:
     """A deviation: a difference of what the path holds, which may be below its range."""
     if not isinstance(value, str):
         return float(value)
-    from rotordyn.units import parse
-
     quantity = quantity_of(found_at(case, path)[0][1])
     return parse(value, quantity.kind) if quantity is not None else float(value)

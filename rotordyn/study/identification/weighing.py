@@ -57,7 +57,7 @@ class Weighing:
         target = np.concatenate([target, np.zeros(len(self.data.column_names))])
         return np.asarray(np.linalg.lstsq(self._columns, target, rcond=None)[0])
 
-    def left(self, predicted: Array) -> Array:
+    def residual(self, predicted: Array) -> Array:
         """What of the observation neither machine nor nuisances explain (n,) [SI]."""
         explained = self.data.columns @ self.nuisances(predicted)
         return np.asarray(self.data.observed - predicted - explained)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
+from itertools import compress, product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,10 +23,12 @@ ALIKE = 1e-9  # relative difference of coordinates that are the same
 
 
 class Reading(NamedTuple):
-    """Values that a criterion reads, as printed, without those that are absent; their unit."""
+    """Values that a criterion reads, as printed, without those that are absent; their unit; the
+    heading of each, or the variable with the entries that several have."""
 
     values: Array
     unit: str
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -74,7 +77,10 @@ class Criterion:
             raise InvalidInput(
                 f"{shown(self.of)}: these numbers have several units: name one of {several}"
             )
-        return Reading(_known(np.array([each.value for each in found])), found[0].unit)
+        unit = found[0].unit
+        known = [each for each in found if not np.isnan(each.value)]
+        names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in known]
+        return Reading(np.array([each.value for each in known]), unit, tuple(names))
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]
@@ -91,6 +97,7 @@ class Criterion:
         dims, printed = fields[name]["dims"], fields[name]["printed"]
         values = np.asarray(getattr(result, name))
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
+        written = {dim: _written(result, dim) for dim in dims}
         for coordinate, asked in self.where.items():
             if coordinate not in dims:
                 raise InvalidInput(
@@ -100,15 +107,27 @@ class Criterion:
             unit = declared(result)[coordinate].metadata["printed"].unit
             places = _places(self.of, coordinate, getattr(result, coordinate), asked, unit)
             values = values.take(places, axis=dims.index(coordinate))
-        return Reading(_known(values.reshape(-1) * printed.factor), printed.unit)
+            written[coordinate] = [written[coordinate][k] for k in places]
+        several = [words if len(words) > 1 else [""] for words in written.values()]
+        names = [", ".join(filter(None, words)) for words in product(*several)]
+        known = ~np.isnan(values.reshape(-1))
+        return Reading(
+            values.reshape(-1)[known] * printed.factor,
+            printed.unit,
+            tuple(f"{self.of} {words}".strip() for words in compress(names, known)),
+        )
 
 
 def _is_number(values: Any) -> bool:
     return np.asarray(values).dtype.kind in "fiubc"
 
 
-def _known(values: Array) -> Array:
-    return values[~np.isnan(values)]
+def _written(result: Any, coordinate: str) -> list[str]:
+    """Entries of a coordinate as printed."""
+    entries, printed = getattr(result, coordinate), declared(result)[coordinate].metadata["printed"]
+    if not _is_number(entries):
+        return [str(each) for each in entries]
+    return [f"{each * printed.factor:.6g} {printed.unit}".strip() for each in np.asarray(entries)]
 
 
 def _places(of: str, name: str, entries: Any, asked: object, unit: str) -> list[int]:

@@ -25,6 +25,7 @@ from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
+from rotordyn.study.optimum.criterion import Criterion
 from tests.rotordyn.study.axial_twin import (
     FRONT,
     KNOWN,
@@ -123,7 +124,7 @@ def test_first_model_of_the_story_is_insufficient() -> None:
     first = replace(asked.searches, models=asked.searches.models[:1], absolute=False)
 
     found = identified(replace(asked, searches=first), workers=1)
-    assert 4.0 < found.residual < 6.5
+    assert 4.0 < found.mean_difference < 6.5
     assert not found.sufficient
     assert "allowed 1" in found.verdict[0]
     assert "the model lacks a phenomenon" in found.verdict[0]
@@ -212,6 +213,9 @@ def test_nearest_mode(case: Case) -> None:
     every = trial.results["campbell"].frequency.ravel()
     every = every[np.isfinite(every)]
     assert found == pytest.approx([every[np.abs(every - f).argmin()] for f in (900.0, 1300.0)])
+    read = Criterion("campbell.frequency", {"mode": "bending 1*"}).read(case, trial.results)
+    whirls = ("backward", "forward")
+    assert read.names == tuple(f"campbell.frequency bending 1 {whirl}" for whirl in whirls)
 
 
 def test_interrupt_keeps_the_best_and_goes_on(
@@ -247,5 +251,8 @@ def test_interrupt_keeps_the_best_and_goes_on(
     journal.write_text("".join(json.dumps(line) + "\n" for line in [head, *failed]))
     anew = identify(case, SPRINGS, **asked)
     assert anew.explained.fit.values == pytest.approx(whole.explained.fit.values, rel=1e-6)
-    with pytest.raises(InvalidInput, match="another identification"):
-        identify(case, dict(list(SPRINGS.items())[:2]), **asked)
+    shaft, rear = problem.measurements
+    front: dict[str, Any] = {"measurements": (shaft, replace(rear, of="front"))}  # points as before
+    for unknowns, other in ((dict(list(SPRINGS.items())[:2]), {}), (SPRINGS, front)):
+        with pytest.raises(InvalidInput, match="another identification"):
+            identify(case, unknowns, **asked | other)

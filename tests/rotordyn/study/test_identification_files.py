@@ -19,7 +19,7 @@ from rotordyn import AxialCurve, NoLoad, Numbers, Phase, Predicted, StopMet, Unk
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.study.identification.criterion import Criterion
+from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.deliver import deliver
 from rotordyn.study.identification.read import read_identification
 from tests.rotordyn.page.conftest import array, held
@@ -101,9 +101,9 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
     with (out / "differences.csv").open(newline="", encoding="utf-8-sig") as file:
         row = next(csv.DictReader(file))  # falling, the highest force
     drawn = array(charts[1]["traces"][1]["y"], numbers)
-    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["left"]), rel=1e-6)
-    left = array(charts[2]["traces"][1]["y"], numbers)
-    assert left[-1] == pytest.approx(float(row["left"]), rel=1e-6)
+    assert drawn[-1] == pytest.approx(float(row["machine"]) + float(row["residual"]), rel=1e-6)
+    residual = array(charts[2]["traces"][1]["y"], numbers)
+    assert residual[-1] == pytest.approx(float(row["residual"]), rel=1e-6)
     (out / "models.csv").unlink()
     assert main(["report", str(out)]) == 2
     assert "an identification that is not complete" in capsys.readouterr().err
@@ -112,13 +112,15 @@ def test_file_of_an_identification(tmp_path: Path, capsys: pytest.CaptureFixture
 def test_a_verdict_by_chi_squared_says_its_degrees() -> None:
     """At two of them the probability of as much is exp(−χ²/2)."""
     sure: Any = SimpleNamespace(reduced=1.5, degrees=2)
-    said = Criterion("µm").kept(0.3, sure)
+    said = FitCriterion("µm").kept(0.3, sure)
     assert said.endswith(f"χ² 3 at 2 degrees of freedom, p {np.exp(-1.5):.2g}")
     sure = SimpleNamespace(reduced=9.0, degrees=2)
     one: Any = SimpleNamespace(measurements=(SimpleNamespace(data=SHOWN),))
     even: Any = SimpleNamespace(reduced=1.004, degrees=2)
-    assert "in the mean, as much as the stated noise in the root" in Criterion("µm").kept(0.3, even)
-    (why,) = Criterion("µm").excess(one, [np.ones(4)], sure)
+    assert "in the mean, as much as the stated noise in the root" in FitCriterion("µm").kept(
+        0.3, even
+    )
+    (why,) = FitCriterion("µm").excess(one, [np.ones(4)], sure)
     assert why == f"differs by 3 times the stated noise: χ² 18 at 2 degrees of freedom, p {P18}"
 
 
@@ -211,7 +213,7 @@ def test_more_unknowns_than_points(case: Case) -> None:
         )
     ]
     with pytest.raises(
-        InvalidInput, match="unknowns: 4 are sought, but the measurements have 1 points"
+        InvalidInput, match=r"4 are sought, more than numbers measured \(1\) and priors \(0\)"
     ):
         identify(case, SPRINGS, measured)
 

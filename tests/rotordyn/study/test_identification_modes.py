@@ -78,7 +78,8 @@ def test_modes_are_paired_by_their_whirl() -> None:
 @pytest.mark.parametrize(
     ("how", "sentence"),
     [
-        ({"frequency": np.array([100.0])}, "as many frequencies"),
+        ({"frequency": np.array([100.0])}, "frequencies: given 1; needed: one for each of"),
+        ({"deviation": 0.0}, "deviation: given 0 %; allowed: above 0 %"),
         ({"damping": np.array([0.01, 0.01])}, "dampings have a deviation"),
         ({"whirl": ("forward", "sideways")}, "whirl 'sideways'"),
         ({"frequency": np.array([100.0, 100.0])}, "given twice"),

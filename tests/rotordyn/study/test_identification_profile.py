@@ -154,7 +154,7 @@ def test_profiles_that_cannot_be(case: Case) -> None:
     measured = Preloads("ratio", (0.08, 0.2), (0.005, 0.06))
     with pytest.raises(InvalidInput, match="profiles: no unknown 'P3'; allowed: all, P1, P2"):
         solved(case, measured, profiles=["P3"])
-    with pytest.raises(InvalidInput, match="least squares; given minimise: absolute"):
+    with pytest.raises(InvalidInput, match="need minimise: squares; given minimise: absolute"):
         solved(case, measured, minimise="absolute")
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import pickle
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, is_dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,12 +119,17 @@ def _signature(searches: Searches) -> str:
     for model in searches.models:
         digest.update(repr((model.name, replace(model.case, files=()), model.unknowns)).encode())
     for each in searches.measurements:
-        data = each.data
-        digest.update(repr((type(each).__name__, data.name, data.series)).encode())
-        for part in (data.observed, data.deviation, data.at, data.columns, data.column_deviation):
-            digest.update(np.ascontiguousarray(part).tobytes())
+        digest.update(type(each).__name__.encode())
+        for part in (*_fields(each.data), *_fields(each)):
+            written = part.tobytes() if isinstance(part, np.ndarray) else repr(part).encode()
+            digest.update(written)
     digest.update(repr((searches.seed, searches.absolute)).encode())
     return digest.hexdigest()
+
+
+def _fields(of: Any) -> list[Any]:
+    """What describes a dataclass; nothing of a measurement that is none."""
+    return [getattr(of, f.name) for f in fields(of) if f.repr] if is_dataclass(of) else []
 
 
 def _read(path: Path, signature: str) -> dict[tuple[int, int], Search]:

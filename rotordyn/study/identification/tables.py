@@ -1,0 +1,118 @@
+"""Values, differences, models, predictions and profiles of an identification as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rotordyn.report.tables import Column, write_table
+from rotordyn.units import pretty_unit
+
+if TYPE_CHECKING:
+    from rotordyn.study.identification.identification import Explained, Identification
+
+
+def write_tables(folder: Path, found: Identification) -> None:
+    """Tables ``values``, ``profiles``, ``differences``, ``models`` and ``predictions``."""
+    best = found.explained
+    unknowns, sure = best.problem.unknowns, best.sure
+    columns: list[Column] = [
+        ("path", [each.path for each in unknowns]),
+        ("name", [each.name for each in unknowns]),
+        ("unit", [pretty_unit(each.unit) for each in unknowns]),
+    ]
+    for name, values in (
+        ("value", sure.values),
+        ("standard deviation", sure.deviation),
+        ("lower end of 95 %", sure.interval[:, 0]),
+        ("upper end of 95 %", sure.interval[:, 1]),
+    ):
+        pairs = zip(unknowns, values.tolist(), strict=True)
+        columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
+    if found.profiles:
+        columns += _ends_of_profiles(found)
+        write_table(folder / "profiles.csv", _profiles(found))
+    write_table(folder / "values.csv", [*columns, ("verdict", list(sure.words))])
+    write_table(folder / "differences.csv", _points(best))
+    for beside in best.beside:
+        columns = [(h, [row[k] for row in beside.rows]) for k, h in enumerate(beside.head)]
+        write_table(folder / f"{beside.name}.csv", columns)
+    models = list(zip(found.models, found.evidence, strict=True))
+    write_table(
+        folder / "models.csv",
+        [
+            ("model", [model.name for model, _ in models]),
+            ("BIC above the best", [f"{above:.6g}" for _, above in models]),
+            ("sum of squares", [f"{model.fit.cost:.6g}" for model, _ in models]),
+            *_columns_of_models(found),
+        ],
+    )
+    if found.predictions:
+        heads = {n: n for n in ("name", "unit", "value", "low", "high", "measured")}
+        if any(each.least is not None for each in found.predictions):
+            heads |= {n: f"{n} over surviving models" for n in ("least", "most")}
+        rows = [(h, [getattr(each, n) for each in found.predictions]) for n, h in heads.items()]
+        write_table(folder / "predictions.csv", rows)
+
+
+def _ends_of_profiles(found: Identification) -> Iterator[Column]:
+    """Ends of intervals by profile, empty where none was asked for."""
+    for end, head in enumerate(("lower", "upper")):
+        cells = []
+        for unknown in found.explained.problem.unknowns:
+            profile = found.profiles.get(unknown.path)
+            cells.append("" if profile is None else f"{unknown.shown(profile.interval[end]):.9g}")
+        yield f"{head} end by profile", cells
+
+
+def _profiles(found: Identification) -> list[Column]:
+    """Every value of every profile, with its χ² above the best."""
+    unknowns = found.explained.problem.unknowns
+    rows = [
+        (unknown.path, pretty_unit(unknown.unit), f"{unknown.shown(value):.9g}", f"{excess:.6g}")
+        for profile in found.profiles.values()
+        for unknown in (unknowns[profile.number],)
+        for value, excess in zip(profile.values, profile.excess, strict=True)
+    ]
+    heads = ("path", "unit", "value", "chi squared above the best")
+    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
+
+
+def _columns_of_models(found: Identification) -> list[Column]:
+    """Value of every unknown of each model; empty where it is not sought."""
+    every = {u.path: u for model in found.models for u in model.problem.unknowns}
+    columns: list[Column] = []
+    for path, unknown in every.items():
+        cells = []
+        for model in found.models:
+            known = dict(
+                zip(
+                    (u.path for u in model.problem.unknowns), model.fit.values.tolist(), strict=True
+                )
+            )
+            cells.append(f"{unknown.shown(known[path]):.9g}" if path in known else "")
+        columns.append((unknown.heading, cells))
+    return columns
+
+
+def _points(best: Explained) -> list[Column]:
+    rows = []
+    for each, predicted, residual in zip(
+        best.problem.measurements, best.fit.predicted, best.residuals, strict=True
+    ):
+        data = each.data
+        explained = data.observed - residual
+        for k in range(len(residual)):
+            values = (data.observed[k], predicted[k], explained[k], residual[k], data.deviation[k])
+            rows.append(
+                (
+                    *(data.name, data.series[k], data.along, f"{data.at[k]:.9g}", data.unit),
+                    *(f"{value * data.factor:.9g}" for value in values),
+                )
+            )
+    heads = (
+        "measurement", "curve", "along", "at", "unit",
+        "measured", "machine", "with tare and drift", "residual", "noise",
+    )  # fmt: skip
+    return [(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
