@@ -15,6 +15,8 @@ import numpy as np
 
 HERTZ = 2.0 / 3.0
 KNOWN = 3  # loads that a parabola takes
+NEARER = 24  # loads that are tried, at most
+CLOSE = 1e-3  # of the load at which a ball leaves: from there the parabola is right to far less
 REAL = 1e-12
 
 
@@ -60,6 +62,15 @@ class Leaving:
         """Load to look at next, most of the way to where the approach comes to zero."""
         zero = self.zero
         return self.load[-1] + (0.9 if zero < self.lost else 0.5) * (zero - self.load[-1])
+
+    @property
+    def found(self) -> bool:
+        """The approach is known so close to its zero that no further load need be tried."""
+        return self.lost - self.load[-1] <= 1e-3 * CLOSE * self.lost or (
+            len(self.load) == KNOWN
+            and self.zero < self.lost
+            and self.zero - self.load[-1] <= CLOSE * self.zero
+        )
 
     def after(self, load: float, lightest: float, ball: int) -> Leaving:
         """With the ``lightest`` ball at a further load."""

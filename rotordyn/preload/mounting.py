@@ -47,9 +47,17 @@ def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
             f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm leaves play in its bearings "
             f"as mounted ({total * 1e6:.3g} µm with what the fits take up): give a larger one"
         )
+    light = LIGHTEST
+    while (excess := over(10.0 * light)) < 0.0 and light < HEAVIEST:
+        light *= 10.0
+    if not excess >= 0.0:
+        raise InvalidInput(
+            f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm presses its bearings beyond "
+            f"what they bear ({total * 1e6:.3g} µm with what the fits take up): give a smaller one"
+        )
     from scipy.optimize import brentq
 
-    return float(brentq(over, LIGHTEST, HEAVIEST, xtol=1e-12, rtol=1e-14))
+    return float(brentq(over, light, 10.0 * light, xtol=1e-12, rtol=1e-14))
 
 
 def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:

@@ -286,7 +286,7 @@ def solve(
         if not moving.any():
             break
         step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
-        x, response, helped = _advance(network, x, step, response, fixed, error)
+        x, response, helped = _advance(network, x, step, response, fixed, miss)
         stuck |= moving & ~helped
     error = network.error(x, response, fixed)[1]
     return NetworkState(x, held, response, error, error < enough)
@@ -361,21 +361,23 @@ def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> 
 
 
 def _advance(
-    network: Network, x: Array, step: Array, near: Response, fixed: Flags, error: Array
+    network: Network, x: Array, step: Array, near: Response, fixed: Flags, miss: Array
 ) -> tuple[Array, Response, Flags]:
     """Take the step, halved at the speeds where the balance would get worse or no state exists.
 
+    What counts is ``miss`` [N] itself; its share of the largest load would grow where loads fall.
     Within the play of a bearing the balance stays as it is: such a step is taken whole, towards the
     end of the play. Also the speeds where it helped; at the others nothing moved.
     """
-    playing = (network.both_ways & (near.load == 0.0)).any(axis=1)
-    bound = np.where(playing, error * (1.0 + LEVEL), error)
+    playing = (near.load == 0.0).any(axis=1)
+    here = np.abs(miss).max(axis=1)
+    bound = np.where(playing, here * (1.0 + LEVEL), here)
     length = np.ones(len(x))
-    idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
+    idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(here)
     for left in range(HALVINGS, -1, -1):
         trial = x + length[:, None] * step
         response = network.respond(trial, near)
-        after = network.error(trial, response, fixed)[1]
+        after = np.abs(network.error(trial, response, fixed)[0]).max(axis=1)
         good = idle | (after < bound)
         if good.all():
             break

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.matrix import entry_name
@@ -13,6 +15,8 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.network import Network, NetworkState
 
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 LEAST_PRELOAD = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
 STILL = 1e-9  # m
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
@@ -95,7 +99,8 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
         )
     if not net.converged[row]:
         return _unbalanced(network.arrangement.force, rpm)
-    return _overload(names, net, row, rpm)
+    apart = pushed_apart(names, load, network.both_ways, rpm)
+    return apart or _overload(names, net, row, rpm)
 
 
 def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[int]:
@@ -106,6 +111,22 @@ def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[
         return []
     least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
     return np.flatnonzero((load <= least) & ~network.both_ways).tolist()
+
+
+def pushed_apart(names: Sequence[str], load: Array, both_ways: Flags, rpm: float) -> str:
+    """That a bearing for thrust one way would be pressed from the other side, or nothing.
+
+    ``load`` (bearings,): axial loads in their own frames [N].
+    """
+    least = LEAST_LOAD * float(np.abs(load).max(initial=0.0))
+    apart = np.flatnonzero((load < -least) & ~both_ways)
+    if not apart.size:
+        return ""
+    return (
+        f"the loads push bearing {names[apart[0]]} apart at {rpm:.0f} rpm, so far that its balls "
+        "would press against the side that takes no thrust: lower them, or give the sleeves end "
+        "stops"
+    )
 
 
 def _unbalanced(force: float, rpm: float) -> str:

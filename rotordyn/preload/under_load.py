@@ -19,15 +19,15 @@ from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
 from rotordyn.preload.balance import Balance, Force, Point
-from rotordyn.preload.leaving import Leaving
+from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
+from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
-NEARER = 6  # loads that are tried within a step
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
 
 
@@ -36,7 +36,8 @@ def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadS
     first = Balance.at(state, rotor, np.arange(len(state.speed)))
     balance, there, converged = _marched(first, size)
     words = [
-        "" if good else _why(state, there, row, size) for row, good in enumerate(converged.tolist())
+        _pushed_apart(state, balance, there, row) if good else _why(state, there, row, size)
+        for row, good in enumerate(converged.tolist())
     ]
     return _as_state(state, balance, there, balance.error(there, size), tuple(words))
 
@@ -68,7 +69,9 @@ def contact_loss(
     ball = np.full(lost_at.shape, -1)
     for seat in range(lost_at.shape[1]):
         known = [_leaving(shares, [each[seat][row] for each in every]) for row in range(len(rows))]
-        for _ in range(NEARER if any(known) else 0):
+        for _ in range(NEARER):
+            if all(one is None or one.found for one in known):
+                break
             trial = np.array([one.trial if one else 0.0 for one in known])
             loads = _inner_loads(_marched(first, trial * size)[1])[seat]
             known = [
@@ -153,6 +156,14 @@ def _why(state: PreloadState, there: Point, row: int, size: float) -> str:
         f"nothing balances the loads of {size:.4g} N on the shaft at {rpm:.0f} rpm: lower them, "
         "raise the preload, or hold the shaft by further bearings or supports"
     )
+
+
+def _pushed_apart(state: PreloadState, balance: Balance, there: Point, row: int) -> str:
+    """That the loads push a bearing apart, or nothing."""
+    seats = state.spindle.seats
+    load = there.load[row, :, 0] * [seat.thrust for seat in seats]
+    both_ways, rpm = state.network.both_ways[balance.bearings], state.speed[row] * 30.0 / math.pi
+    return pushed_apart([seat.name for seat in seats], load, both_ways, rpm)
 
 
 def _as_state(

@@ -299,6 +299,17 @@ def test_a_constant_force_is_no_mistaken_spring() -> None:
     assert not [words for words in implausible(machine, 0.0) if "stiffness" in words]
 
 
+def test_a_set_of_weak_bearings_is_mounted_too() -> None:
+    """They have no state under the largest force that is thought of."""
+    pair = rotordyn.load("preload_concepts").variants["offset"].spindle
+    assert pair is not None
+    seats = tuple(replace(s, bearing=replace(s.bearing, balls=7)) for s in pair.seats)
+    weak = replace(pair, seats=seats)
+    force = mounted_preload(weak, weak.sleeves[0])
+    given = pair.sleeves[0].spring.offset
+    assert ring_offset(weak, weak.sleeves[0], force) == pytest.approx(given, rel=1e-9)
+
+
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     loose = spindle("DB", SetPreload(offset=1e-6), growth=RingGrowth(static=-20e-6))
     with pytest.raises(InvalidInput, match="leaves play in its bearings as mounted"):

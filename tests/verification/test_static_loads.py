@@ -41,7 +41,7 @@ from rotordyn.scene.scene import Scene
 from rotordyn.scene.spec import Setting
 from rotordyn.units import STANDARD_GRAVITY
 from tests.oracles.dense_rotor.assemble import rotor_matrices
-from tests.oracles.spindles import RPM, conditions, mfw2310, scene
+from tests.oracles.spindles import RPM, case, conditions, mfw2310, scene
 
 Array = NDArray[np.float64]
 RESIDUAL = 1e-9  # of the largest force, to which a state is balanced
@@ -507,6 +507,20 @@ def test_a_radial_force_takes_the_ball_off_that_loads_do() -> None:
     for k in np.flatnonzero(lost[0]):
         ball = int(curve.unloaded_ball[0, k]) - 1
         assert rose.ball_azimuth[k, ball] == pytest.approx(curve.unloaded_azimuth[0, k])
+
+
+def test_contact_loss_is_sought_until_it_is_found() -> None:
+    """In one step, ten times as far as the first ball bears."""
+    pair = case("preload_concepts").variants["offset"]
+    assert pair.spindle is not None
+    still = Scene(pair.spindle, pair.conditions, np.zeros(1))
+    one, many = (
+        stiffness_answer(still, StiffnessSpec("nose", 8566.4, steps, variants=("nonlinear",)))
+        for steps in (1, 23)
+    )
+    assert many.unloading_force[0, 0] == pytest.approx(795.5, abs=0.1)
+    assert one.unloading_force == pytest.approx(many.unloading_force, rel=1e-4, nan_ok=True)
+    assert (one.unloaded_ball == many.unloaded_ball)[0, 0]
 
 
 def test_loads_beyond_the_bearings_are_named() -> None:

@@ -16,6 +16,7 @@ from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
@@ -23,6 +24,7 @@ from tests.oracles.spindles import (
     RPM,
     TOP,
     answers,
+    case,
     conditions,
     mfw2310,
     pairs,
@@ -124,7 +126,51 @@ def test_stops_that_only_a_large_force_needs() -> None:
         thrust = np.array([seat.thrust for seat in spindle.seats])
         assert float(thrust @ load) == pytest.approx(force, rel=1e-8)
     (word,) = dynamic_preload(on_sleeves(stop_travel=math.inf), STILL, LAW, -1.4e4).outcome
-    assert "axial force of -1.4e+04 N" in word
+    assert word.startswith("the loads push bearing a, b apart at 0 rpm")
+
+
+def test_balls_do_not_press_on_the_side_that_takes_no_thrust() -> None:
+    """Alone along the axis, and with a faint load across it."""
+    spindle = on_sleeves(stop_travel=math.inf)
+    for loads in ((), (PointLoad(at="Oc2", Fy=1e-6),)):
+        acting = conditions(axial_force=-1.4e4, axial_stiffening=False, loads=loads)
+        (word,) = Scene(spindle, acting, STILL).preload.outcome
+        assert "apart at 0 rpm" in word
+        assert word.endswith("lower them, or give the sleeves end stops")
+
+
+def test_soft_springs_carry_what_unloads_the_bearings_before_them() -> None:
+    """Loads fall by more than the imbalance on the way: both springs give way by as much."""
+    spindle = case("mfw2310_rigid_or_sprung").variants["sprung"].spindle
+    assert spindle is not None
+    found = dynamic_preload(spindle, np.array([0.0, 5841.0, 12000.0]) * RPM, LAW, -4367.55)
+    assert found.outcome == ("",) * 3
+    thrust = np.array([seat.thrust for seat in spindle.seats])
+    assert found.seat_load() @ thrust == pytest.approx(np.full(3, -4367.55), rel=1e-8)
+    assert found.seat_load()[:, :2] == pytest.approx(0.0)
+    travel = -found.network.arrangement.direction * found.shift
+    stiffness = [sleeve.spring.stiffness for sleeve in spindle.sleeves]
+    force = found.seat_load()[:, 2], found.seat_load()[:, 3:].sum(axis=1)
+    for k, sleeve in enumerate(spindle.sleeves):
+        pressed = sleeve.spring.preload + stiffness[k] * travel[:, k + 1]
+        assert pressed == pytest.approx(force[k], rel=1e-6)
+
+
+@pytest.mark.parametrize("force", [1.0, 500.0])
+def test_a_force_takes_the_shaft_through_the_gap_that_heat_has_left(force: float) -> None:
+    """Either way as far: cold rings take away the preload of a mirrored pair."""
+    found = case("preload_concepts").variants["back_to_back"].spindle
+    assert found is not None
+    cold = BearingTemperatures(inner_ring=10.0, outer_ring=30.0, balls=10.0)
+    warm = Temperatures(
+        shaft=30.0, housing=20.0, bearings={seat.name: cold for seat in found.seats}
+    )
+    ways = [dynamic_preload(found, STILL, LAW, way * force, warm) for way in (1.0, -1.0)]
+    assert [state.outcome for state in ways] == [("",)] * 2
+    assert ways[0].seat_load()[0] == pytest.approx([force, 0.0])
+    assert ways[1].seat_load()[0] == pytest.approx([0.0, force])
+    (lost,) = dynamic_preload(found, STILL, LAW, 0.0, warm).outcome
+    assert "preload lost" in lost
 
 
 @pytest.mark.parametrize("preload", [5e-324, 1e-5, 1e-2, 0.04])

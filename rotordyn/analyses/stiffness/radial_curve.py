@@ -13,12 +13,11 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.balance import Balance, Point
-from rotordyn.preload.leaving import Leaving
+from rotordyn.preload.leaving import NEARER, Leaving
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
 LOST = 1e-6  # of its lightest ball without radial force: a ball with less carries nothing
-NEARER = 6  # forces that are tried within a step in which balls leave
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -122,12 +121,14 @@ def _nearer(
     for _ in range(NEARER):
         force, alive = np.full(len(place), begin), np.zeros(len(place), dtype=bool)
         for row, one in known.items():
-            force[row], alive[row] = one.trial, True
+            force[row], alive[row] = one.trial, not one.found
+        if not alive.any():
+            break
         share = ((force - begin) / step)[:, None]
         guess = [place + share * slope]
         guess += [x + share[..., None] * dx for x, dx in zip(balls, moves, strict=True)]
         _, there, good = problem.solved(guess, here, force, alive)
-        for row in [row for row in known if good[row]]:
+        for row in [row for row in known if good[row] and alive[row]]:
             lightest, ball = there.lightest[row, seat], there.lightest_ball[row, seat]
             known[row] = known[row].after(float(force[row]), float(lightest), int(ball))
     return known
