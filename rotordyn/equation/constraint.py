@@ -31,7 +31,9 @@ def allowed_motions(rows: Array, stiffness: Array) -> Array:
     rank = int((size > DEPENDENT).sum())
     follow = -turn[:rank].T @ ((ways[:, :rank] / size[:rank]).T @ rows[:, ~free])
     soft = np.sqrt(stiffness[~free].min(initial=np.inf) / stiffness[~free])
-    elastic = soft[:, None] * _null_space((ways[:, rank:].T @ rows[:, ~free]) * soft)
+    _, size, further = np.linalg.svd(ways[:, rank:].T @ rows[:, ~free], full_matrices=False)
+    further = (size[:, None] * further)[size > DEPENDENT]  # what is left of the others is rounding
+    elastic = soft[:, None] * _null_space(further * soft)
     motions = np.zeros((len(stiffness), elastic.shape[1]))
     motions[free], motions[~free] = follow @ elastic, elastic
     still = np.zeros((len(stiffness), turn.shape[0] - rank))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from rotordyn.equation import reduce as reduction
 from rotordyn.equation.damping import modal_damping
 from rotordyn.equation.reduce import reduce
 from rotordyn.machine.damping import RayleighDamping
@@ -53,3 +54,13 @@ def test_static_modes_have_the_damping_of_the_modes_they_are_made_of(stiff: floa
     rotor = replace(ROTOR, rotor_damping=(0.05,))
     found = modal_damping(rotor, basis.values, basis.roots, bending=True)
     assert found == pytest.approx(expected, rel=1e-6, abs=1e-8 * expected.max())
+
+
+def test_static_modes_of_a_large_body_are_taken_for_modes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its modes beyond the cut-off are not known, so that each has the root of its own value."""
+    monkeypatch.setattr(reduction, "LARGE", 1)
+    monkeypatch.setattr(reduction, "MOST_DENSE", 1)
+    stretch = np.diff(np.eye(60), axis=0)
+    basis = reduce(np.eye(60), stretch.T @ stretch, np.ones((60, 1)), np.eye(60)[:, :2], 0.2)
+    assert (~basis.modes).sum() == 2
+    assert basis.roots == pytest.approx(np.diag(np.sqrt(basis.values)), abs=1e-12)
