@@ -13,6 +13,9 @@ import numpy as np
 from rotordyn.case.case import Case
 from rotordyn.case.study import MOST_POINTS as MOST
 from rotordyn.case.study import SAMPLED, SAMPLINGS
+from rotordyn.case.varied import found_at
+from rotordyn.case.vary import changed
+from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
@@ -98,7 +101,9 @@ def design(
         )
     found = tuple(parameters(case, varied))
     if sampling in SAMPLED:
-        return Design(found, sampling, _shares(sampling, len(found), samples, seed))
+        drawn = Design(found, sampling, _shares(sampling, len(found), samples, seed))
+        _require_begun(case, drawn)
+        return drawn
     if samples is not None:
         raise InvalidInput(
             f"samples: a {sampling} has no samples; allowed with {' or '.join(SAMPLED)}"
@@ -110,12 +115,20 @@ def design(
             )
     whole = Design(found, sampling)
     _require_fitting(whole)
+    _require_begun(case, whole)
     if whole.count > MOST:
         raise InvalidInput(
             f"the grid has {whole.count:.3g} points: allowed are up to {MOST:g}; take fewer values "
             "or a sample (sampling: sobol)"
         )
     return whole
+
+
+def _require_begun(case: Case, whole: Design) -> None:
+    """Paths into what is absent give all that it needs; rules are asked of each point."""
+    if not all(found_at(case, each.path) for each in whole.parameters):
+        with unchecked():
+            changed(case, whole.point(0))
 
 
 def _require_fitting(whole: Design) -> None:

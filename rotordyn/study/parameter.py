@@ -12,6 +12,7 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
+from rotordyn.case.shared import kinds_of
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
@@ -155,8 +156,8 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
 
 def kind_of_model(case: Case, path: str) -> Any:
     """The kind of model that a name at ``path`` means; None where names are just words."""
-    old = next((value for value, _ in found_at(case, path)), None)
-    return next((name for kind, name in MODELS.items() if isinstance(old, kind)), None)
+    forms = {kind for _, declared in found_at(case, path) for kind in kinds_of(declared)}
+    return next((name for kind, name in MODELS.items() if kind in forms), None)
 
 
 def _given(value: Any, kind: Any) -> Any:
@@ -167,7 +168,7 @@ def _given(value: Any, kind: Any) -> Any:
 
 def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
     """``value`` as the case keeps it, and its quantity; rules between values are not asked."""
-    found = found_at(case, path)
+    found = found_at(case, path, absent=True)
     if not found:
         vary(case, {path: value})  # which says where the path goes astray
         return value, None

@@ -84,6 +84,9 @@ def test_models_by_name(flagship: Case) -> None:
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"varied": {}}, "nothing is varied"),
     ({"varied": {"spindle.sleeves.front.spring.preloa": [1]}}, "did you mean preload"),
+    ({"varied": {"conditions.temperatures.shft": [40]}}, "did you mean shaft"),
+    ({"varied": {"conditions.films.temperature": [40]}}, "also needs viscosity_40"),
+    ({"varied": {"tool": ["hsk63_end_mil_10"]}}, "did you mean hsk63_end_mill_10"),
     ({"varied": {PRELOAD: []}}, "the list is empty"),
     ({"varied": {PRELOAD: "300 N"}}, "a list of values or a Span is needed"),
     ({"varied": {PRELOAD: ["300 mm"]}}, "'mm' is not a unit of force"),
