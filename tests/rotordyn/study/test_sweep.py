@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import time
+import tracemalloc
 from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
@@ -241,6 +242,24 @@ def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) ->
     with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve: about .* h with 1 work"):
         _study(case, workers=1)
     assert _study(case, workers=1, yes=True)["sentence"].values.tolist() == [["", ""], ["", ""]]
+
+
+def test_a_thousand_million_points_ask_first_and_begin_at_once(case: Case) -> None:
+    huge = {SPRING: Span(800.0, 1600.0, 10**6), "spindle.points.nose": Span(0.0, 0.01, 1000)}
+    said = r"1000000000 points, 999999997 of them to solve: about .* (years|days) with 2 workers, "
+    tracemalloc.start()
+    with pytest.raises(InvalidInput, match=rf"{said}.* on disk \(.* are free\) and .* of memory"):
+        sweep(case, huge, analyses=["preload"], workers=2)
+
+    def enough(done: int, of: int) -> None:
+        if done == 4:
+            assert of == 10**9
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sweep(case, huge, analyses=["preload"], workers=1, yes=True, progress=enough)
+    assert tracemalloc.get_traced_memory()[1] < 5e7
+    tracemalloc.stop()
 
 
 def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -> None:
