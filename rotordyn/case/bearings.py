@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import Any
 
@@ -12,21 +11,37 @@ from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.estimated import estimated
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import bearing_class, keys_of
+from rotordyn.case.keys import COMMON, bearing_class, keys_of
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading, exact
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.spindle import Spindle
 from rotordyn.units import format_quantity
+
+SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
+RINGS = tuple(common.fills[-1] for common in COMMON[BearingSeat] if common.fills[0] == "fits")
 
 
 def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A bearing on the shaft, called by the name that its model has."""
+    given = {key: exact(node, (key,)) for key in SHARED}
+    own = tuple(key for key, child in given.items() if child is not None and not child.shared)
+    read = {key: _size(exact(node, ("model", key))) for key in RINGS}
+    sizes = {key: size for key, size in read.items() if size is not None}
     named = exact(node, ("model", "name"))
     model = named.value if named is not None and isinstance(named.value, str) else ""
     if exact(node, ("model", "estimate")) is not None:
         model += " (estimate)"
-    return reading.description(BearingSeat, node, model=model)
+    return reading.description(BearingSeat, node, model=model, own=own, sizes=sizes)
+
+
+def _size(node: Node | None) -> float | None:
+    """A diameter or width; None where there is none, or a faulty one."""
+    try:
+        return None if node is None else units.parse(node.value, "length")
+    except InvalidInput:
+        return None
 
 
 def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -84,11 +99,8 @@ def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
         ("outside_diameter", "above", outer),
     ):
         child = node.child(key)
-        try:
-            value = math.nan if child is None else units.parse(child.value, "length")
-        except InvalidInput:
-            continue
-        if value >= limit if side == "below" else value <= limit:
+        value = _size(child)
+        if value is not None and (value >= limit if side == "below" else value <= limit):
             faults.at(
                 node,
                 (key,),

@@ -16,6 +16,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 from rotordyn.quantity import HIDDEN, Items, Key, Name, Speed, Sweep
 from rotordyn.scene.agreement import last_setting_faults, setting_faults
 from rotordyn.scene.conditions import Conditions
@@ -36,7 +37,8 @@ class Case(Description):
     computed. ``files``: every file read; ``digest``: their hash, with the changes that ``vary``
     made to them; ``sources``: of each that says so, its title and where its values come from.
     ``variants``: other cases with the same speeds and analyses, by name; where there
-    are any, they are answered side by side, and the case itself is not.
+    are any, they are answered side by side, and the case itself is not. ``tool``: what of
+    ``spindle`` is the tool in its nose.
     """
 
     name: Annotated[str, HIDDEN]
@@ -71,6 +73,7 @@ class Case(Description):
         default_factory=dict, repr=False, compare=False
     )
     variants: Annotated[Mapping[Name, Case], HIDDEN] = field(default_factory=dict)
+    tool: Annotated[Tool | None, HIDDEN] = field(default=None, repr=False, compare=False)
 
     @property
     def known(self) -> tuple[Reference, ...]:

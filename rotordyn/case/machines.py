@@ -30,15 +30,18 @@ def named_once(root: Node, faults: Faults) -> None:
         faults.at_key(root, ("tool",), "a tool needs a spindle: given none")
 
 
-def read_spindle(reading: Reading, tree: Node, tool: Node | None) -> tuple[Spindle, Node]:
-    """The spindle in ``tree`` with the tool in its nose, and the tree of both, checked as one."""
+def read_spindle(
+    reading: Reading, tree: Node, tool: Node | None
+) -> tuple[Spindle, Tool | None, Node]:
+    """The spindle in ``tree`` with the tool in its nose, this, and the tree of both, checked as
+    one."""
     arrange(tree, reading.faults)
     with unchecked():
         values = reading.fields(Spindle, tree) | {"name": Path(tree.file).stem}
         made = reading.made(Spindle, values, tree)
         _pushed(reading, tree, made)
         if tool is None:
-            return made, tree
+            return made, None, tree
         clamped = read_tool(reading, tool)
         for path, sentence in clamped.faults_in(made.shaft.start, made.points):
             reading.at(tool, path, sentence)
@@ -46,7 +49,7 @@ def read_spindle(reading: Reading, tree: Node, tool: Node | None) -> tuple[Spind
         if not reading.faults:
             for path, sentence in made._faults():
                 reading.at(tree, path, sentence)
-    return made, tree
+    return made, clamped, tree
 
 
 def read_tool(reading: Reading, tree: Node) -> Tool:

@@ -25,7 +25,8 @@ class Node:
 
     ``value``: a scalar, ``dict[str, Node]``, ``list[Node]`` or ``UNKNOWN``. ``line`` and
     ``column`` count from 1; ``key``: line and column of its key, where it has one; ``path``: its
-    dotted path in ``file``; ``raw``: a scalar as it was written; ``size``: number of values in it.
+    dotted path in ``file``; ``raw``: a scalar as it was written; ``size``: number of values in it;
+    ``shared``: it is given once for several items, of which this one gives none itself.
     """
 
     value: Any
@@ -36,6 +37,7 @@ class Node:
     raw: str = ""
     key: tuple[int, int] | None = None
     size: int = 1
+    shared: bool = False
 
     def items(self) -> Iterator[tuple[Key, Node]]:
         """Children with the key or index each is found by."""

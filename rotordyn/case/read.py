@@ -127,7 +127,7 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
     named_once(root, faults)
     reading = reading_of(reader)
     override, tree = root.child("override"), root
-    spindle = bearing = None
+    spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
         expanded = expand.spindle(reference, override, reader)
@@ -137,7 +137,7 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
-            spindle, machine = read_spindle(reading, expanded, clamped)
+            spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
         expanded = expand.bearing(reference, (override,), reader)
@@ -146,7 +146,7 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
     expand.asked(root, reader)
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references
-    values |= {"name": name, "spindle": spindle, "bearing": bearing}
+    values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]
     with unchecked():
         case = Case(**values)

@@ -304,7 +304,7 @@ def spread(kind: type, node: Node) -> None:
             continue
         for holder in matching(node, common.fills[:-1]):
             if common.fills[-1] not in holder.value:
-                holder.value[common.fills[-1]] = source.copy()
+                holder.value[common.fills[-1]] = replace(source.copy(), shared=True)
 
 
 def _reported(node: Node, path: Path) -> bool:

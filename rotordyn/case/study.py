@@ -11,7 +11,8 @@ from rotordyn.quantity import Choice, Items, Key, Name, Whole
 SAMPLED = ("latin-hypercube", "sobol")
 SAMPLINGS = ("grid", "list", *SAMPLED)
 SPACINGS = ("linear", "ratio")
-MOST_POINTS = 10_000_000
+MOST_POINTS = 10**15  # of one span, whose values are told apart by 15 digits
+MOST_DRAWN = 10_000_000  # points of a sample, which is drawn whole; results that are kept as files
 MOST_TRIALS = 100_000
 ABSENT = ("breaks", "keeps")
 BOUNDS = {"at_least", "at_most", "outside"}
@@ -44,7 +45,8 @@ class StudyFile:
         str, Choice(SAMPLINGS), "every combination, values in step, or a sample of so many points"
     ] = SAMPLINGS[0]
     samples: Annotated[
-        Annotated[int, Whole(1, MOST_POINTS)] | None, "points of a sample; of sobol a power of two"
+        Annotated[int, Whole(1, MOST_POINTS)] | None,
+        "points of a sample, up to ten million; of sobol a power of two",
     ] = None
     seed: Annotated[int, Whole(0, 2**31 - 1), "of a sample"] = 0
     analyses: Annotated[

@@ -9,6 +9,7 @@ from itertools import chain
 from typing import Annotated, Any, get_args, get_origin
 
 from rotordyn.case.case import Case
+from rotordyn.case.shared import Steps, common_at, kinds_of, ways_of_items
 from rotordyn.description import quantity_of
 from rotordyn.field import bare, declared, found_in, members, metadata
 from rotordyn.machine.matrix import Matrix
@@ -62,28 +63,35 @@ def unlike(case: Case, wanted: Case) -> dict[str, Leaf]:
     return {path: leaf for path, leaf in leaves.items() if held.get(path, absent)[0] != leaf[0]}
 
 
-def found_at(case: Case, path: str) -> list[tuple[Any, Any]]:
+def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, Any]]:
     """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
-    ``*``, none where it leads nowhere."""
-    return [(value, annotation) for _, value, annotation in places(case, path)]
+    ``*``, none where it leads nowhere. ``absent``: also what would be within what is not there."""
+    found = _at(case, tuple(path.split(".")), None, (), absent)
+    return [(value, annotation) for _, value, annotation in found]
 
 
 def places(case: Case, path: str) -> list[tuple[str, Any, Any]]:
     """The same, each with its own path: what ``*`` stands for is written out."""
-    found = _at(case, tuple(path.split(".")), None, ())
+    found = _at(case, tuple(path.split(".")), None, (), False)
     return [(".".join(way), value, annotation) for way, value, annotation in found]
 
 
 def _at(
-    value: Any, steps: tuple[str, ...], annotation: Any, gone: tuple[str, ...]
-) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
+    value: Any, steps: Steps, annotation: Any, gone: Steps, absent: bool
+) -> Iterator[tuple[Steps, Any, Any]]:
     if not steps:
         yield gone, value, annotation
         return
-    for way, inner, inside in _below(value, annotation):
-        fits = all(step in ("*", key) for step, key in zip(steps, way, strict=False))
-        if fits and len(steps) >= len(way):
-            yield from _at(inner, steps[len(way) :], inside, (*gone, *way))
+    common = common_at(value, steps)
+    below = [*_below(value, annotation)]
+    if absent and value is None:
+        fields = [field for kind in kinds_of(annotation) for field in declared(kind)]
+        below = [(field.keys, None, field.annotation) for field in fields if field.keys]
+    for ahead in [steps] if common is None else ways_of_items(value, common, steps):
+        for way, inner, inside in below:
+            fits = all(step in ("*", key) for step, key in zip(ahead, way, strict=False))
+            if fits and len(ahead) >= len(way):
+                yield from _at(inner, ahead[len(way) :], inside, (*gone, *way), absent)
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:

@@ -3,20 +3,39 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, is_dataclass, replace
+from functools import partial
 from typing import Annotated, Any, TypeVar, get_args, get_origin
 
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
+from rotordyn.case.shared import common_at, kinds_of, ways_of_items
+from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Field, Refused, accept, bare, declared, found_in, members, shown
+from rotordyn.field import (
+    REQUIRED,
+    Field,
+    Refused,
+    accept,
+    bare,
+    declared,
+    found_in,
+    members,
+    shown,
+)
 from rotordyn.machine.matrix import Matrix
+from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")
 LONGEST = 1000  # characters of a path
+MODELS = (Spindle, BallBearing, Tool)  # which are given whole
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +55,9 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
 
     A path is that of ``override`` in a file: it names keys, items of a list by their ``name``,
     entries of a mapping by their key; ``*`` stands for every item or entry.
+    What a file gives once for all bearings (``spindle.fits``) goes to those that give none
+    themselves; what is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is
+    what is in the nose.
     Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
     replace what is there. All changes are made together: only the outcome must be possible; what
     is within something that is replaced, and one item of all, have their own values. What
@@ -92,6 +114,9 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
             return _value(annotation, _taken(annotation, change), changes[index + 1 :])
     if not changes:
         return old
+    kinds = kinds_of(annotation) if old is None else []
+    if kinds and kinds[0] not in MODELS:
+        return _begun(kinds, changes)
     if is_dataclass(old):
         return _fields(old, changes)
     if isinstance(old, Mapping):
@@ -111,18 +136,18 @@ def _taken(annotation: Any, change: _Change) -> Any:
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     fields = {field.name: field for field in declared(old.__class__)}
-    groups: dict[str, list[_Change]] = {}
-    for change in changes:
-        field, rest = _field([*fields.values()], change)
-        groups.setdefault(field.name, []).append(rest)
+    if isinstance(old, Case):
+        changes = _clamped(old, fields["tool"], changes)
+    groups = _by_field([*fields.values()], [w for each in changes for w in _ways(old, each)])
+    if isinstance(old, BearingSeat) and old.fits is None and "fits" in groups:
+        given = replace(groups["fits"][0], steps=())
+        sized = [replace(given, value=v, steps=(key,)) for key, v in old.sizes.items()]
+        groups["fits"] = [*sized, *groups["fits"]]
     new = {
         name: _value(fields[name].annotation, getattr(old, name), group)
         for name, group in groups.items()
     }
-    try:
-        made = replace(old, **new)
-    except (InvalidInput, InvalidBearing) as error:
-        raise InvalidInput(f"{', '.join(c.path for c in changes)}: {error}") from None
+    made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
         if getattr(made, name) is not value and getattr(made, name) != value:
             raise groups[name][0].refused(
@@ -130,6 +155,80 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
                 "of a set from its arrangement; change those"
             )
     return made
+
+
+def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence[_Change]) -> Any:
+    try:
+        return kind(**values)
+    except (InvalidInput, InvalidBearing) as error:
+        paths = dict.fromkeys(change.path for change in changes)
+        raise InvalidInput(f"{', '.join(paths)}: {error}") from None
+
+
+def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
+    """What was absent, of the kind that has the keys it is given, with its other defaults."""
+    keys = {change.steps[0] for change in changes}
+    by_kind = {kind: {f.keys[0]: f for f in declared(kind) if f.keys} for kind in kinds}
+    kind = max(by_kind, key=lambda each: len(keys & by_kind[each].keys()))
+    fields = declared(kind)
+    groups = _by_field(fields, changes)
+    missing = [".".join(f.keys) for f in fields if f.default is REQUIRED and f.name not in groups]
+    if missing:
+        raise changes[0].refused(
+            f"nothing is there yet, and what begins with it also needs {', '.join(missing)}: give "
+            "these too"
+        )
+    new = {
+        f.name: _value(f.annotation, None if f.default is REQUIRED else f.default, groups[f.name])
+        for f in fields
+        if f.name in groups
+    }
+    return _made(kind, new, changes)
+
+
+def _by_field(fields: Sequence[Field], changes: Iterable[_Change]) -> dict[str, list[_Change]]:
+    """Changes by the name of the field they lead to, whose keys are taken off them."""
+    groups: dict[str, list[_Change]] = {}
+    for change in changes:
+        field, rest = _field(fields, change)
+        groups.setdefault(field.name, []).append(rest)
+    return groups
+
+
+def _ways(old: Any, change: _Change) -> list[_Change]:
+    """The change itself, or that of every item which shares what it leads to."""
+    common = common_at(old, change.steps)
+    if common is None:
+        return [change]
+    ways = ways_of_items(old, common, change.steps)
+    if not ways:
+        way = ".".join(filter(None, (_way_to(change), *common.fills, *change.steps[1:])))
+        raise change.refused(
+            f"changes nothing: each of {common.fills[0]} has its own here; change {way}"
+        )
+    return [replace(change, steps=way) for way in ways]
+
+
+def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_Change]:
+    """Changes of a case with the spindle that another tool makes before those within it."""
+    mine = [change for change in changes if change.steps[0] == "tool"]
+    whole = [change for change in changes if change.steps == ("spindle",)]
+    if whole:  # it is given as it is, with what is in its nose
+        tool, spindle = None, _taken(Spindle, replace(whole[-1], steps=()))
+    else:
+        tool, spindle = case.tool, case.spindle
+    if not mine:
+        return [*([replace(whole[0], value=None, steps=("tool",))] if whole else []), *changes]
+    if spindle is None:
+        raise mine[0].refused("a tool needs a spindle: this case has none")
+    rest = [change for change in changes if change not in (*mine, *whole)]
+    new = _value(field.annotation, tool, [replace(c, steps=c.steps[1:]) for c in mine])
+    further = any(change.steps[0] == "spindle" for change in rest)
+    with unchecked() if further else nullcontext():  # checked with what else changes
+        bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, mine)
+        spindle = _made(lambda: bare.with_tool(new) if new else bare, {}, mine)
+    first = {"tool": new, "spindle": spindle}
+    return [*(replace(mine[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
 
 def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:

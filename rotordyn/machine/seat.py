@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
@@ -27,6 +28,8 @@ class BearingSeat(Description):
     positive, and which way a spring of its sleeve loads it; 0 stands for +1 there. What is assumed
     of its balls is that of the conditions of the case unless given here; friction ``none`` or
     infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
+    ``own``: keys that it gives itself of those a spindle gives for all bearings; ``sizes``: of its
+    rings, as its model gives them, for fits [m].
     """
 
     name: Annotated[Name, "of this bearing"]
@@ -58,6 +61,10 @@ class BearingSeat(Description):
     misalignment: Annotated[
         Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
     ] = field(default_factory=Misalignment)
+    own: Annotated[tuple[str, ...], HIDDEN] = field(default=(), repr=False, compare=False)
+    sizes: Annotated[Mapping[str, float], HIDDEN] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self._known_bearing

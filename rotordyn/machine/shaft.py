@@ -131,6 +131,11 @@ class Shaft(Description):
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
 
+    def without_first(self, count: int) -> Shaft:
+        """This shaft without its first sections, so many."""
+        start = self.start + sum(s.length for s in self.sections[:count])
+        return replace(self, start=start, sections=self.sections[count:])
+
 
 def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:
     """What is wrong with a hollow cylinder of these diameters [m]: nothing, or no wall left."""

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, require
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import spindle_faults
 from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.damping import RayleighDamping
@@ -213,4 +214,27 @@ class Spindle(Description):
             points={**self.points, **tool.points},
             references=self.references + tool.references,
             joints=self.joints + tool.joints,
+        )
+
+    def without_tool(self, tool: Tool) -> Spindle:
+        """This spindle without the ``tool`` that was put in front of its shaft.
+
+        Raises
+        ------
+        InvalidInput : what is in front of its shaft is another one
+        """
+        first, behind = len(tool.sections), ("masses", "references", "joints")
+        last = {name: len(getattr(self, name)) - len(getattr(tool, name)) for name in behind}
+        same = self.shaft.sections[:first] == tool.sections
+        same &= tool.points.items() <= self.points.items()
+        same &= all(getattr(self, name)[k:] == getattr(tool, name) for name, k in last.items())
+        if not same:
+            raise InvalidInput(
+                "the tool in the nose was changed as a part of the spindle: change it as the tool"
+            )
+        return replace(
+            self,
+            shaft=self.shaft.without_first(first),
+            points={name: x for name, x in self.points.items() if name not in tool.points},
+            **{name: getattr(self, name)[:k] for name, k in last.items()},
         )

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from rotordyn.case.case import Case
-from rotordyn.case.study import MOST_POINTS as MOST
-from rotordyn.case.study import SAMPLED, SAMPLINGS
+from rotordyn.case.study import MOST_DRAWN, SAMPLED, SAMPLINGS
+from rotordyn.case.varied import found_at
+from rotordyn.case.vary import changed
+from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
@@ -67,7 +69,11 @@ class Design:
         """Every parameter, and the place of a point among its values."""
         if self.sampling != "grid":
             return zip(self.parameters, repeat(number))
-        return zip(self.parameters, map(int, np.unravel_index(number, self.shape)), strict=True)
+        places = []
+        for size in reversed(self.shape):
+            number, place = divmod(number, size)
+            places.append(place)
+        return zip(self.parameters, reversed(places), strict=True)
 
 
 def _label(of: Parameter, value: Any) -> Any:
@@ -89,7 +95,7 @@ def design(
     Raises
     ------
     InvalidInput : see ``parameter``; an unknown sampling, spans without a count in a grid, lists of
-        different lengths, a number of samples that the method does not take, too many points
+        different lengths, a number of samples that the method does not take
     """
     if sampling not in SAMPLINGS:
         hint = suggestion(sampling, SAMPLINGS)
@@ -98,7 +104,9 @@ def design(
         )
     found = tuple(parameters(case, varied))
     if sampling in SAMPLED:
-        return Design(found, sampling, _shares(sampling, len(found), samples, seed))
+        drawn = Design(found, sampling, _shares(sampling, len(found), samples, seed))
+        _require_begun(case, drawn)
+        return drawn
     if samples is not None:
         raise InvalidInput(
             f"samples: a {sampling} has no samples; allowed with {' or '.join(SAMPLED)}"
@@ -110,19 +118,22 @@ def design(
             )
     whole = Design(found, sampling)
     _require_fitting(whole)
-    if whole.count > MOST:
-        raise InvalidInput(
-            f"the grid has {whole.count:.3g} points: allowed are up to {MOST:g}; take fewer values "
-            "or a sample (sampling: sobol)"
-        )
+    _require_begun(case, whole)
     return whole
+
+
+def _require_begun(case: Case, whole: Design) -> None:
+    """Paths into what is absent give all that it needs; rules are asked of each point."""
+    if not all(found_at(case, each.path) for each in whole.parameters):
+        with unchecked():
+            changed(case, whole.point(0))
 
 
 def _require_fitting(whole: Design) -> None:
     found = whole.parameters
     if whole.sampling == "grid":
         for each in found:
-            if len(set(each.labels)) < len(each.labels):
+            if each.ends is None and len(set(each.labels)) < len(each.labels):
                 raise InvalidInput(f"{each.path}: a value is listed twice; a grid takes each once")
     elif len({len(each.values) for each in found}) > 1:
         given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
@@ -133,9 +144,10 @@ def _shares(sampling: str, size: int, samples: Any, seed: int) -> Array:
     """A sample (samples, size) in [0, 1)."""
     from scipy.stats import qmc
 
-    if not is_whole(samples, 1, MOST):
+    if not is_whole(samples, 1, MOST_DRAWN):
         raise InvalidInput(
-            f"samples: given {shown(samples)}; {sampling} needs a whole number, up to {MOST:g}"
+            f"samples: given {shown(samples)}; {sampling} needs a whole number, up to "
+            f"{MOST_DRAWN:g}, since a sample is drawn whole; a grid may have more"
         )
     require_whole("seed", seed, 0)
     if sampling == "latin-hypercube":

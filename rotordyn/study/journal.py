@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -60,6 +61,17 @@ class Journal:
             self._keep(outcome)
         line = {f.name: getattr(outcome, f.name) for f in fields(outcome) if f.name != "results"}
         record.add(self._path, {"point": line.pop("number"), **line})
+
+    @property
+    def size(self) -> int:
+        """Bytes that it takes on disk."""
+        results = (self.folder / RESULTS).glob("*.nc")
+        return sum(path.stat().st_size for path in (self._path, *results))
+
+    @property
+    def room(self) -> int:
+        """Bytes that its disk has left."""
+        return shutil.disk_usage(self.folder).free
 
     def _keep(self, outcome: Outcome) -> None:
         place = self._place(outcome.number)

@@ -12,6 +12,7 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
+from rotordyn.case.shared import kinds_of
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
@@ -22,6 +23,7 @@ from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
+RESOLVED = 1e-14  # relative distance of numbers that 15 digits tell apart
 MODELS: Mapping[type, Any] = {BallBearing: "bearings", Tool: "tools"}
 
 
@@ -39,6 +41,40 @@ class Span:
 
 
 @dataclass(frozen=True, slots=True)
+class Spread(Sequence[Any]):
+    """Numbers from ``low`` to ``high``, evenly, or by ratio: to 15 digits, each when it is asked
+    for."""
+
+    low: float
+    high: float
+    points: int
+    log: bool
+
+    def __len__(self) -> int:
+        return self.points
+
+    def __getitem__(self, place: Any) -> Any:
+        if isinstance(place, slice):
+            return [self[k] for k in range(*place.indices(self.points))]
+        share = range(self.points)[place] / (self.points - 1)
+        return float(f"{_between(self.low, self.high, share, log=self.log):.15g}")
+
+    @property
+    def resolved(self) -> bool:
+        """Whether 15 digits tell neighbours apart."""
+        if self.log:
+            apart = math.log(self.high / self.low)
+        else:
+            apart = (self.high - self.low) / max(abs(self.low), abs(self.high))
+        return apart / (self.points - 1) > RESOLVED
+
+
+def _between(low: float, high: float, share: float, *, log: bool) -> float:
+    """The number at a ``share`` of the way, evenly or by ratio."""
+    return low * (high / low) ** share if log else low + share * (high - low)
+
+
+@dataclass(frozen=True, slots=True)
 class Parameter:
     """What is varied at ``path``: ``values`` one after the other, as ``vary`` takes them, or any
     number between ``ends``.
@@ -48,8 +84,8 @@ class Parameter:
     """
 
     path: str
-    values: tuple[Any, ...] = ()
-    labels: tuple[Any, ...] = ()
+    values: Sequence[Any] = ()
+    labels: Sequence[Any] = ()
     ends: tuple[float, float] | None = None
     quantity: Quantity | None = None
     whole: bool = False
@@ -58,7 +94,7 @@ class Parameter:
     @property
     def numeric(self) -> bool:
         """Whether its values are numbers."""
-        return all(isinstance(label, float | int) for label in self.labels)
+        return self.ends is not None or all(isinstance(v, float | int) for v in self.labels)
 
     @property
     def unit(self) -> str:
@@ -70,7 +106,7 @@ class Parameter:
     @property
     def display(self) -> tuple[str, float]:
         """A usual unit for documents, and its SI value."""
-        numbers = [*self.labels, *(self.ends or ())]
+        numbers = self.ends or self.labels
         if self.quantity is None or not self.numeric:
             return "", 1.0
         unit = usual_unit(self.quantity, [float(value) for value in numbers])
@@ -95,9 +131,7 @@ class Parameter:
         low, high = self.ends
         if self.whole:
             return int(low + math.floor(share * (high - low + 1.0)))
-        if self.log:
-            return low * (high / low) ** share
-        return low + share * (high - low)
+        return _between(low, high, share, log=self.log)
 
 
 def parameter(case: Case, path: str, asked: object) -> Parameter:
@@ -146,17 +180,23 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
             f"{path}: a span has at least 2 points and at most {MOST_POINTS:g}, got "
             f"{shown(span.count)}"
         )
-    spread = np.geomspace if span.log else np.linspace
-    values = [float(f"{value:.15g}") for value in spread(*ends, span.count)]
-    if whole:
-        values = sorted({round(value) for value in values})
-    return Parameter(path, tuple(values), tuple(values), ends, quantity, whole, span.log)
+    spread = Spread(*ends, span.count, span.log)
+    values: Sequence[Any] = spread
+    if whole:  # as many as meet all of them, or fewer
+        most = high * math.log(high / low) + 2.0 if span.log else high - low + 1
+        few = Spread(*ends, min(span.count, math.ceil(most)), span.log)
+        values = tuple(sorted({round(value) for value in few}))
+    elif not spread.resolved:
+        raise InvalidInput(
+            f"{path}: {span.count} points of this span are closer than 15 digits tell: take fewer"
+        )
+    return Parameter(path, values, values, ends, quantity, whole, span.log)
 
 
 def kind_of_model(case: Case, path: str) -> Any:
     """The kind of model that a name at ``path`` means; None where names are just words."""
-    old = next((value for value, _ in found_at(case, path)), None)
-    return next((name for kind, name in MODELS.items() if isinstance(old, kind)), None)
+    forms = {kind for _, declared in found_at(case, path) for kind in kinds_of(declared)}
+    return next((name for kind, name in MODELS.items() if kind in forms), None)
 
 
 def _given(value: Any, kind: Any) -> Any:
@@ -167,7 +207,7 @@ def _given(value: Any, kind: Any) -> Any:
 
 def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
     """``value`` as the case keeps it, and its quantity; rules between values are not asked."""
-    found = found_at(case, path)
+    found = found_at(case, path, absent=True)
     if not found:
         vary(case, {path: value})  # which says where the path goes astray
         return value, None

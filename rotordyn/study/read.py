@@ -185,7 +185,8 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
 
 def value_at(reading: Reading, case: Case, path: str, node: Node) -> Any:
     """A value as a file writes it: numbers that have a dimension with their unit."""
-    quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
+    found = found_at(case, path, absent=True)
+    quantity = next((quantity_of(declared) for _, declared in found), None)
     if quantity is None or isinstance(node.value, dict | list):
         return node.plain()
     try:

@@ -8,11 +8,13 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bearings.arguments import typed
 from rotordyn.case.case import Case
+from rotordyn.case.study import MOST_DRAWN
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.job.solving import restricted
@@ -29,7 +31,8 @@ from rotordyn.study.workers import solved_here, solved_on_cluster
 if TYPE_CHECKING:
     import xarray as xr
 
-HOUR = 3600.0  # s
+HOUR, DAY, YEAR = 3600.0, 86400.0, 365.25 * 86400.0  # s
+KEPT, HELD = 1.5, 4.0  # bytes on disk and in memory at the end, over those of points as they come
 LONG = HOUR  # that a study may take unasked
 LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
 Progress = Callable[[int, int], None]
@@ -53,7 +56,13 @@ def study_of(
         case = restricted(case, tuple(analyses))
     _require("results", results, case)
     case = replace(case, variants={}, uncertain=None)
-    return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
+    points = design(case, varied, sampling, samples, seed)
+    if len(results) and points.count > MOST_DRAWN:
+        raise InvalidInput(
+            f"results: given {', '.join(results)}; allowed for up to {MOST_DRAWN:g} points, since "
+            "each is kept as a file: leave them out, numbers are kept of any study"
+        )
+    return Study(case, points, tuple(results))
 
 
 def _require(key: str, given: Sequence[str], case: Case) -> None:
@@ -131,13 +140,13 @@ def solved(
     """The Dataset of a study and the outcome of every point; see ``sweep``."""
     if workers is not None:
         require_whole("workers", workers, 1)
-    count, most = study.design.count, workers or processors()
+    count, most = study.design.count, 1 if cluster else workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
         with record.alone(place, "points"):
             found = journal.begin()
             progress(len(found), count)
-            for outcome in _outcomes(study, found, most, cluster, yes=yes):
+            for outcome in _outcomes(journal, found, most, cluster, yes=yes):
                 journal.add(outcome)
                 found[outcome.number] = outcome
                 progress(len(found), count)
@@ -145,31 +154,48 @@ def solved(
 
 
 def _outcomes(
-    study: Study, known: Mapping[int, Outcome], workers: int, cluster: str | None, *, yes: bool
+    journal: Journal, known: Mapping[int, Outcome], workers: int, cluster: str | None, *, yes: bool
 ) -> Iterator[Outcome]:
     """Outcomes of what is not known yet; the first ones tell how long the others take."""
-    left = [k for k in range(study.design.count) if k not in known]
-    if not left:
-        return
-    packed, seconds = pickle.dumps(study), math.inf
-    unasked = yes or cluster is not None
-    for _ in range(LOOKED):
-        found = solve_point(packed, left.pop(0))
+    study = journal.study
+    count = study.design.count
+    total = count - len(known)
+    left = (k for k in range(count) if k not in known)  # one by one: they may be any number
+    packed, least = pickle.dumps(study), math.inf
+    unasked = yes or (cluster is not None and count <= MOST_DRAWN)
+    for number in islice(left, LOOKED):
+        found = solve_point(packed, number)
         yield found
-        seconds = min(seconds, found.seconds)
-        least = seconds * len(left) / workers
-        if least <= LONG or unasked:
+        total -= 1
+        least = min(least, found.seconds)
+        if least * total / workers <= LONG or unasked:
             break
-    if least > LONG and not unasked:
+    if total and least * total / workers > LONG and not unasked:
+        size = journal.size / len(known)
         raise InvalidInput(
-            f"the study has {study.design.count} points, {len(left)} of them to solve: about "
-            f"{least / HOUR:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
-            "points"
+            f"the study has {count} points, {total} of them to solve: about "
+            f"{_long(least * total / workers)} with {workers} worker{'s' * (workers > 1)}, "
+            f"{_large(KEPT * size * count)} on disk ({_large(journal.room)} are free) and "
+            f"{_large(HELD * size * count)} of memory at its end; say yes to that (--yes), or take "
+            "fewer points"
         )
     if cluster is not None:
-        yield from solved_on_cluster(packed, left, cluster)
+        yield from solved_on_cluster(packed, left, cluster, total)
     else:
-        yield from solved_here(packed, left, workers)
+        yield from solved_here(packed, left, workers, total=total)
+
+
+def _long(seconds: float) -> str:
+    """A time in hours, or in larger units where it is long."""
+    for unit, length in (("years", YEAR), ("days", DAY)):
+        if seconds >= 2.0 * length:
+            return f"{seconds / length:.3g} {unit}"
+    return f"{seconds / HOUR:.1f} h"
+
+
+def _large(size: float) -> str:
+    """Bytes in words."""
+    return f"{size / 1e12:.3g} TB" if size >= 1e12 else f"{size / 1e9:.3g} GB"
 
 
 @contextmanager

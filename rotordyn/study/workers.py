@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
 from typing import Any, Protocol, TypeVar
 
 from rotordyn.errors import InvalidInput
@@ -11,6 +12,7 @@ from rotordyn.study.point import Outcome, solve_point
 from rotordyn.study.processes import ATTEMPTS, side_by_side
 
 PATIENCE = "10s"  # for a scheduler to answer
+AHEAD = 10_000  # points that it is given at once
 
 
 class Numbered(Protocol):
@@ -25,28 +27,37 @@ N = TypeVar("N", bound=Numbered)
 
 def solved_here(
     packed: bytes,
-    points: Sequence[Any],
+    points: Iterable[Any],
     workers: int,
     task: Callable[[bytes, Any, int], N] = solve_point,  # type: ignore[assignment]
+    *,
+    total: int | None = None,
 ) -> Iterator[N]:
     """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
 
     ``task`` solves one of the points of what is ``packed``, of so many that a process will solve.
+    ``total``: how many points, which are taken one by one; listed ones are counted.
 
     Raises
     ------
     RotordynError : processes were killed again and again, as happens where memory runs out
     """
-    if workers == 1 or len(points) < 2:
-        yield from (task(packed, number, len(points)) for number in points)
+    if total is None:
+        points = [*points]
+        total = len(points)
+    if workers == 1 or total < 2:
+        yield from (task(packed, number, total) for number in points)
         return
-    count = min(workers, len(points))
-    share = len(points) // workers
+    count = min(workers, total)
+    share = total // workers
     yield from side_by_side(count, ((task, (packed, point, share)) for point in points))
 
 
-def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Iterator[Outcome]:
-    """Outcomes of ``points`` as they come, from the dask cluster whose scheduler has ``address``.
+def solved_on_cluster(
+    packed: bytes, points: Iterator[int], address: str, total: int
+) -> Iterator[Outcome]:
+    """Outcomes of ``points``, ``total`` of them, as they come, from the dask cluster whose
+    scheduler has ``address``.
 
     A worker that is lost is no loss: its points are solved by another.
 
@@ -67,13 +78,18 @@ def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Ite
             "one with 'dask scheduler', or leave the address out to solve here"
         ) from None
     with client:
-        share = len(points) // max(1, sum(client.ncores().values()))
+        share = total // max(1, sum(client.ncores().values()))
         how = dict(packed=packed, points=share, pure=False, retries=ATTEMPTS)
-        futures = client.map(_on_cluster, points, **how)
-        running = dask.as_completed(futures, with_results=True, loop=client.loop)
+
+        def begun() -> Any:
+            return client.map(_on_cluster, [*islice(points, AHEAD)], **how)
+
+        running = dask.as_completed(begun(), with_results=True, loop=client.loop)
         for future, found in running:
             future.release()
             yield found
+            if running.count() < AHEAD // 2:
+                running.update(begun())
 
 
 def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -117,6 +118,89 @@ def test_questions_can_be_changed_added_and_replaced() -> None:
     ]
 
 
+GRINDING = """
+spindle: grinding_spindle
+override:
+  bearings.*.model: kh6014e
+  growth: {static: 0 um}
+  bearings.b.fits: {shaft: js5}
+speeds: [0 rpm]
+analyses: {campbell: {max_frequency: 1 kHz}}
+"""
+END_MILL = """
+spindle: mfw2310
+tool: hsk63_end_mill_16
+speeds: [0 rpm]
+analyses: {campbell: {max_frequency: 1 kHz}}
+"""
+AS_IN_FILES: dict[str, tuple[str, dict[str, Any], tuple[str, str]]] = {
+    "fits from nothing, of bearings without their own": (
+        GRINDING,
+        {"spindle.fits.shaft": "k6"},
+        ("override:", "override:\n  fits.shaft: k6"),
+    ),
+    "those of one more": (
+        GRINDING,
+        {"spindle.bearings.a.fits.taken": "most", "spindle.fits.housing": "JS5"},
+        ("override:", "override:\n  fits.housing: JS5\n  bearings.a.fits.taken: most"),
+    ),
+    "temperatures from nothing": (
+        GRINDING,
+        {"conditions.temperatures.shaft": 40, "conditions.temperatures.housing": "30 degC"},
+        ("speeds:", "conditions: {temperatures: {shaft: 40 degC, housing: 30 degC}}\nspeeds:"),
+    ),
+    "damping of all bearings": (
+        GRINDING,
+        {"spindle.damping.bearings.radial": 500.0},
+        ("override:", "override:\n  damping.bearings.radial: 500 N*s/m"),
+    ),
+    "another tool": (
+        END_MILL,
+        {"tool": "hsk63_end_mill_20", "spindle.bearings.a.growth.static": "1 um"},
+        ("_16", "_20\noverride: {bearings.a.growth.static: 1 um}"),
+    ),
+    "a tool where there was none": (
+        END_MILL.replace("tool: hsk63_end_mill_16\n", ""),
+        {"tool": "hsk63_end_mill_20"},
+        ("speeds:", "tool: hsk63_end_mill_20\nspeeds:"),
+    ),
+}
+
+
+@pytest.mark.parametrize("what", AS_IN_FILES)
+def test_paths_of_files_give_what_a_file_gives(what: str, tmp_path: Path) -> None:
+    text, changes, (old, new) = AS_IN_FILES[what]
+    path = tmp_path / "case.yaml"
+    path.write_text(text)
+    before = rotordyn.load(path)
+    path.write_text(text.replace(old, new))
+    wanted = rotordyn.load(path)
+    if "tool" in changes:
+        changes = {**changes, "tool": rotordyn.model("tools", changes["tool"])}
+    made = before.vary(changes)
+    assert made != before
+    assert (made.spindle, made.conditions) == (wanted.spindle, wanted.conditions)
+    assert (made.tool, made.analyses) == (wanted.tool, wanted.analyses)
+
+
+def test_a_part_of_the_tool_and_the_tool_itself_are_one(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(END_MILL)
+    before = rotordyn.load(path)
+    longer = before.vary({"tool.sections.flutes.length": "50 mm"})
+    assert longer.tool is not None
+    assert longer.spindle is not None
+    assert longer.spindle.shaft.sections[0].length == longer.tool.sections[0].length == 0.05
+    assert longer.vary({"tool": before.tool}).spindle == before.spindle
+    bare = before.vary({"tool": None})
+    assert bare.spindle == rotordyn.model("spindles", "mfw2310")
+    assert bare.vary({"tool": before.tool}).spindle == before.spindle
+    assert before.vary({"spindle": bare.spindle}).tool is None
+    within = before.vary({"spindle.shaft.sections.flutes.length": "50 mm"})
+    with pytest.raises(rotordyn.InvalidInput, match="changed as a part of the spindle"):
+        within.vary({"tool": None})
+
+
 def test_bearings_and_materials_can_be_changed_too() -> None:
     made = changed(
         **{
@@ -161,7 +245,13 @@ WRONG = {
     "spindle.points.OC2": (0.0, "unknown key 'OC2' .*did you mean Oc2"),
     "analyses.frff": (1, "unknown key 'frff' .*did you mean frf"),
     "analyses.frf": (1, "wrong type: given 1; allowed: FrfSpec"),
-    "analyses.bearing.loads": ((1.0,), "'analyses.bearing' is None; give it whole"),
+    "analyses.bearing.loads": ((1.0,), "does not apply to a spindle"),
+    "tool.sections.nosuch.length": (0.05, "unknown name 'nosuch' in 'tool.sections'"),
+    "spindle.shaft.material": (STEEL, r"change spindle\.shaft\.sections\.\*\.material"),
+    "spindle.fits.shft": ("k5", "unknown key 'shft' in 'spindle.fits'; .*did you mean shaft"),
+    "spindle.fits.shaft": ("k5", "fits beside a given growth"),
+    "conditions.temperatures.shft": (40.0, "did you mean shaft"),
+    "conditions.films.temperature": (40.0, "also needs viscosity_40, viscosity_100"),
     "bearing.balls": (3, "'bearing' is None; give it whole"),
     "spindle.title.x": (1, "leads too far"),
     "speeds.0": (1.0, "has items without names; give it whole"),

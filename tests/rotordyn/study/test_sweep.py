@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import time
+import tracemalloc
 from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
@@ -211,11 +212,54 @@ def test_models_stand_beside_the_file_of_the_study(
     assert found.values[0] == rotordyn.model("bearings", "vex70")
 
 
+def test_paths_of_files_are_varied_in_studies(tmp_path: Path) -> None:
+    """What a file gives once for all bearings, what the case has not yet, and its tool."""
+    machine = "spindle: mfw2310\noverride: {growth: {static: 0 um}, bearings.*.model: kh6014e}\n"
+    asked = "speeds: [0 rpm]\nanalyses: {preload: {}}\n"
+    (tmp_path / "machine.yaml").write_text(machine + asked)
+    varied = """case: ./machine.yaml
+vary:
+  tool: [hsk63_end_mill_10, ./mine.yaml]
+  spindle.fits.shaft: [k5, k6]
+  conditions.temperatures.shaft: {from: 20 degC, to: 40 degC, points: 2}
+"""
+    (tmp_path / "study.yaml").write_text(varied)
+    mine = (models_root() / "tools" / "hsk63_end_mill_20.yaml").read_text()
+    (tmp_path / "mine.yaml").write_text(mine)
+    study = read_study(tmp_path / "study.yaml")
+    assert study.design.shape == (2, 2, 2)
+    last = f"{machine[:-2]}, fits.shaft: k6}}\ntool: ./mine.yaml\n{asked}"
+    last += "conditions: {temperatures: {shaft: 40 degC}}\n"
+    (tmp_path / "machine.yaml").write_text(last)
+    wanted = rotordyn.load(tmp_path / "machine.yaml")
+    made = study.case.vary(study.design.point(7))
+    assert (made.spindle, made.conditions) == (wanted.spindle, wanted.conditions)
+    assert made.spindle.shaft != study.case.vary(study.design.point(0)).spindle.shaft
+
+
 def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solve, "LONG", 1e-3)
     with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve: about .* h with 1 work"):
         _study(case, workers=1)
     assert _study(case, workers=1, yes=True)["sentence"].values.tolist() == [["", ""], ["", ""]]
+
+
+def test_a_thousand_million_points_ask_first_and_begin_at_once(case: Case) -> None:
+    huge = {SPRING: Span(800.0, 1600.0, 10**6), "spindle.points.nose": Span(0.0, 0.01, 1000)}
+    said = r"1000000000 points, 999999997 of them to solve: about .* (years|days) with 2 workers, "
+    tracemalloc.start()
+    with pytest.raises(InvalidInput, match=rf"{said}.* on disk \(.* are free\) and .* of memory"):
+        sweep(case, huge, analyses=["preload"], workers=2)
+
+    def enough(done: int, of: int) -> None:
+        if done == 4:
+            assert of == 10**9
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sweep(case, huge, analyses=["preload"], workers=1, yes=True, progress=enough)
+    assert tracemalloc.get_traced_memory()[1] < 5e7
+    tracemalloc.stop()
 
 
 def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -> None:

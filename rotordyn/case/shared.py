@@ -1,0 +1,38 @@
+"""Paths of files that lead to no value of a description: of what is given once for several items,
+as paths of these, and into what is absent."""
+
+from __future__ import annotations
+
+from dataclasses import is_dataclass
+from typing import Any
+
+from rotordyn.case.keys import COMMON, Common
+from rotordyn.field import bare, declared, members
+
+Steps = tuple[str, ...]
+
+
+def common_at(holder: Any, steps: Steps) -> Common | None:
+    """What is given once for several items of ``holder``, where a path leads into that."""
+    each: Common
+    for each in COMMON.get(type(holder), ()):
+        if each.meaning and steps[: len(each.keys)] == each.keys:
+            return each
+    return None
+
+
+def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
+    """The same path within every item that gives no such value itself; none where that is not
+    known of items."""
+    listed, _, key = common.fills
+    kind: Any = type(holder)
+    name = next(field.name for field in declared(kind) if field.keys == (listed,))
+    rest = (key, *steps[len(common.keys) :])
+    items = [each for each in getattr(holder, name) if hasattr(each, "own")]
+    return [(listed, each.name, *rest) for each in items if key not in each.own]
+
+
+def kinds_of(annotation: Any) -> list[type]:
+    """The descriptions that a value may be."""
+    kinds = map(bare, members(annotation))
+    return [kind for kind in kinds if isinstance(kind, type) and is_dataclass(kind)]
