@@ -523,6 +523,21 @@ def test_contact_loss_is_sought_until_it_is_found() -> None:
     assert (one.unloaded_ball == many.unloaded_ball)[0, 0]
 
 
+def test_a_radial_curve_past_unloading_does_not_end_by_its_steps() -> None:
+    """A pair pushed apart until one bearing is slack, moved by its whole force at once or slowly."""
+    variant = next(iter(case("preload_concepts").variants.values()))
+    assert variant.spindle is not None
+    found = Scene(variant.spindle, Conditions(axial_force=-2956.0), np.zeros(1))
+    last = []
+    for steps in (1, 2, 23):
+        curve = stiffness_answer(
+            found, StiffnessSpec("nose", 2000.0, steps, variants=("nonlinear",))
+        )
+        assert curve.outcome == ("",)
+        last.append(curve.deflection[0, 0, -1])
+    assert last[:2] == pytest.approx([last[2]] * 2, rel=1e-6)
+
+
 def test_loads_beyond_the_bearings_are_named() -> None:
     found = loaded([0.0], PointLoad(at="Oc2", Fy=200000.0))
     assert "the loads of 2e+05 N on the shaft" in found.preload.outcome[0]

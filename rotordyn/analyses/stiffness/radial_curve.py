@@ -16,7 +16,9 @@ from rotordyn.preload.balance import Balance, Point
 from rotordyn.preload.leaving import NEARER, Leaving
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
+SHORTEST = 2.0**-12  # of a step, that is tried where its end is not found at once
 LOST = 1e-6  # of its lightest ball without radial force: a ball with less carries nothing
 
 
@@ -85,7 +87,8 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
             deflection[:, k:] = np.nan
             break
         guess, begun = last.ahead(before), (problem, here)
-        problem, here, converged = problem.solved(guess, here, float(force[k]), outcome == "")
+        ends = float(force[k - 1]), float(force[k])
+        problem, here, converged = _stepped(problem, here, guess, ends, outcome == "")
         lost = (outcome == "") & ~converged
         outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
         light = (here.lightest < least) & np.isnan(unloading) & (outcome == "")[:, None]
@@ -109,6 +112,32 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
         reach = np.fmax(reach, problem.travel(here.coordinates))
         lightest.append(here.lightest)
     return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading, unloaded)
+
+
+def _stepped(
+    problem: Balance, here: Point, guess: list[Array], ends: tuple[float, float], alive: Flags
+) -> tuple[Balance, Point, Flags]:
+    """The balance under the second force of ``ends`` from that under the first, and where there is
+    one: in a stride from ``guess``, else, if a bearing is slack, in strides as long as they lead to
+    one, from place to place: where it is met, they are short."""
+    found, there, good = problem.solved(guess, here, ends[1], alive)
+    left = alive & ~good & problem.slack(here)
+    if not left.any():
+        return found, there, good
+    share, stride = 0.0, 0.25
+    while share < 1.0 and left.any():
+        stride = min(stride, 1.0 - share)
+        force = ends[0] + (share + stride) * (ends[1] - ends[0])
+        balls = [one.ball for _, one in here.bearings]
+        on, at, solved = problem.solved([here.coordinates, *balls], here, force, left)
+        if (left & ~solved).any() and stride > SHORTEST:
+            stride *= 0.25
+            continue
+        problem, here, left = on, at, left & solved
+        share, stride = share + stride, 2.0 * stride
+    found = problem.where(left, found)
+    moved = np.where(left[:, None], here.coordinates, there.coordinates)
+    return found, found.evaluate(moved, None), good | left
 
 
 def _nearer(
