@@ -524,7 +524,7 @@ def test_contact_loss_is_sought_until_it_is_found() -> None:
 
 
 def test_a_radial_curve_past_unloading_does_not_end_by_its_steps() -> None:
-    """A pair pushed apart until one bearing is slack, moved by its whole force at once or slowly."""
+    """A pair pushed apart until one bearing is slack, moved by all the force at once or slowly."""
     variant = next(iter(case("preload_concepts").variants.values()))
     assert variant.spindle is not None
     found = Scene(variant.spindle, Conditions(axial_force=-2956.0), np.zeros(1))

@@ -77,7 +77,7 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     step, slope = float(force[-1]) / max(len(force) - 1, 1), problem.per_newton(here, every)
     before, last = None, _load_step(problem, here, step * slope)
     deflection, tangent = np.zeros((len(start), len(force))), 1.0 / slope[:, :p].dot(point)
-    outcome = np.full(len(start), "", dtype=object)
+    outcome, slack = np.full(len(start), "", dtype=object), problem.slack(here)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
     unloaded = np.full(unloading.shape, -1)
@@ -88,7 +88,7 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
             break
         guess, begun = last.ahead(before), (problem, here)
         ends = float(force[k - 1]), float(force[k])
-        problem, here, converged = _stepped(problem, here, guess, ends, outcome == "")
+        problem, here, converged = _stepped(problem, here, guess, ends, outcome == "", slack)
         lost = (outcome == "") & ~converged
         outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
         light = (here.lightest < least) & np.isnan(unloading) & (outcome == "")[:, None]
@@ -115,13 +115,18 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
 
 
 def _stepped(
-    problem: Balance, here: Point, guess: list[Array], ends: tuple[float, float], alive: Flags
+    problem: Balance,
+    here: Point,
+    guess: list[Array],
+    ends: tuple[float, float],
+    alive: Flags,
+    slack: Flags,
 ) -> tuple[Balance, Point, Flags]:
     """The balance under the second force of ``ends`` from that under the first, and where there is
-    one: in a stride from ``guess``, else, if a bearing is slack, in strides as long as they lead to
-    one, from place to place: where it is met, they are short."""
+    one: in a stride from ``guess``, else, of curves that begin with a ``slack`` bearing, in strides
+    as long as they lead to one, from place to place; where the bearing is met, they are short."""
     found, there, good = problem.solved(guess, here, ends[1], alive)
-    left = alive & ~good & problem.slack(here)
+    left = alive & ~good & slack
     if not left.any():
         return found, there, good
     share, stride = 0.0, 0.25
