@@ -212,31 +212,6 @@ def test_models_stand_beside_the_file_of_the_study(
     assert found.values[0] == rotordyn.model("bearings", "vex70")
 
 
-def test_paths_of_files_are_varied_in_studies(tmp_path: Path) -> None:
-    """What a file gives once for all bearings, what the case has not yet, and its tool."""
-    machine = "spindle: mfw2310\noverride: {growth: {static: 0 um}, bearings.*.model: kh6014e}\n"
-    asked = "speeds: [0 rpm]\nanalyses: {preload: {}}\n"
-    (tmp_path / "machine.yaml").write_text(machine + asked)
-    varied = """case: ./machine.yaml
-vary:
-  tool: [hsk63_end_mill_10, ./mine.yaml]
-  spindle.fits.shaft: [k5, k6]
-  conditions.temperatures.shaft: {from: 20 degC, to: 40 degC, points: 2}
-"""
-    (tmp_path / "study.yaml").write_text(varied)
-    mine = (models_root() / "tools" / "hsk63_end_mill_20.yaml").read_text()
-    (tmp_path / "mine.yaml").write_text(mine)
-    study = read_study(tmp_path / "study.yaml")
-    assert study.design.shape == (2, 2, 2)
-    last = f"{machine[:-2]}, fits.shaft: k6}}\ntool: ./mine.yaml\n{asked}"
-    last += "conditions: {temperatures: {shaft: 40 degC}}\n"
-    (tmp_path / "machine.yaml").write_text(last)
-    wanted = rotordyn.load(tmp_path / "machine.yaml")
-    made = study.case.vary(study.design.point(7))
-    assert (made.spindle, made.conditions) == (wanted.spindle, wanted.conditions)
-    assert made.spindle.shaft != study.case.vary(study.design.point(0)).spindle.shaft
-
-
 def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solve, "LONG", 1e-3)
     with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve: about .* h with 1 work"):
