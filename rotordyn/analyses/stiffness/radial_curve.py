@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
 SHORTEST = 2.0**-12  # of a step, that is tried where its end is not found at once
+FAILED = 8  # strides without an end, after which a curve ends
 LOST = 1e-6  # of its lightest ball without radial force: a ball with less carries nothing
 
 
@@ -129,14 +130,14 @@ def _stepped(
     left = alive & ~good & slack
     if not left.any():
         return found, there, good
-    share, stride = 0.0, 0.25
+    share, stride, failed = 0.0, 0.25, 0
     while share < 1.0 and left.any():
         stride = min(stride, 1.0 - share)
         force = ends[0] + (share + stride) * (ends[1] - ends[0])
         balls = [one.ball for _, one in here.bearings]
         on, at, solved = problem.solved([here.coordinates, *balls], here, force, left)
-        if (left & ~solved).any() and stride > SHORTEST:
-            stride *= 0.25
+        if (left & ~solved).any() and stride > SHORTEST and failed < FAILED:
+            stride, failed = 0.25 * stride, failed + 1
             continue
         problem, here, left = on, at, left & solved
         share, stride = share + stride, 2.0 * stride
