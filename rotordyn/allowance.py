@@ -56,7 +56,19 @@ def within(seconds: float = math.inf, memory: float = MOST_BYTES) -> Iterator[No
 
 Stop = KeyboardInterrupt | TooCostly
 STOPS = (KeyboardInterrupt, TooCostly)  # what ends a run
-ASKED = Event()  # a signal has asked to stop: libraries may turn that into an error of their own
+ASKED = Event()  # a signal has asked to stop
+
+
+@contextmanager
+def heeding_stops() -> Iterator[None]:
+    """A signal that asks to stop ends what is inside as Ctrl-C does, also where a library puts an
+    error of its own in its place, as NumPy does where it compares types."""
+    try:
+        yield
+    except Exception as error:
+        if ASKED.is_set():
+            raise KeyboardInterrupt from error
+        raise
 
 
 def keeps_finished() -> bool:

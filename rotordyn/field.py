@@ -310,3 +310,9 @@ def descriptions(annotation: Any) -> Iterator[type]:
         yield inner
     for part in get_args(inner):
         yield from descriptions(part)
+
+
+def kinds_of(annotation: Any) -> list[type]:
+    """The descriptions that a value itself may be."""
+    kinds = map(bare, members(annotation))
+    return [kind for kind in kinds if isinstance(kind, type) and is_dataclass(kind)]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bearings.bearing import BallBearing
-from rotordyn.allowance import ASKED, STOPS, Stop, keeps_finished, require_time
+from rotordyn.allowance import STOPS, Stop, heeding_stops, keeps_finished, require_time
 from rotordyn.analyses.contract import Result
 from rotordyn.analyses.registry import analysis
 from rotordyn.machine.plausibility import estimates, undamped
@@ -113,21 +113,13 @@ def _answered(
     try:
         for name, spec in analyses.items():
             progress(name)
-            results[name] = _solved(solve, name, spec)
+            with heeding_stops():
+                results[name] = solve(name, spec)
     except STOPS as stop:
         if not (results and keeps_finished()):
             raise
         return results, stop
     return results, None
-
-
-def _solved(solve: Callable[[str, Spec], Result], name: str, spec: Spec) -> Result:
-    try:
-        return solve(name, spec)
-    except Exception as error:
-        if ASKED.is_set():
-            raise KeyboardInterrupt from error
-        raise
 
 
 def _part(progress: Progress, name: str, done: str) -> None:

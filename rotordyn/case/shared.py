@@ -1,13 +1,11 @@
-"""Paths of files that lead to no value of a description: of what is given once for several items,
-as paths of these, and into what is absent."""
+"""Paths of files to what is given once for several items, as paths of these items."""
 
 from __future__ import annotations
 
-from dataclasses import is_dataclass
 from typing import Any
 
 from rotordyn.case.keys import COMMON, Common
-from rotordyn.field import bare, declared, members
+from rotordyn.field import declared
 
 Steps = tuple[str, ...]
 
@@ -30,9 +28,3 @@ def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
     rest = (key, *steps[len(common.keys) :])
     items = [each for each in getattr(holder, name) if hasattr(each, "own")]
     return [(listed, each.name, *rest) for each in items if key not in each.own]
-
-
-def kinds_of(annotation: Any) -> list[type]:
-    """The descriptions that a value may be."""
-    kinds = map(bare, members(annotation))
-    return [kind for kind in kinds if isinstance(kind, type) and is_dataclass(kind)]

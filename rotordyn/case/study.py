@@ -45,8 +45,7 @@ class StudyFile:
         str, Choice(SAMPLINGS), "every combination, values in step, or a sample of so many points"
     ] = SAMPLINGS[0]
     samples: Annotated[
-        Annotated[int, Whole(1, MOST_POINTS)] | None,
-        "points of a sample, up to ten million; of sobol a power of two",
+        Annotated[int, Whole(1, MOST_DRAWN)] | None, "points of a sample; of sobol a power of two"
     ] = None
     seed: Annotated[int, Whole(0, 2**31 - 1), "of a sample"] = 0
     analyses: Annotated[

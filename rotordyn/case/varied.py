@@ -9,9 +9,9 @@ from itertools import chain
 from typing import Annotated, Any, get_args, get_origin
 
 from rotordyn.case.case import Case
-from rotordyn.case.shared import Steps, common_at, kinds_of, ways_of_items
+from rotordyn.case.shared import Steps, common_at, ways_of_items
 from rotordyn.description import quantity_of
-from rotordyn.field import bare, declared, found_in, members, metadata
+from rotordyn.field import bare, declared, found_in, kinds_of, members, metadata
 from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit

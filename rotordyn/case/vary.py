@@ -13,7 +13,7 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
-from rotordyn.case.shared import common_at, kinds_of, ways_of_items
+from rotordyn.case.shared import common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (
@@ -24,6 +24,7 @@ from rotordyn.field import (
     bare,
     declared,
     found_in,
+    kinds_of,
     members,
     shown,
 )

@@ -12,7 +12,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.matrix import entry_name
 from rotordyn.machine.plausibility import unopposed
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.arrangement import SHAFT
+from rotordyn.preload.arrangement import SHAFT, Arrangement
 from rotordyn.preload.network import Network, NetworkState
 
 Array = NDArray[np.float64]
@@ -98,7 +98,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
             "load it, or take away its play"
         )
     if not net.converged[row]:
-        return _unbalanced(network.arrangement.force, rpm)
+        return _unbalanced(network.arrangement, rpm)
     apart = pushed_apart(names, load, network.both_ways, rpm)
     return apart or _overload(names, net, row, rpm)
 
@@ -129,13 +129,13 @@ def pushed_apart(names: Sequence[str], load: Array, both_ways: Flags, rpm: float
     )
 
 
-def _unbalanced(force: float, rpm: float) -> str:
-    if force:
-        return (
-            f"nothing balances the axial force of {force:.4g} N on the shaft at {rpm:.0f} rpm: "
-            "lower it, raise the preload, or give the sleeves end stops"
-        )
-    return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
+def _unbalanced(joined: Arrangement, rpm: float) -> str:
+    if not joined.force:
+        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
+    return (
+        f"nothing balances the axial force of {joined.force:.4g} N on the shaft at {rpm:.0f} rpm: "
+        "lower it, or raise the preload" + ", or give the sleeves end stops" * bool(joined.pushes)
+    )
 
 
 def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:

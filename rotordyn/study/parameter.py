@@ -12,13 +12,12 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
-from rotordyn.case.shared import kinds_of
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Refused, accept, shown
+from rotordyn.field import Refused, accept, kinds_of, shown
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from bearings.arguments import typed
-from rotordyn.allowance import STOPS, keeps_finished
+from rotordyn.allowance import STOPS, heeding_stops, keeps_finished
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
@@ -47,7 +47,8 @@ def run(
         if solution.stop is not None:
             raise solution.stop
         for name, (part, answers) in solution.parts.items():
-            held[name] = interval_of(part, answers.results, progress)
+            with heeding_stops():
+                held[name] = interval_of(part, answers.results, progress)
     except STOPS as stop:
         if not keeps_finished():
             raise

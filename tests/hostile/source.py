@@ -37,7 +37,7 @@ FILES = 8  # of tests to a mutant, and as many of others
 QUICK, SECONDS = 1.0, 5.0  # of processor time in each, at first and at last
 TOLERANCE = 1e-5  # below it a number is the size of an error, above it physics
 APART = {"hostile", "docs", "cases", "page", "view", "case", "figures", "study"}
-EQUIVALENT = {  # path -> change or part of it, word of its line, why: mutants without effect
+EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change no result
     "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
     "bearings/ball/potential.py": [
         (
@@ -70,7 +70,8 @@ EQUIVALENT = {  # path -> change or part of it, word of its line, why: mutants w
     ],
     "rotordyn/numerics/follow.py": [
         (
-            "@ whole[1:]) ** 2 -> ",
+            "np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2 -> "
+            "(np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:])) ** ((2) * 1.1)",
             "assurance",
             "a likeness beside a threshold",
         ),
@@ -82,11 +83,6 @@ EQUIVALENT = {  # path -> change or part of it, word of its line, why: mutants w
             "float(at.force[SHAFT]) - base -> float(at.force[SHAFT]) + base",
             "_ways",
             "a way in one direction may be cut in two",
-        ),
-        (
-            "-SPACING -> SPACING",
-            "FINER",
-            "finer points of a table on both sides of its beginning",
         ),
         ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed"),
     ],
@@ -130,16 +126,10 @@ EQUIVALENT = {  # path -> change or part of it, word of its line, why: mutants w
     ],
     "rotordyn/equation/constraint.py": [
         (
-            "[:, None] -> rows / np.sign(",
+            "rows * np.sign(rows[np.arange(len(rows)), first])[:, None] -> "
+            "rows / np.sign(rows[np.arange(len(rows)), first])[:, None]",
             "sign",
             "signs are 1 or -1",
-        ),
-    ],
-    "rotordyn/equation/free_directions.py": [
-        (
-            "rows / np.where(size > 0.0, size, 1.0) -> rows * np.where(size > 0.0, size, 1.0)",
-            "return",
-            "the same directions in another measure",
         ),
     ],
     "rotordyn/numerics/pole_refinement.py": [
@@ -158,7 +148,8 @@ EQUIVALENT = {  # path -> change or part of it, word of its line, why: mutants w
     ],
     "rotordyn/preload/network.py": [
         (
-            "-> x - np.where(moving[:, None], _newton(",
+            "x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0) -> "
+            "x - np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)",
             "moving",
             "bearings that do not come into balance together do so one by one",
         ),
@@ -280,7 +271,7 @@ def reason(mutant: Mutant) -> str:
     line = mutant.changed
     change = f"{mutant.before} -> {mutant.after}"
     known = EQUIVALENT.get(mutant.path, [])
-    return next((why for same, word, why in known if same in change and word in line), "")
+    return next((why for same, word, why in known if same == change and word in line), "")
 
 
 def related(path: str, line: str = "") -> list[str]:
