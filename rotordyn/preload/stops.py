@@ -31,16 +31,12 @@ def with_stops(
 
     Sought from ``rest`` (bodies,), or from ``start`` (speeds, bodies), places likely to be near.
     Stops that would be overrun are closed and those that would have to pull are opened, until
-    neither happens; a speed where that never ends is not ``converged``. Where nothing balances the
-    forces with all stops open, they begin closed.
+    neither happens; a speed where that never ends is not ``converged``.
     """
     if start is None:
         start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
     held = np.zeros(start.shape, dtype=bool)
     net = solve(network, start, held, limit)
-    if not net.converged.all() and np.isfinite(limit).any():
-        held = ~net.converged[:, None] & np.isfinite(limit)
-        net = solve(network, np.where(net.converged[:, None], net.position, start), held, limit)
     for _ in range(2 * len(limit) + 2):
         force = network.forces(net.position, net.response)
         wanted = stops_wanted(network, net.position, force, held, limit)

@@ -116,7 +116,7 @@ def test_past_unloading_the_state_goes_on() -> None:
 
 
 def test_stops_that_only_a_large_force_needs() -> None:
-    """With the stop open nothing balances the force: it begins closed."""
+    """With the stop open the balance lies far past it, on the way to which bearings come loose."""
     spindle = mfw2310()
     for force in (-1.4e4, -5e4):
         found = at_rest(force)
