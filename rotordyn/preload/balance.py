@@ -181,6 +181,11 @@ class Balance:
         return [self.network.arrangement.bearings[k] for k in self.bearings]
 
     @property
+    def thrust(self) -> Array:
+        """1 of bearings that a push towards +x loads, −1 of the others (seats,)."""
+        return np.array([float(bearing.thrust) for bearing in self._seats])
+
+    @property
     def _sign(self) -> Array:
         """From the DOF of the spindle to those of a bearing (seats, f)."""
         turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])

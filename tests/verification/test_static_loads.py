@@ -499,6 +499,13 @@ def test_a_radial_force_takes_the_ball_off_that_loads_do() -> None:
     lost = np.isfinite(rose.loss_share)
     assert lost[0].sum() >= 2
     assert (np.isfinite(curve.unloading_force) == lost).all()
+    for name, far in (("axial", rose.axial_load), ("radial", rose.radial_load)):
+        own = np.array([s.thrust for s in mfw2310().seats]) if name == "axial" else 1.0
+        assert getattr(curve, f"{name}_load")[:, -1] == pytest.approx(own * far, rel=1e-5, abs=0.01)
+    assert curve.ball_load[:, -1] == pytest.approx(
+        np.nanmax(rose.ball_inner_load, axis=2), rel=1e-5
+    )
+    assert curve.axial_load[:, 0] == pytest.approx(plain.preload.seat_load(), rel=1e-9)
     there = curve.unloading_force[lost]
     assert there == pytest.approx(2600.0 * rose.loss_share[lost], rel=5e-4)
     turn = curve.unloaded_azimuth[lost] - rose.loss_azimuth[lost]

@@ -55,7 +55,8 @@ class RadialCurve:
     (speeds, bodies): furthest position of each body against its spring along the curve, as travel
     from rest [m]. ``unloading`` (speeds, seats): force under which the first ball of a bearing
     carries nothing, where all of them were pressed [N]; NaN: none. ``unloaded`` (speeds, seats):
-    that ball, counted from 0; −1: none.
+    that ball, counted from 0; −1: none. ``bearings`` (speeds, loads, seats, 3): axial load of each
+    in its own frame, radial load, largest load of a ball on its inner race [N].
     """
 
     deflection: Array
@@ -64,6 +65,7 @@ class RadialCurve:
     reach: Array
     unloading: Array
     unloaded: NDArray[np.intp]
+    bearings: Array
 
     def at(self, rows: NDArray[np.intp]) -> RadialCurve:
         """The curve at some of its speeds, also repeated."""
@@ -83,6 +85,8 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
     unloading = np.full_like(here.lightest, np.nan)
     unloaded = np.full(unloading.shape, -1)
     least, lightest = LOST * here.lightest, [here.lightest]
+    bearings = np.full((len(start), len(force), len(problem.bearings), 3), np.nan)
+    bearings[:, 0] = _of_bearings(problem, here)
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan
@@ -110,9 +114,22 @@ def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
         before, last = last, _load_step(problem, here, step * slope)
         deflection[:, k] = (here.coordinates - start)[:, :p] @ point
         deflection[outcome != "", k] = np.nan
+        bearings[outcome == "", k] = _of_bearings(problem, here)[outcome == ""]
         reach = np.fmax(reach, problem.travel(here.coordinates))
         lightest.append(here.lightest)
-    return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading, unloaded)
+    words = outcome.astype(str)
+    return RadialCurve(deflection, tangent, words, reach, unloading, unloaded, bearings)
+
+
+def _of_bearings(problem: Balance, here: Point) -> Array:
+    """Axial load in its own frame, radial load, largest load of a ball (speeds, seats, 3) [N]."""
+    found = np.empty((*here.load.shape[:2], 3))
+    found[..., 0] = here.load[..., 0] * problem.thrust
+    across = [place for place, number in enumerate(problem.dof) if number in (1, 2)]
+    found[..., 1] = np.linalg.norm(here.load[..., across], axis=-1)
+    for places, balls in here.bearings:
+        found[:, places, 2] = balls.inner_load.max(axis=-1)
+    return found
 
 
 def _stepped(

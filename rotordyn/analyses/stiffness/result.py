@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
+ALONG = ("speed", "force", "bearing")
+LEFT_OUT = Absence("without the full bearing model")
 NONE = Absence("where no ball is unloaded", beside="unloading_force")
 
 
@@ -14,7 +16,8 @@ NONE = Absence("where no ball is unloaded", beside="unloading_force")
 class StiffnessResult:
     """Deflection of a point under a radial force, for each way of modelling the bearings.
 
-    Where balls lose their contact is that of the full bearing model; balls count from 1 and the
+    Loads of bearings (axial ones in their own frames, x loads the balls) and where balls lose their
+    contact are those along the curve of the full bearing model; balls count from 1 and the
     azimuth from y towards z of the spindle; of two balls that are mirror images it is one.
     """
 
@@ -26,6 +29,11 @@ class StiffnessResult:
     deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
     tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
+    axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(LEFT_OUT,))
+    radial_load: Array = quantity(*ALONG, unit="N", label="radial load", absent=(LEFT_OUT,))
+    ball_load: Array = quantity(
+        *ALONG, unit="N", label="largest inner load of a ball", absent=(LEFT_OUT,)
+    )
     unloading_force: Array = quantity(
         "speed",
         "bearing",

@@ -65,7 +65,9 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
     seats = scene.spindle.seats
     force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
+    loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
     if usual is not None:
+        loads = usual.bearings
         force_lost = usual.unloading
         ball = np.where(np.isfinite(force_lost), usual.unloaded, np.nan)
     per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
@@ -78,6 +80,9 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         deflection=scene.scattered(deflection),
         tangent=scene.scattered(np.stack([v.tangent for v in variants.values()], axis=1)),
         secant=scene.scattered(_secant(force, deflection)),
+        axial_load=scene.scattered(loads[..., 0]),
+        radial_load=scene.scattered(loads[..., 1]),
+        ball_load=scene.scattered(loads[..., 2]),
         unloading_force=scene.scattered(force_lost),
         unloaded_ball=scene.scattered(ball + 1.0),
         unloaded_azimuth=scene.scattered(np.mod(ball * per_ball, 2.0 * math.pi)),

@@ -7,5 +7,6 @@ from rotordyn.results.layout import Layout
 LAYOUTS = (
     Layout("stiffness", ("speed", "variant")),
     Layout("stiffness_curves", ("speed", "variant", "force")),
+    Layout("stiffness_bearings", ("speed", "force", "bearing")),
     Layout("stiffness_contact_loss", ("speed", "bearing")),
 )
