@@ -39,6 +39,7 @@ def power(base: float, values: object, name: str = "", often: int = 1) -> float:
         (lambda: bearing_bore(0.06, 4), "grade must be text"),
         (lambda: Lubricant("x", 5e-6), "viscosity_40 must be a number"),
         (lambda: Material("m", 10**400, 0.3, 1.0), "young_modulus must be a number"),
+        (lambda: Material("m", 2e11, -1.001, 7800.0), "poisson_ratio must lie between -1 and 0.5"),
     ],
 )
 def test_an_argument_that_makes_no_sense(call: Callable[[], object], words: str) -> None:

@@ -140,6 +140,25 @@ def test_load_moment_of_other_kinds() -> None:
     )
 
 
+@pytest.mark.parametrize(("axial", "radial"), [(1000.0, 1500.0), (200.0, 1500.0)])
+def test_load_moment_under_both_loads(axial: float, radial: float) -> None:
+    """Deep groove: P0 = 0.6 Fr + 0.5 Fa, at least Fr; P1 = 3 Fa − 0.1 Fr, at least Fr."""
+    bearing = ISO_DEEP_GROOVE
+    state = bearing.equilibrium(load=[axial, radial, 0, 0, 0])
+    still = max(0.6 * radial + 0.5 * axial, radial)
+    driving = max(3.0 * axial - 0.1 * radial, radial)
+    moment = 0.0005 * (still / 1e4) ** 0.55 * driving * bearing.pitch_diameter
+    assert heat.load_moment(state, 1e4) == pytest.approx(moment, rel=1e-6)
+
+
+def test_races_share_his_moment_as_they_share_the_sliding() -> None:
+    state = VEX70.equilibrium(load=LOAD, speed=12e3 * RPM)
+    slid, his = (heat.losses(state, OIL, 50.0, model=m) for m in ("ellipse", "palmgren"))
+    assert his.inner / his.outer == pytest.approx(slid.inner / slid.outer, rel=1e-9)
+    loaded = heat.load_moment(state, None) * state.speed
+    assert his.inner + his.outer == pytest.approx(loaded, rel=1e-9)
+
+
 def test_skf_example_of_a_catalogue() -> None:
     """Catalogue 6000, p. 104: 22208 E at 3500 rpm, ν 68 mm²/s, Grr 0.26, KZ of its row 5.5."""
     speed, nu = 3500 * RPM, 68e-6
@@ -289,7 +308,8 @@ def skf(**changed: float) -> heat.SkfMoment:
         (lambda s: skf(viscosity=20.0), "is the unit right"),
         (lambda s: skf(bore=0.12), "bore and outside"),
         (lambda s: skf(speed=float("nan")), "speed must be finite"),
-        (lambda s: skf(ehl_friction=-1.0), "ehl_friction"),
+        (lambda s: skf(ehl_friction=-1e-3), "ehl_friction"),
+        (lambda s: skf(ehl_friction=1.001), "ehl_friction must be from 0 to 1, got 1.001"),
         (lambda s: Lubricant(32.0, 5.4), "is the unit right"),
         (lambda s: OIL.kinematic(-300.0), "no temperature"),
         (

@@ -78,6 +78,62 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("1e+300 -> 1.1000000000000002e+300", "initial", "larger than any gap, both"),
         ("1.0 -> 1.1", "swapped", "a divisor of places that are not asked for"),
     ],
+    "rotordyn/numerics/continued.py": [
+        (
+            "1.0 -> 1.1",
+            "NEARNESS",
+            "a divisor where both poles are nothing",
+        ),
+    ],
+    "rotordyn/preload/friction.py": [
+        (
+            "self.limit * (1.0 + BEYOND) -> self.limit / (1.0 + BEYOND)",
+            "slips",
+            "the rounding of a limit",
+        ),
+    ],
+    "rotordyn/equation/holding.py": [
+        (
+            "1.0 -> 1.1",
+            "length, length",
+            "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/preload/balance.py": [
+        (
+            "1.0 + LEVEL * (tries > 1) -> 1.0 - LEVEL * (tries > 1)",
+            "worse",
+            "how level the end of a search may be before its step is halved",
+        ),
+    ],
+    "rotordyn/preload/under_load.py": [
+        (
+            "x + dx -> x - dx",
+            "coordinates",
+            "where an iteration starts",
+        ),
+    ],
+    "rotordyn/equation/structure.py": [
+        (
+            "-housing.under[name] -> housing.under[name]",
+            "motions",
+            "a housing is felt through its connections alone, its own motion is no result",
+        ),
+    ],
+    "rotordyn/equation/reactions.py": [
+        (
+            "1.0 -> 1.1",
+            "give",
+            "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/equation/hysteresis.py": [
+        (
+            "omega + 0.0 * spin -> omega - 0.0 * spin",
+            "still",
+            "shapes alone",
+        ),
+    ],
     "rotordyn/preload/history.py": [
         (
             "float(at.force[SHAFT]) - base -> float(at.force[SHAFT]) + base",
@@ -125,6 +181,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/constraint.py": [
+        (
+            "ways[:, :rank] / size[:rank] -> ways[:, :rank] * size[:rank]",
+            "follow",
+            "the projection on all rows at the end makes the same space of any",
+        ),
         (
             "rows * np.sign(rows[np.arange(len(rows)), first])[:, None] -> "
             "rows / np.sign(rows[np.arange(len(rows)), first])[:, None]",
@@ -310,7 +371,7 @@ def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int
     """The first test that fails, empty where none does; how many tests execute the place.
 
     The quick ones of related files are tried first, then those of other ``files`` that reach the
-    place soonest, then the slow ones of related files.
+    place soonest, then the slow ones of both.
     """
     function = f"{mutant.path}:{function_at(mutant.text, mutant.line)}"
     near = related(mutant.path, mutant.changed)
@@ -318,7 +379,12 @@ def killed(mutant: Mutant, tests: Tests, files: Sequence[str]) -> tuple[str, int
     far = [file for file in files if file not in near and reached[file]]
     far.sort(key=lambda file: reached[file][0].seconds)
     tried: set[str] = set()
-    for chosen, seconds in (near, QUICK), (far[:FILES], QUICK), (near, SECONDS):
+    for chosen, seconds in (
+        (near, QUICK),
+        (far[:FILES], QUICK),
+        (near, SECONDS),
+        (far[:FILES], SECONDS),
+    ):
         ran = [each for file in chosen for each in _in_time(reached[file], seconds)]
         left = [each for each in ran if each.name not in tried]
         tried |= {each.name for each in left}

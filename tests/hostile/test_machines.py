@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.hostile.interrupts import MOST, stopped
-from tests.hostile.judged import command, judged, loaded
+from tests.hostile.judged import BUSY, command, judged, loaded
 from tests.hostile.kills import kills
 from tests.hostile.machines import machine, written
 from tests.hostile.numbers import words_of_nan
@@ -23,7 +23,7 @@ def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) ->
     assert machine(number) == machine(number)
     case, out = written(number, tmp_path), tmp_path / "out"
     words = ("run", case, "-o", out, "--no-figures", "--quiet", "--longest", 5)
-    assert judged(command(*words, then=lambda: words_of_nan(out)), 10.0).faults == []
+    assert judged(command(*words, then=lambda: words_of_nan(out)), 2.0 * BUSY).faults == []
 
 
 def test_killed_runs_leave_whole_results(tmp_path: Path) -> None:

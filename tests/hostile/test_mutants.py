@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.judged import command, judged, loaded
+from tests.hostile.judged import BUSY, command, judged, loaded
 from tests.hostile.mutants import ROOT, files, mutant, written
 
 
@@ -18,7 +18,7 @@ def _loaded() -> None:
 @pytest.mark.parametrize("path", files(), ids=lambda path: str(path.relative_to(ROOT)))
 def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
     assert mutant(path, 0) == mutant(path, 0)
-    assert judged(command("check", written(path, 0, tmp_path))).faults == []
+    assert judged(command("check", written(path, 0, tmp_path)), BUSY).faults == []
 
 
 @pytest.mark.parametrize(
@@ -31,4 +31,4 @@ def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
     ],
 )
 def test_mutants_that_were_no_sentence_once(name: str, number: int, tmp_path: Path) -> None:
-    assert judged(command("check", written(ROOT / name, number, tmp_path))).faults == []
+    assert judged(command("check", written(ROOT / name, number, tmp_path)), BUSY).faults == []

@@ -310,10 +310,47 @@ def test_a_set_of_weak_bearings_is_mounted_too() -> None:
     assert ring_offset(weak, weak.sleeves[0], force) == pytest.approx(given, rel=1e-9)
 
 
+@pytest.mark.parametrize("force", [100.0, 900.0])
+def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> None:
+    """One place of the rings is sought where their loads, of one bearing each, add up to the force:
+    a bearing whose growth has taken up more play carries more."""
+    from scipy.optimize import brentq
+
+    machine = spindle("TBT", SetPreload(force=force))
+    unlike = (RingGrowth(static=8e-6), RingGrowth(static=-4e-6), RingGrowth(static=3e-6))
+    seats = tuple(replace(s, growth=g) for s, g in zip(machine.seats, unlike, strict=True))
+    machine = replace(machine, seats=seats)
+    free, angle = BEARING.free_distance, BEARING.free_angle
+
+    def carried(place: float, growth: float) -> float:
+        """Load of one bearing at a place of its free ring [N]."""
+        gap = free * math.cos(angle) + growth
+        own = place + free * math.sin(angle) - math.sqrt(free**2 - gap**2)
+        motion = [own, 0.0, 0.0, 0.0, 0.0]
+        return float(BEARING.equilibrium(displacement=motion, static_growth=growth).load[0])
+
+    def place(growths: list[float]) -> float:
+        total = lambda x: sum(carried(x, g) for g in growths) - force  # noqa: E731
+        return float(brentq(total, -1e-4, 1e-4, xtol=1e-15))
+
+    sides = {
+        sign: [g.static for g, seat in zip(unlike, seats, strict=True) if seat.thrust == sign]
+        for sign in (1, -1)
+    }
+    assert sorted(len(growths) for growths in sides.values()) == [1, 2]
+    known = sum(place(growths) for growths in sides.values())
+    assert ring_offset(machine, machine.sleeves[0], force) == pytest.approx(known, abs=1e-12)
+
+
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     loose = spindle("DB", SetPreload(offset=1e-6), growth=RingGrowth(static=-20e-6))
-    with pytest.raises(InvalidInput, match="leaves play in its bearings as mounted"):
+    with pytest.raises(InvalidInput, match="offset of 1 µm leaves play in its bearings as mounted"):
         mounted_preload(loose, loose.sleeves[0])
+    small = AngularContactBallBearing(3e-3, 30e-3, 5, contact_angle=math.radians(15.0))
+    pressed = spindle("DB", SetPreload(offset=0.9e-3), small)
+    beyond = "offset of 900 µm presses its bearings beyond what they bear .900 µm with"
+    with pytest.raises(InvalidInput, match=beyond):
+        mounted_preload(pressed, pressed.sleeves[0])
     machine = spindle("DT", None)
     sleeve = Sleeve("s", ("a", "b"), Spring(0.0, math.inf, offset=1e-5))
     with pytest.raises(InvalidInput, match="needs bearings that face them"):

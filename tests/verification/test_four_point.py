@@ -191,6 +191,21 @@ def test_a_ball_without_inner_load_sits_in_the_outer_arch() -> None:
     assert angle == pytest.approx(arch, abs=0.01)
 
 
+@DRAWN
+@pytest.mark.parametrize("given", ["contact_angle", "axial_play", "radial_play"])
+def test_each_of_the_three_data_gives_the_same_bearing(drawing: Drawing, given: str) -> None:
+    """Along the axis a ball goes from one shim to the other: Ep = 2 BD sin αf − gi − go."""
+    known = four_point(drawing)
+    angle, axial, _ = known.plays
+    distance = (drawing.inner_conformity + drawing.outer_conformity - 1.0) * drawing.ball_diameter
+    shims = drawing.inner_shim + drawing.outer_shim
+    assert angle == pytest.approx(drawing.contact_angle, rel=1e-12)
+    assert axial == pytest.approx(2.0 * distance * math.sin(angle) - shims, rel=1e-12)
+    value = dict(zip(("contact_angle", "axial_play", "radial_play"), known.plays, strict=True))
+    again = four_point(drawing, **{given: value[given]})
+    assert again.plays == pytest.approx(known.plays, rel=1e-9)
+
+
 PLAYS = [150e-6, 300e-6]  # the free contact angle exceeds the outer arch from 130 µm on
 
 

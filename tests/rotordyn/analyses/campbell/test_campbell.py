@@ -44,6 +44,13 @@ def overhung() -> Spindle:
     return uniform(0.6, 0.05, STEEL, masses=(disc,), supports=held)
 
 
+def test_undamped_modes_are_not_called_unstable() -> None:
+    """Their damping ratios are zero up to rounding, of either sign."""
+    found = lalanne(3000, damped=False)
+    assert np.abs(found.damping_ratio).max() < 1e-9
+    assert not found.unstable.any()
+
+
 # --- Lalanne and Ferraris: anisotropic, damped -------------------------------------------------
 
 
