@@ -17,12 +17,12 @@ LIMIT = {
     "dynamic": 0.3,
     "static": 0.3,
 }  # of ln(computed/printed)
-_ROW_FACTOR = 2.0**0.7  # C of two like bearings over that of one (ISO 281)
+ROW_FACTOR = 2.0**0.7  # C of two like bearings over that of one (ISO 281)
 # What a factor between printed and expected means
 _SLIPS = {
     ("rigidity", 0.5): "of one bearing: give that of the pair back to back",
     ("rigidity", 2.0): "of two pairs: give that of one pair back to back",
-    ("dynamic", _ROW_FACTOR): "of a pair: give that of one bearing",
+    ("dynamic", ROW_FACTOR): "of a pair: give that of one bearing",
     ("static", 2.0): "of a pair: give that of one bearing",
 }
 _NEAR = 0.25  # of ln(factor)

@@ -11,7 +11,7 @@ import numpy as np
 
 from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.catalogue.consistency import refuse_contradictions
+from bearings.catalogue.consistency import ROW_FACTOR, refuse_contradictions
 from bearings.catalogue.pair import axial_law, pair_values
 from bearings.catalogue.plausible import TIGHTEST, plausible, usual
 from bearings.catalogue.printed import Catalogue, Value
@@ -70,12 +70,17 @@ class EstimatedBearing(AngularContactBallBearing):
 
     @property
     def estimated(self) -> str:
-        """What is estimated, with its spread; see ``BallBearing``."""
+        """What is estimated, with its spread, and what C is taken for; see ``BallBearing``."""
         words = []
         for name, phrase, scale in _PHRASES:
             low, high = (bound * scale for bound in self.spread[name])
             if getattr(self.catalogue, name) is None:
                 words.append(phrase.format(getattr(self, name) * scale, low, high))
+        if self.catalogue.dynamic_rating is not None:
+            times = ROW_FACTOR**3
+            words.append(
+                f"C as that of one bearing (of a pair: lives are {times:.1f} times too long)"
+            )
         return ", ".join(words)
 
     @property

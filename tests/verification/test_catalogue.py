@@ -181,6 +181,17 @@ def test_given_ball_data_is_kept() -> None:
     assert "fi" not in found.estimated
 
 
+def test_what_c_is_taken_for_is_said_and_how_wrong_a_life_would_be() -> None:
+    """C of a pair given for one cannot be told from most data; L10 goes with C³."""
+    found = estimate(**KH_6014_E)
+    assert found.catalogue.dynamic_rating is not None
+    times = (2.0**0.7) ** 3
+    words = f"C as that of one bearing (of a pair: lives are {times:.1f} times too long)"
+    assert words in found.estimated
+    silent = estimate(**{**KH_6014_E, "dynamic_rating": None})
+    assert "pair" not in silent.estimated
+
+
 CONTRADICTIONS = [
     (
         dict(rigidities=[71.5e6, 105.5e6, 137e6]),
