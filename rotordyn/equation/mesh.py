@@ -10,15 +10,13 @@ from itertools import accumulate, pairwise
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area_moments, mean_area
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
-
-Array = NDArray[np.float64]
 
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50
@@ -42,7 +40,7 @@ class Mesh:
     """
 
     x: Array
-    station: NDArray[np.bool_]
+    station: Flags
     outer_diameter: Array
     inner_diameter: Array
     rear_outer_diameter: Array
@@ -274,7 +272,7 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     return np.array(kept)
 
 
-def _divided(stations: Array, longest: float) -> tuple[Array, NDArray[np.bool_]]:
+def _divided(stations: Array, longest: float) -> tuple[Array, Flags]:
     """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``;
     which of them are stations."""
     span = np.diff(stations)
@@ -284,7 +282,7 @@ def _divided(stations: Array, longest: float) -> tuple[Array, NDArray[np.bool_]]
     return np.concatenate([inside, stations[-1:]]), np.append(number == 0, True)
 
 
-def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
+def divided(mesh: Mesh, parts: Indices) -> Mesh:
     """Every element of ``mesh`` cut into equal ``parts`` (elements,)."""
     step = np.repeat(mesh.length / parts, parts)
     x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])

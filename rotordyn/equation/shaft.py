@@ -17,7 +17,8 @@ from functools import cached_property
 
 import numpy as np
 
-from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, position
+from rotordyn.arrays import Array, Indices
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, position
 from rotordyn.equation.elements import beam as bending
 from rotordyn.equation.elements import rod
 from rotordyn.equation.fineness import (
@@ -30,7 +31,7 @@ from rotordyn.equation.fineness import (
 )
 from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
 from rotordyn.equation.section import ENDS, MIDDLE, axial, sections_at, sheared, torsion
-from rotordyn.equation.term import Array, Part
+from rotordyn.equation.term import Part
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 

@@ -12,9 +12,10 @@ from functools import cached_property
 
 import numpy as np
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.axial_force import Slopes, slope_rows
 from rotordyn.equation.component import Coarse, Component, Solved
-from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.groups import Groups
@@ -27,7 +28,7 @@ from rotordyn.equation.shaft import PLANES, Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
-from rotordyn.equation.term import Array, Link, Part
+from rotordyn.equation.term import Link, Part
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.seat import BearingSeat

@@ -16,11 +16,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MARGIN, Branch, breakpoints_between, whirl_degree
 from rotordyn.modes.character import whirl_along
@@ -33,9 +32,6 @@ from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice

@@ -15,12 +15,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.numerics.vector_fit import Fit, columns, residues, stacked
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ROUNDS = 20
 BETTER = 1e-7  # of the sum of squares: less is no step forward
 HALVINGS = 6

@@ -12,12 +12,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.numerics.peaks import tops
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ROUNDS = 12
 MOVED = 1e-10  # of a pole, below which it stays
 START_DAMPING = 0.01

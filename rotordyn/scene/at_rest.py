@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.equation.holding import (
     free_names,
@@ -33,7 +33,6 @@ from rotordyn.machine.spindle import Spindle
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 BALANCED = 1e-6  # of all loads along a free motion
 ROUNDING = 1e-12  # of all loads
 

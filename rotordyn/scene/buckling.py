@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.statics import withstands
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
@@ -15,7 +15,6 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.results.display import RPM
 
-Array = NDArray[np.float64]
 HALVINGS = 30
 
 
@@ -50,12 +49,12 @@ class Loading:
             for row, stands in enumerate(held)
         )
 
-    def at(self, index: NDArray[np.intp]) -> Loading:
+    def at(self, index: Indices) -> Loading:
         """Some of the states."""
         load, stiffness = self.seat_load[index], self.seat_stiffness[index]
         return replace(self, speed=self.speed[index], seat_load=load, seat_stiffness=stiffness)
 
-    def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
+    def _withstands(self, forces: float, bar: float) -> Flags:
         """States that stand with shares of all axial forces, and of the drawbar's."""
         spindle, structure = self.spindle, self.structure()
         if spindle.drawbar:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ball.laws import Laws
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.equation.structure import Structure
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
     from rotordyn.preload.family import Family
     from rotordyn.preload.heat_balance import HeatBalance
 
-Array = NDArray[np.float64]
 ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 
@@ -87,7 +87,7 @@ class Statics(Staged):
         return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
 
     @property
-    def bearing_row(self) -> NDArray[np.intp]:
+    def bearing_row(self) -> Indices:
         """For every speed of the case, its row among ``bearing_speed``."""
         rows = np.arange(len(self.speed))
         return rows if len(self.bearing_speed) == len(rows) else np.zeros_like(rows)
@@ -143,7 +143,7 @@ class Statics(Staged):
             raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
 
     @property
-    def usable(self) -> NDArray[np.intp]:
+    def usable(self) -> Indices:
         """Rows of the speeds with a solution; NoSolution where there is none."""
         self.require_solution()
         return np.flatnonzero([word == "" for word in self.outcome])
@@ -157,7 +157,7 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
-    def flagged(self, values: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def flagged(self, values: Flags) -> Flags:
         """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
         whole = np.zeros(len(self.speed), dtype=bool)
         whole[self.usable] = values

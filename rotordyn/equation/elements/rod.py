@@ -9,11 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elements.polynomials import bubbles, points
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
