@@ -59,12 +59,10 @@ def critical_speeds(
     """Of all ``engine_orders`` of every rotor between the speeds of the case, up to
     ``band.max_frequency``, ascending by rotor, order and speed."""
     lines = exciting(scene.spindle.ratios, band.engine_orders)
-    starts = [
-        start
-        for line in lines
-        for start in (*_crossed(branches, line), *_direct(scene, branches, line))
-        if line.size * start.speed <= MARGIN * band.highest
-    ]
+    bent = {branch.subsystem for branch in branches if branch.kind == "bending"}
+    starts = [start for line in lines for start in _crossed(branches, line)]
+    starts += [start for line in lines for k in bent for start in _direct(scene, branches, k, line)]
+    starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
     crossings: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
@@ -102,17 +100,9 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
     return starts
 
 
-def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
-    """All synchronous motions of bending between the speeds of the case, where the matrices follow
-    straight lines of speed from breakpoint to breakpoint."""
-    subsystems = {branch.subsystem for branch in branches if branch.kind == "bending"}
-    return [
-        start for subsystem in subsystems for start in _of_system(scene, branches, subsystem, line)
-    ]
-
-
-def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
-    """Those of one subsystem."""
+def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
+    """All synchronous motions of bending of a subsystem between the speeds of the case, where the
+    matrices follow straight lines of speed from breakpoint to breakpoint."""
     linear = scene.system(subsystem).linear
     if linear.kinds != {"bending"} or not _piecewise(scene):
         return []

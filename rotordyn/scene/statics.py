@@ -255,7 +255,7 @@ class Statics(Staged):
 
         structure, speed, force = self._structure(), self.state_speed, None
         if self.conditions.axial_stiffening:
-            along = self._along(self.unloaded.seat_load())
+            along = self._along(self.grounded, self.unloaded.seat_load())
             force = np.nan_to_num(along.bending(self.mesh.middle))
         loads = across(self.spindle, self.conditions)
         length = self.spindle.shaft.end - self.spindle.shaft.start
@@ -265,7 +265,7 @@ class Statics(Staged):
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
-        return self._along(self._seat_load)
+        return self._along(self.grounded, self._seat_load)
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions))
     def buckling(self) -> tuple[str, ...]:
@@ -278,18 +278,8 @@ class Statics(Staged):
         """Per state with other loads (states, seats) and tangents of the bearings: as above."""
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
-        loading = Loading(
-            self.grounded,
-            speed,
-            self._structure,
-            seat_load,
-            seat_stiffness,
-            self.conditions.axial_force,
-            self.gravity,
-            self.conditions.tension,
-            self._point_forces,
-        )
-        return loading.outcomes()
+        machine = self.grounded, speed, self._structure
+        return Loading(*machine, seat_load, seat_stiffness, self._along).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
         """Axial force that acts on bending (states, elements) [N]; None where it shall not.
@@ -298,19 +288,16 @@ class Statics(Staged):
         """
         if not self.conditions.axial_stiffening:
             return None
-        along = self.shaft_force if seat_load is None else self._along(seat_load)
+        along = self.shaft_force if seat_load is None else self._along(self.grounded, seat_load)
         return along.bending(self.mesh.middle)
 
-    def _along(self, seat_load: Array) -> AxialForce:
-        acting = self.conditions
-        return axial_force(
-            self.grounded,
-            seat_load,
-            acting.axial_force,
-            self.gravity,
-            acting.tension,
-            self._point_forces,
-        )
+    def _along(self, spindle: Spindle, seat_load: Array, share: float = 1.0) -> AxialForce:
+        """Under axial loads of the bearings (states, seats) and all forces of the conditions, or a
+        ``share`` of both."""
+        acting, gravity = self.conditions, share * self.gravity
+        force, tension = share * acting.axial_force, share * acting.tension
+        points = tuple((x, share * push) for x, push in self._point_forces)
+        return axial_force(spindle, share * seat_load, force, gravity, tension, points)
 
     @property
     def _point_forces(self) -> PointForces:
