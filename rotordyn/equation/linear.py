@@ -132,7 +132,14 @@ class Linear:
     @cached_property
     def motion(self) -> Array:
         """Displacements of the shown nodes by the coordinates (nodes, 6, n)."""
-        return self.structure.motion(self.components)
+        structure = self.structure
+        whole = np.zeros((len(structure.shown.stations), 6, self.size))
+        for component, at in zip(self.components, self.slices, strict=True):
+            for line in component.lines:
+                if line.body in structure.shafts:
+                    nodes = structure.shown.spans[line.body]
+                    whole[nodes, :, at] += structure.motion(line, component)
+        return whole
 
     @cached_property
     def planes(self) -> tuple[Indices, Indices]:

@@ -7,7 +7,7 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from itertools import accumulate, pairwise
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -21,13 +21,6 @@ from rotordyn.machine.support import SPINDLE
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50
 MOST_NODES = 100_000
-
-
-class HasStation(Protocol):
-    """Something that sits on the shaft."""
-
-    @property
-    def x(self) -> float: ...
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -166,10 +159,6 @@ class Mesh:
         """Those of ``nodes`` that are a rotor's, as its own mesh counts them."""
         span = self.spans[rotor]
         return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
-
-    def nodes_of(self, *groups: Iterable[HasStation]) -> list[int]:
-        """The nodes of everything in ``groups``, in order."""
-        return [self.node_of(item.x) for group in groups for item in group]
 
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:

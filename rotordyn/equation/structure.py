@@ -6,7 +6,7 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -291,19 +291,9 @@ class Structure:
             self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
         return self._slopes[key]
 
-    def motion(self, components: Sequence[Component]) -> Array:
-        """Displacements of the shown nodes by the coordinates of components (nodes, 6, n)."""
-        ends = np.cumsum([0, *(c.size for c in components)])
-        whole = np.zeros((len(self.shown.stations), 6, int(ends[-1])))
-        for component, begin, end in zip(components, ends[:-1], ends[1:], strict=True):
-            for line in component.lines:
-                if line.body in self.shafts:
-                    nodes = self.shown.spans[line.body]
-                    moved = self._motion_of(line, component)
-                    whole[nodes, :, begin:end] += moved
-        return whole
-
-    def _motion_of(self, line: Line, component: Component) -> Array:
+    def motion(self, line: Line, component: Component) -> Array:
+        """Displacements of the nodes shown of a shaft by the coordinates of one of its components
+        (nodes, 6, m), along one line of it."""
         shaft, x = self.shafts[line.body], self.shown.of_rotors[line.body].x
         whole = np.zeros((len(x), 6, component.size))
         if line.way in PLANES:

@@ -60,7 +60,7 @@ def at_rest(
     InvalidInput : the shaft is a free body, or its reactions are not determined
     """
     spindle, x = scene.spindle, mesh.x
-    states, nodes = len(scene.usable), mesh.nodes_of(spindle.connections)
+    states, nodes = len(scene.usable), [mesh.node_of(each.x) for each in spindle.connections]
     point = np.broadcast_to(point, (states, mesh.nodes, 6))
     loads = on_nodes(point, line, x)
     free = require_balance(spindle, x, loads)
