@@ -89,7 +89,8 @@ def columns(omega: Array | Complex, pole: Complex) -> Complex:
     s = 1j * omega[:, None]
     ahead, back = 1.0 / (s - pole), 1.0 / (s - pole.conj())
     first = np.where(pole.imag == 0.0, ahead, ahead + back)
-    return np.stack([first, 1j * (ahead - back)], axis=2)[:, real_unknowns(pole)]
+    both = np.stack([first, 1j * (ahead - back)], axis=2)
+    return np.ascontiguousarray(both[:, real_unknowns(pole)])
 
 
 def _complex(pole: Complex, rows: Array) -> Complex:
