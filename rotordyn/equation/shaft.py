@@ -14,6 +14,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 
@@ -111,20 +112,11 @@ class Shaft:
             place = self.mesh.length[chosen], self._phi[chosen]
             matrices = bending.beam_matrices(*place, *along, degree=n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
-            mass, stiffness, softening, polar = (
-                _between(moves, each)
-                for each in (
-                    matrices.mass,
-                    matrices.stiffness,
-                    matrices.translational_mass,
-                    matrices.polar,
-                )
-            )
-            for rows in (y, z):
-                yield Part("mass", rows, rows, mass)
-                yield Part("stiffness", rows, rows, stiffness)
-                yield Part("softening", rows, rows, softening)
-            yield Part("gyroscopic", y, z, self.ratio * polar)
+            both = {"mass": matrices.mass, "stiffness": matrices.stiffness}
+            both["softening"] = matrices.translational_mass
+            for (name, matrix), rows in product(both.items(), (y, z)):
+                yield Part(name, rows, rows, _between(moves, matrix))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
 
     @cached_property
     def _phi(self) -> Array:
