@@ -169,9 +169,6 @@ class Scene(Statics):
         conditions = self.conditions
         return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
 
-    def _structure(self) -> Structure:
-        return self.rotor
-
     @cached_property
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""

@@ -15,7 +15,6 @@ from bearings.ball.laws import Laws
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
-from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
 from rotordyn.machine.history import Past
 from rotordyn.machine.inertia import rotor_inertia
@@ -29,7 +28,7 @@ from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import acts_across
-from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
+from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
@@ -41,6 +40,8 @@ ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 class Statics(Staged):
     """A machine under given conditions at given speeds [rad/s], ascending, without vibration."""
+
+    rotor: stage  # terms of the machine (``Scene``)
 
     def __init__(
         self,
@@ -253,7 +254,7 @@ class Statics(Staged):
         """The rotor under its static loads across the axis, and their size [N]."""
         from rotordyn.equation.statics import loaded_rotor
 
-        structure, speed, force = self._structure(), self.state_speed, None
+        structure, speed, force = self.rotor, self.state_speed, None
         if self.conditions.axial_stiffening:
             along = self._along(self.grounded, self.unloaded.seat_load())
             force = np.nan_to_num(along.bending(self.mesh.middle))
@@ -278,7 +279,7 @@ class Statics(Staged):
         """Per state with other loads (states, seats) and tangents of the bearings: as above."""
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
-        machine = self.grounded, speed, self._structure
+        machine = self.grounded, speed, lambda: self.rotor
         return Loading(*machine, seat_load, seat_stiffness, self._along).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
@@ -304,10 +305,6 @@ class Statics(Staged):
         """Stations and axial forces of the loads."""
         place = self.spindle.place
         return tuple((place(load.at).x, load.Fx) for load in self.conditions.loads if load.Fx)
-
-    def _structure(self) -> Structure:
-        """The terms of the machine."""
-        raise NotImplementedError
 
     @property
     def _axial_inputs(self) -> tuple[Any, ...]:
