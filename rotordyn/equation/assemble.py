@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.equation.axial_force import geometric_stiffness
 from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
@@ -23,7 +24,7 @@ from rotordyn.equation.groups import Groups
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.term import Array, LinkMatrices, State
+from rotordyn.equation.term import LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
 STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits

@@ -9,11 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rotordyn.equation.dofs import Indices
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.elements.polynomials import points
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.shaft import Rows, Shaft
-from rotordyn.equation.term import Array
 
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others

@@ -15,11 +15,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.damping import modal_damping
-from rotordyn.equation.dofs import Indices, Line
+from rotordyn.equation.dofs import Line
 from rotordyn.equation.reduce import Coupling, enriched, reduce
 from rotordyn.equation.shaft import Rows
-from rotordyn.equation.term import Array, Part
+from rotordyn.equation.term import Part
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.equation.term import Array, Link, LinkMatrices, Matrices
+from rotordyn.arrays import Array, Complex, Indices, Matrix
+from rotordyn.equation.term import Link, LinkMatrices
 
-Complex = NDArray[np.complex128]
-M = TypeVar("M", bound=Matrices)
+M = TypeVar("M", bound=Matrix)
 
 
-def at_rows(values: M, rows: NDArray[np.intp]) -> M:
+def at_rows(values: M, rows: Indices) -> M:
     """Of values (s or 1, …) those of some speeds; one serves all."""
     chosen: Any = values if len(values) == 1 else values[rows]  # of the type of ``values``
     return chosen
@@ -26,7 +25,7 @@ class Connection(NamedTuple):
     motions: Array
     matrices: LinkMatrices
 
-    def at(self, rows: NDArray[np.intp]) -> Connection:
+    def at(self, rows: Indices) -> Connection:
         """At some of the speeds."""
         return self._replace(matrices=LinkMatrices(*(at_rows(m, rows) for m in self.matrices)))
 

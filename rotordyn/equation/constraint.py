@@ -11,9 +11,9 @@ Theory: docs/theory/supports.md#linear-supports.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array
+
 DEPENDENT = 1e-10  # of the largest: a constraint with less follows from the others
 
 

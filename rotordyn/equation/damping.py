@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.equation.term import Array
+from rotordyn.arrays import Array
 from rotordyn.machine.spindle import Spindle
 
 

@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from rotordyn.arrays import Array, Indices
 
 DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
 PLANE_OF = {"y": "y", "thz": "y", "z": "z", "thy": "z"}  # bending plane of each direction
-Indices = NDArray[np.intp]
 
 
 class Line(NamedTuple):
@@ -38,7 +38,7 @@ class Dofs:
     def __init__(self) -> None:
         self.lines: list[Line] = []
         self._line: list[Indices] = []
-        self._sign: list[NDArray[np.float64]] = []
+        self._sign: list[Array] = []
         self.count = 0
 
     def add(self, body: str, directions: Sequence[str], times: int = 1) -> Indices:
@@ -58,7 +58,7 @@ class Dofs:
         return np.concatenate(self._line)
 
     @property
-    def sign(self) -> NDArray[np.float64]:
+    def sign(self) -> Array:
         """(DOF,)"""
         return np.concatenate(self._sign)
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elements.polynomials import points
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.section import axial, sections_at, torsion
 from rotordyn.equation.section_forces import SectionForces
 from rotordyn.machine.spindle import Spindle
 
-Array = NDArray[np.float64]
 GAUSS = 31  # degree of the quadrature over an element: exact for cylinders, to rounding for cones
 
 

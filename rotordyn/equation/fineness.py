@@ -22,10 +22,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Degrees = NDArray[np.intp]
+from rotordyn.arrays import Array, Indices
+
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
@@ -102,7 +101,7 @@ class Fineness:
         return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
-def least_degree(phase: Array, tolerance: float, ratio: Array) -> Degrees:
+def least_degree(phase: Array, tolerance: float, ratio: Array) -> Indices:
     """The lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0 where none
     up to ``HIGHEST`` is."""
     errors = _FACTOR * _derivatives(phase, ratio) ** 2
@@ -122,12 +121,12 @@ def _derivatives(phase: Array, ratio: Array) -> Array:
     return np.asarray(value)
 
 
-def cut(ratio: Array, parts: Degrees) -> Array:
+def cut(ratio: Array, parts: Indices) -> Array:
     """Ratio of the diameters at the ends of the steepest of equal parts of a cone of ``ratio``."""
     return np.asarray(1.0 + (ratio - 1.0) / parts)
 
 
-def parts_and_degree(phase: Array, tolerance: float, ratio: Array) -> tuple[Degrees, Degrees]:
+def parts_and_degree(phase: Array, tolerance: float, ratio: Array) -> tuple[Indices, Indices]:
     """Into how many equal parts lengths of ``phase`` are cut, cones with a ``ratio`` of the
     diameters at their ends, and their degree."""
     parts = np.ones(len(phase), dtype=np.intp)

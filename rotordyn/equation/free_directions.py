@@ -7,10 +7,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.equation.connection import Connection, at_rows
 from rotordyn.equation.constraint import DEPENDENT
 from rotordyn.equation.linear import Linear
-from rotordyn.equation.term import Array
 from rotordyn.numerics.modes import NOTHING
 
 

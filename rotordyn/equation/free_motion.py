@@ -16,15 +16,13 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.equation.free_directions import free_directions, too_stiff
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
-from rotordyn.equation.term import Matrices
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import Modes, grows, modes, residual, unsolved
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 S = TypeVar("S", bound=np.generic)
 LOST = 0.1  # of a pole: rounding that moves it by more leaves nothing of it
 FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
@@ -58,7 +56,7 @@ class FreeMotions:
         return self.linear.isotropic
 
     @cached_property
-    def _chosen(self) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    def _chosen(self) -> tuple[Indices, Flags]:
         """Columns of ``modes`` (s, k), and which of them fill up a row."""
         columns, many = self.modes.one_of_each_pair()
         return columns, many == 0.0
@@ -120,7 +118,7 @@ class FreeMotions:
         return self._each(np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2))
 
     @property
-    def _backward(self) -> NDArray[np.bool_]:
+    def _backward(self) -> Flags:
         return np.asarray(self.modes.pole.imag < 0.0)
 
     @cached_property
@@ -130,7 +128,7 @@ class FreeMotions:
         return self._each(sign) if self.whirling else np.zeros(self.pole.shape)
 
     @cached_property
-    def at_rest(self) -> NDArray[np.bool_]:
+    def at_rest(self) -> Flags:
         """Motions that nothing holds: poles at zero (s, k).
 
         Raises
@@ -140,7 +138,7 @@ class FreeMotions:
         return self._each(self._shown(self._free))
 
     @cached_property
-    def _free(self) -> NDArray[np.bool_]:
+    def _free(self) -> Flags:
         """The same of all ``modes``: no more than what joins the parts leaves free, for beside very
         stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
@@ -159,7 +157,7 @@ class FreeMotions:
         return self._each(self._free.sum(axis=-1) * (2.0 if self.whirling else 1.0))
 
     @cached_property
-    def growing(self) -> NDArray[np.bool_]:
+    def growing(self) -> Flags:
         """Motions that grow by themselves (s, k)."""
         return self._each(self._shown(grows(self.modes.pole, self.modes.largest) & ~self._free))
 
@@ -214,7 +212,7 @@ class FreeMotions:
         return np.where(turn == 0, same, turn * across)
 
     @cached_property
-    def _coupled(self) -> NDArray[np.bool_]:
+    def _coupled(self) -> Flags:
         """Speeds (s or 1,) at which something couples the planes."""
         coupled = np.zeros(len(self.modes.pole), dtype=bool)
         if self.lossy is not None and self.lossy.loss.turns:
@@ -234,7 +232,7 @@ class FreeMotions:
             return self.lossy.residual
         return residual(self.modes, self.modes.stiffness, self.modes.damping)
 
-    def at(self, rows: NDArray[np.intp]) -> FreeMotions:
+    def at(self, rows: Indices) -> FreeMotions:
         """At some of the speeds."""
         linear = self.linear.at(rows)
         if self.lossy is not None:
@@ -256,8 +254,8 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     """All free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those of its
     own frequency. What is the same at all speeds is solved once."""
-    stiffness: Matrices = linear.allowed_stiffness
-    damping: Matrices = linear.within(linear.damping)
+    stiffness: Matrix = linear.allowed_stiffness
+    damping: Matrix = linear.within(linear.damping)
     loss = linear.loss
     if loss is not None:
         loss = Hysteresis(*(linear.within(part) for part in loss if part is not None))
@@ -282,7 +280,7 @@ def responding(linear: Linear) -> FreeMotions:
     return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
 
 
-def _circular(matrix: Matrices, half: int) -> Matrices:
+def _circular(matrix: Matrix, half: int) -> Matrix:
     """A − iB of [[A, B], [−B, A]] (s, n, n): acts on r = y + i z; real where nothing couples the
     planes."""
     along, across = matrix[:, :half, :half], matrix[:, :half, half:]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.equation.dofs import Indices
+from rotordyn.arrays import Indices
 
 
 class Groups:

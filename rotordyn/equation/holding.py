@@ -6,8 +6,8 @@ Connections are the bearings, then the supports, in order; each has the six dire
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.structure import Structure
@@ -16,8 +16,6 @@ from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 ZERO = 1e-9  # of the largest: below that a motion is not held
 
 

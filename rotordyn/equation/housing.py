@@ -9,9 +9,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, position
+from rotordyn.arrays import Array, Indices
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, position
 from rotordyn.equation.support import node_matrix
-from rotordyn.equation.term import Array, Part
+from rotordyn.equation.term import Part
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.spindle import Spindle

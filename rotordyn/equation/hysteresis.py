@@ -19,22 +19,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_corrections
+from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.equation.connection import at_rows
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
 from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes, modes, residual, swings
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
-Integers = NDArray[np.intp]
 MET = 1e-9  # of the larger: frequencies so near are the same
 WIDE = 0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther off its sign is clear
 ALIKE, FARTHEST = 0.3, 0.5  # MAC and share of a pole: what is less like it or farther is another
@@ -65,7 +61,7 @@ class Hysteresis(NamedTuple):
     turning: Matrix
     across: Matrix | None
 
-    def at(self, rows: Integers) -> Hysteresis:
+    def at(self, rows: Indices) -> Hysteresis:
         """At some of the speeds."""
         return self._replace(fixed=at_rows(self.fixed, rows))
 
@@ -142,7 +138,7 @@ class Hysteretic:
             getattr(solved, name)[doubtful] = getattr(whole, name)
         return solved
 
-    def _correct(self, solved: Modes, row: int, near: NDArray[np.bool_]) -> bool:
+    def _correct(self, solved: Modes, row: int, near: Flags) -> bool:
         """Put modes ``near`` with their loss in place of those without at one speed; False, and
         nothing done, where one of them is not clearly what it was."""
         column, spin = np.flatnonzero(near), self.spin[row]
@@ -178,22 +174,22 @@ class Hysteretic:
         return True
 
     def _led(
-        self, row: int, signs: Integers, pole: Complex, vector: Complex
-    ) -> tuple[Complex, Complex, NDArray[np.bool_]]:
+        self, row: int, signs: Indices, pole: Complex, vector: Complex
+    ) -> tuple[Complex, Complex, Flags]:
         """Poles (k,) and vectors (k, n) to those of the systems that answer ``signs`` (k, 3), and
         which are met (k,)."""
         if not len(pole):
             return pole, vector, np.ones(0, dtype=bool)
         return corrected(self._answering(row, signs), self.damping[row], pole, vector)
 
-    def _answering(self, row: int, signs: Integers) -> Complex:
+    def _answering(self, row: int, signs: Indices) -> Complex:
         """Stiffness (k, n, n) that answers each of ``signs`` (k, 3) at one speed."""
         every, place = np.unique(signs, axis=0, return_inverse=True)
         added = [self.loss.stiffness(Signs(*map(int, one))) for one in every]
         stiffnesses = [self.stiffness[row] + one[row if len(one) > 1 else 0] for one in added]
         return np.array(stiffnesses)[place.ravel()]
 
-    def _part(self, rows: Integers) -> Hysteretic:
+    def _part(self, rows: Indices) -> Hysteretic:
         """At some of the speeds."""
         system = self.stiffness[rows], self.damping[rows], self.loss.at(rows)
         return Hysteretic(*system, self.spin[rows], plain=self._plain.at(rows))
@@ -231,14 +227,14 @@ class Hysteretic:
         every = [self._plain, *self._solved.values()]
         return max(residual(m, m.stiffness, m.damping) for m in every)
 
-    def _signs(self, pole: Complex, spin: Array | None = None) -> Integers:
+    def _signs(self, pole: Complex, spin: Array | None = None) -> Indices:
         """Of free motions (s, k, 3); over both planes those of |Im λ|."""
         omega = np.where(swings(pole), pole.imag, 0.0)
         one_way = omega if self.whirling else np.abs(omega)
         turning = self.spin[:, None] if spin is None else spin
         return signs_of(one_way, turning, whirling=self.whirling)
 
-    def _continued(self, ways: Sequence[Integers]) -> Modes:
+    def _continued(self, ways: Sequence[Indices]) -> Modes:
         """Every mode led through the systems of its signs, one after another: each of ``ways``
         (s, k, 3). Over both planes a mode with Im λ < 0 is one of the conjugate system."""
         plain = self._plain
@@ -258,7 +254,7 @@ class Hysteretic:
         return collected(plain, parts)
 
 
-def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Integers:
+def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Indices:
     """Signs (…, 3) of motions e^(iωt) at ``spin``; ``whirling``: backward ones stand alone."""
     forward, backward = _sign(omega, spin), _sign(omega, -spin)
     if whirling:
@@ -267,13 +263,13 @@ def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Integers:
     return np.stack([forward, backward, still], axis=-1)
 
 
-def gathered(signs: Integers) -> Sequence[tuple[Signs, NDArray[np.bool_]]]:
+def gathered(signs: Indices) -> Sequence[tuple[Signs, Flags]]:
     """Each set of signs that occurs, and where (…)."""
     every = np.unique(signs.reshape(-1, 3), axis=0)
     return [(Signs(*map(int, one)), (signs == one).all(axis=-1)) for one in every]
 
 
-def _sign(omega: Array, spin: Array) -> Integers:
+def _sign(omega: Array, spin: Array) -> Indices:
     apart = omega - spin
     clear = np.abs(apart) > MET * np.maximum(np.abs(omega), np.abs(spin))
     return np.where(clear, np.sign(apart), 0.0).astype(np.intp)

@@ -9,8 +9,8 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.shaft import WAYS, Shaft
 from rotordyn.equation.term import Part
 
@@ -32,5 +32,5 @@ def joint_parts(shaft: Shaft) -> Iterator[Part]:
                         yield Part("turning", rows, rows, _one(shaft.ratio * damping))
 
 
-def _one(value: float) -> NDArray[np.float64]:
+def _one(value: float) -> Array:
     return np.full((1, 1, 1), value)

@@ -17,8 +17,8 @@ from itertools import accumulate, pairwise
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import DEPENDENT
@@ -26,11 +26,9 @@ from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
-from rotordyn.equation.term import Array, Matrices
 
-Complex = NDArray[np.complex128]
 STRAINED = 1e-13  # of a link's largest motion: less is rounding
-T = TypeVar("T", bound=Matrices)
+T = TypeVar("T", bound=Matrix)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +66,7 @@ class Linear:
         """Coordinates n."""
         return self.stiffness.shape[-1]
 
-    def at(self, rows: NDArray[np.intp]) -> Linear:
+    def at(self, rows: Indices) -> Linear:
         """At some of the speeds."""
         return replace(
             self,
@@ -117,7 +115,7 @@ class Linear:
         names = {line.kind for component in self.components for line in component.lines}
         return frozenset(names - {""})
 
-    def energy_of(self, kind: str) -> NDArray[np.bool_]:
+    def energy_of(self, kind: str) -> Flags:
         """Coordinates (n,) of shafts that are of a kind of motion."""
         chosen = np.zeros(self.size, dtype=bool)
         for component, part in zip(self.components, self.slices, strict=True):
@@ -125,7 +123,7 @@ class Linear:
         return chosen
 
     @cached_property
-    def rigid(self) -> NDArray[np.bool_]:
+    def rigid(self) -> Flags:
         """Coordinates that are rigid motions of shafts (n,)."""
         return np.concatenate(
             [c.is_rigid & (c.spindle is not None) for c in self.components] or [np.zeros(0, bool)]
@@ -134,10 +132,17 @@ class Linear:
     @cached_property
     def motion(self) -> Array:
         """Displacements of the shown nodes by the coordinates (nodes, 6, n)."""
-        return self.structure.motion(self.components)
+        structure = self.structure
+        whole = np.zeros((len(structure.shown.stations), 6, self.size))
+        for component, at in zip(self.components, self.slices, strict=True):
+            for line in component.lines:
+                if line.body in structure.shafts:
+                    nodes = structure.shown.spans[line.body]
+                    whole[nodes, :, at] += structure.motion(line, component)
+        return whole
 
     @cached_property
-    def planes(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    def planes(self) -> tuple[Indices, Indices]:
         """Coordinates of plane y and, in the same order, of plane z, where bodies have both."""
         pairs = [(self.slices[a], self.slices[b]) for a, b in planes_of(self)]
         every, none = np.arange(self.size), np.zeros(0, dtype=np.intp)
@@ -151,12 +156,12 @@ class Linear:
         number = self.structure.node(rotor, x)[position(direction)]
         return self.displaced(np.array([number]))[0]
 
-    def displaced(self, dofs: NDArray[np.intp]) -> Array:
+    def displaced(self, dofs: Indices) -> Array:
         """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
         other subsystems."""
         return np.asarray(self.structure.dofs.sign[dofs, None] * self.moved(dofs))
 
-    def moved(self, dofs: NDArray[np.intp]) -> Array:
+    def moved(self, dofs: Indices) -> Array:
         """The same of DOF as they are signed."""
         rows = np.zeros((len(dofs), self.size))
         for component, part in zip(self.components, self.slices, strict=True):

@@ -5,48 +5,39 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area_moments, mean_area
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
-Array = NDArray[np.float64]
-
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50
 MOST_NODES = 100_000
-
-
-class HasStation(Protocol):
-    """Something that sits on the shaft."""
-
-    @property
-    def x(self) -> float: ...
+SOLID = ("young_modulus", "poisson_ratio", "density")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Mesh:
     """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
 
-    Diameters are those at the front end of an element, and at its rear end: of a cone others.
+    Diameters ``outer`` and ``inner`` (2, nodes − 1) are those at the front end of an element, and
+    at its rear end: of a cone others.
     ``station`` (nodes,): which nodes are more than places between elements that are alike.
     ``further``: meshes of further rotors by name, whose nodes are numbered behind these.
     """
 
     x: Array
-    station: NDArray[np.bool_]
-    outer_diameter: Array
-    inner_diameter: Array
-    rear_outer_diameter: Array
-    rear_inner_diameter: Array
+    station: Flags
+    outer: Array
+    inner: Array
     young_modulus: Array
     poisson_ratio: Array
     density: Array
@@ -86,9 +77,10 @@ class Mesh:
         """The same rotor in elements from station to station."""
         front = np.flatnonzero(self.station[:-1])
         rear = np.append(front[1:], self.nodes - 1) - 1
-        names = [field.name for field in fields(self)][2:-1]
-        diameters = {n: getattr(self, n)[rear if n.startswith("rear") else front] for n in names}
-        return Mesh(self.x[self.station], np.ones(len(front) + 1, dtype=bool), **diameters)
+        outer, inner = (np.stack([d[0, front], d[1, rear]]) for d in (self.outer, self.inner))
+        solid: dict[str, Any] = {name: getattr(self, name)[front] for name in SOLID}
+        stations = self.x[self.station]
+        return Mesh(stations, np.ones(len(stations), dtype=bool), outer, inner, **solid)
 
     @property
     def length(self) -> Array:
@@ -101,20 +93,10 @@ class Mesh:
         return np.asarray((self.x[1:] + self.x[:-1]) / 2.0)
 
     @property
-    def outer(self) -> tuple[Array, Array]:
-        """Outer diameters at both ends of each element [m]."""
-        return self.outer_diameter, self.rear_outer_diameter
-
-    @property
-    def inner(self) -> tuple[Array, Array]:
-        """Inner diameters at both ends of each element [m]."""
-        return self.inner_diameter, self.rear_inner_diameter
-
-    @property
     def steepness(self) -> Array:
         """Ratio of the outer diameters, or of the walls if that is more, at the ends of each
         element, the larger over the smaller."""
-        outer, wall = np.array(self.outer), np.array(self.outer) - np.array(self.inner)
+        outer, wall = self.outer, self.outer - self.inner
         return np.asarray(np.maximum(*(d.max(axis=0) / d.min(axis=0) for d in (outer, wall))))
 
     def diameters(self, xi: Array) -> tuple[Array, Array]:
@@ -169,10 +151,6 @@ class Mesh:
         span = self.spans[rotor]
         return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
 
-    def nodes_of(self, *groups: Iterable[HasStation]) -> list[int]:
-        """The nodes of everything in ``groups``, in order."""
-        return [self.node_of(item.x) for group in groups for item in group]
-
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
@@ -210,20 +188,9 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
     x, station = _divided(stations, longest)
     place = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
     left, length = np.array(shaft.boundaries)[place], np.array([s.length for s in shaft.sections])
-    front, rear = (np.clip((end - left) / length[place], 0.0, 1.0) for end in (x[:-1], x[1:]))
-    every = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[place]
-    outer, inner, solid = every[:, :2], every[:, 2:4], every[:, 4:]
-    return Mesh(
-        x,
-        station,
-        outer_diameter=_along(outer, front),
-        inner_diameter=_along(inner, front),
-        rear_outer_diameter=_along(outer, rear),
-        rear_inner_diameter=_along(inner, rear),
-        young_modulus=solid[:, 0],
-        poisson_ratio=solid[:, 1],
-        density=solid[:, 2],
-    )
+    share = np.clip((np.stack([x[:-1], x[1:]]) - left) / length[place], 0.0, 1.0)
+    every = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[place].T
+    return Mesh(x, station, _along(every[:2], share), _along(every[2:4], share), *every[4:])
 
 
 def _solid(section: Section) -> tuple[float, float, float]:
@@ -232,8 +199,8 @@ def _solid(section: Section) -> tuple[float, float, float]:
 
 
 def _along(ends: Array, share: Array) -> Array:
-    """Diameters between those at ``ends`` (elements, 2) of sections."""
-    return np.asarray(ends[:, 0] + share * (ends[:, 1] - ends[:, 0]))
+    """Diameters between those at ``ends`` (2, elements) of sections, by the share of the way."""
+    return np.asarray(ends[0] + share * (ends[1] - ends[0]))
 
 
 def _longest(shaft: Shaft, element_length: float | None) -> float:
@@ -274,7 +241,7 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     return np.array(kept)
 
 
-def _divided(stations: Array, longest: float) -> tuple[Array, NDArray[np.bool_]]:
+def _divided(stations: Array, longest: float) -> tuple[Array, Flags]:
     """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``;
     which of them are stations."""
     span = np.diff(stations)
@@ -284,19 +251,14 @@ def _divided(stations: Array, longest: float) -> tuple[Array, NDArray[np.bool_]]
     return np.concatenate([inside, stations[-1:]]), np.append(number == 0, True)
 
 
-def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
+def divided(mesh: Mesh, parts: Indices) -> Mesh:
     """Every element of ``mesh`` cut into equal ``parts`` (elements,)."""
-    step = np.repeat(mesh.length / parts, parts)
+    step, marks = np.repeat(mesh.length / parts, parts), np.concatenate([[0], np.cumsum(parts)])
     x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
-    x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
-    names = ("young_modulus", "poisson_ratio", "density")
-    entries: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
-    entries["station"] = np.zeros(len(x), dtype=bool)
-    entries["station"][np.concatenate([[0], np.cumsum(parts)])] = mesh.station
-    last = np.repeat(parts, parts)
-    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-    for name, (front, rear) in (("outer", mesh.outer), ("inner", mesh.inner)):
-        ends = np.repeat(np.stack([front, rear], axis=1), parts, axis=0)
-        entries[f"{name}_diameter"] = _along(ends, number / last)
-        entries[f"rear_{name}_diameter"] = _along(ends, (number + 1) / last)
-    return replace(mesh, x=x, **entries)
+    station = np.zeros(len(x), dtype=bool)
+    x[marks], station[marks] = mesh.x, mesh.station
+    number = np.arange(len(step)) - np.repeat(marks[:-1], parts)
+    share = np.stack([number, number + 1]) / np.repeat(parts, parts)
+    outer, inner = (_along(np.repeat(d, parts, axis=1), share) for d in (mesh.outer, mesh.inner))
+    solid: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in SOLID}
+    return replace(mesh, x=x, station=station, outer=outer, inner=inner, **solid)

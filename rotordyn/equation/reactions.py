@@ -15,12 +15,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 WORST_CONDITION = 1e13
 
 

@@ -18,14 +18,13 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_free_modes
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.sparse import LARGE, Matrix
 from rotordyn.numerics.threads import linear_algebra_alone
 
-Array = NDArray[np.float64]
 LEAST_MODES = 8
 MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
@@ -64,7 +63,7 @@ class Basis:
 
     vectors: Array
     values: Array
-    modes: NDArray[np.bool_]
+    modes: Flags
     roots: Array
 
 
@@ -194,7 +193,7 @@ class _Body:
     mass: Matrix
     rigid: Array
     pushed: Array
-    free: NDArray[np.intp]
+    free: Indices
     upwards: Array
     solve: Callable[[Array], Array]
 

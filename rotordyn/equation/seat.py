@@ -8,8 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Array, AtState, LinkMatrices, State
+from rotordyn.equation.term import AtState, LinkMatrices, State
 from rotordyn.machine.seat import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elements.shear import RIGID, shear_coefficient
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.term import Array
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 

@@ -14,10 +14,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 
-from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, position
+from rotordyn.arrays import Array, Indices
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, position
 from rotordyn.equation.elements import beam as bending
 from rotordyn.equation.elements import rod
 from rotordyn.equation.fineness import (
@@ -30,13 +32,14 @@ from rotordyn.equation.fineness import (
 )
 from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
 from rotordyn.equation.section import ENDS, MIDDLE, axial, sections_at, sheared, torsion
-from rotordyn.equation.term import Array, Part
+from rotordyn.equation.term import Part
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 
 Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
 MOST_DOF = 200_000  # of a bending plane
 WAYS = {"radial": ("y", "z"), "tilt": ("thy", "thz"), "axial": ("x",), "torsion": ("thx",)}
+NAMES = {"x": ("x",), "thx": ("thx",), "y": ("y", "thz"), "z": ("z", "thy")}  # of each line
 PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.array([1.0, -1.0]))}
 
 
@@ -79,14 +82,22 @@ class Shaft:
                 if math.isfinite(getattr(joint, way)):
                     for name in directions:
                         jump[at, name] = dofs.add(body, [name]).item()
-        counts = {"y": bending.inner_dofs(degree, sheared(spindle)), "x": rod_degree - 1}
-        counts["z"], counts["thx"] = counts["y"], counts["x"]
-        inner = {}
-        for way, inside in counts.items():
-            begin = dofs.count
+        shaft = cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, {})
+        for way in ("y", "x", "z", "thx"):
+            begin, inside = dofs.count, shaft._inner_dofs(way)
             dofs.add(body, [way], int(inside.sum()))
-            inner[way] = begin + np.concatenate([[0], np.cumsum(inside)[:-1]]).astype(np.intp)
-        return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
+            shaft.inner[way] = begin + np.cumsum(inside) - inside
+        return shaft
+
+    def _degree(self, way: str) -> Indices:
+        """Degree along a line (elements,)."""
+        return self.degree if way in PLANES else self.rod_degree
+
+    def _inner_dofs(self, way: str) -> Indices:
+        """Inner DOF of each element along a line (elements,)."""
+        if way in PLANES:
+            return bending.inner_dofs(self.degree, sheared(self.spindle))
+        return self.rod_degree - 1
 
     def parts(self) -> Iterator[Part]:
         """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
@@ -101,20 +112,11 @@ class Shaft:
             place = self.mesh.length[chosen], self._phi[chosen]
             matrices = bending.beam_matrices(*place, *along, degree=n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
-            mass, stiffness, softening, polar = (
-                _between(moves, each)
-                for each in (
-                    matrices.mass,
-                    matrices.stiffness,
-                    matrices.translational_mass,
-                    matrices.polar,
-                )
-            )
-            for rows in (y, z):
-                yield Part("mass", rows, rows, mass)
-                yield Part("stiffness", rows, rows, stiffness)
-                yield Part("softening", rows, rows, softening)
-            yield Part("gyroscopic", y, z, self.ratio * polar)
+            both = {"mass": matrices.mass, "stiffness": matrices.stiffness}
+            both["softening"] = matrices.translational_mass
+            for (name, matrix), rows in product(both.items(), (y, z)):
+                yield Part(name, rows, rows, _between(moves, matrix))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
 
     @cached_property
     def _phi(self) -> Array:
@@ -127,22 +129,17 @@ class Shaft:
             for n in np.unique(self.rod_degree).tolist():
                 chosen = np.flatnonzero(self.rod_degree == n)
                 along = (each[chosen] for each in section(self.mesh, rod.quadrature(n)[0]))
-                matrices = rod.rod_matrices(self.mesh.length[chosen], *along, degree=n)
+                mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *along, degree=n)
                 rows, moves = self.rows(way, chosen)
-                yield Part("mass", rows, rows, _between(moves, matrices.mass))
-                yield Part("stiffness", rows, rows, _between(moves, matrices.stiffness))
+                yield Part("mass", rows, rows, _between(moves, mass))
+                yield Part("stiffness", rows, rows, _between(moves, stiffness))
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
         """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
         their own motions (e, j, k) follow these, None where there is no joint before any."""
-        names = PLANES[way][0] if way in PLANES else (way,)
+        names = NAMES[way]
         places = [position(name) for name in names]
-        degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
-        if way in PLANES:
-            count = int(bending.inner_dofs(np.array(degree), sheared(self.spindle)))
-        else:
-            count = rod.inner_dofs(degree)
-        inner = self.inner[way][elements][:, None] + np.arange(count)
+        inner = self.inner[way][elements][:, None] + np.arange(self._inner_dofs(way)[elements[0]])
         ends = self.node[elements][:, places], self.node[elements + 1][:, places]
         rows = np.concatenate([*ends, inner], axis=1)
         gives = [[(e, name) in self.jump for name in names] for e in elements.tolist() if self.jump]
@@ -161,12 +158,8 @@ class Shaft:
     def nested(self, coarse: Shaft, way: str) -> tuple[Indices, Indices]:
         """DOF of a line, and those of the same shaft of lower degrees, of elements of the same
         lengths, that have the same shape functions."""
-        here, there = ((s.degree, s.rod_degree)[way not in PLANES] for s in (self, coarse))
-        if way in PLANES:
-            count = bending.inner_dofs(there, sheared(self.spindle))
-            leaning = there if sheared(self.spindle) else count  # after them come more (``beam``)
-        else:
-            count = leaning = there - 1
+        here, there, count = self._degree(way), coarse._degree(way), coarse._inner_dofs(way)
+        leaning = there if way in PLANES and sheared(self.spindle) else count  # then come more
         element = np.repeat(np.arange(len(count)), count)
         number = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
         behind = np.where(number >= leaning[element], (here - there)[element], 0)
@@ -174,7 +167,7 @@ class Shaft:
             [self.inner[way][element] + number + behind],
             [coarse.inner[way][element] + number],
         )
-        for name in PLANES[way][0] if way in PLANES else (way,):
+        for name in NAMES[way]:
             for shaft, rows in ((self, fine), (coarse, known)):
                 jumps = [number for (_, each), number in shaft.jump.items() if each == name]
                 rows += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]

@@ -14,7 +14,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.equation.dofs import Dofs, Indices
+from rotordyn.arrays import Indices
+from rotordyn.equation.dofs import Dofs
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.term import AtState, Link, LinkMatrices, Part, State
 from rotordyn.machine.sleeve import Sleeve

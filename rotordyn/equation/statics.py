@@ -6,15 +6,15 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.term import Array, State
+from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.support import SPINDLE
 
@@ -41,7 +41,7 @@ class StaticRotor:
     point: Array
     constant: Array
 
-    def at(self, rows: NDArray[np.intp]) -> StaticRotor:
+    def at(self, rows: Indices) -> StaticRotor:
         """In some of its states."""
         return replace(self, stiffness=self.stiffness[rows])
 
@@ -139,9 +139,7 @@ def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Ar
     return StaticRotor(dof, stiffness, seated @ linear.basis, acting, 0.0 * acting)
 
 
-def withstands(
-    structure: Structure, state: State, force: Array, pull: float = 1.0
-) -> NDArray[np.bool_]:
+def withstands(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
     """States (s,) in which the axial ``force`` (s, elements) [N] takes away no stable direction.
 
     The symmetric stiffness of bending must have as many negative eigenvalues as without axial

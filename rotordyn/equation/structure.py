@@ -6,15 +6,16 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.axial_force import Slopes, slope_rows
 from rotordyn.equation.component import Coarse, Component, Solved
-from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.groups import Groups
@@ -27,7 +28,7 @@ from rotordyn.equation.shaft import PLANES, Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
-from rotordyn.equation.term import Array, Link, Part
+from rotordyn.equation.term import Link, Part
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.seat import BearingSeat
@@ -290,19 +291,9 @@ class Structure:
             self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
         return self._slopes[key]
 
-    def motion(self, components: Sequence[Component]) -> Array:
-        """Displacements of the shown nodes by the coordinates of components (nodes, 6, n)."""
-        ends = np.cumsum([0, *(c.size for c in components)])
-        whole = np.zeros((len(self.shown.stations), 6, int(ends[-1])))
-        for component, begin, end in zip(components, ends[:-1], ends[1:], strict=True):
-            for line in component.lines:
-                if line.body in self.shafts:
-                    nodes = self.shown.spans[line.body]
-                    moved = self._motion_of(line, component)
-                    whole[nodes, :, begin:end] += moved
-        return whole
-
-    def _motion_of(self, line: Line, component: Component) -> Array:
+    def motion(self, line: Line, component: Component) -> Array:
+        """Displacements of the nodes shown of a shaft by the coordinates of one of its components
+        (nodes, 6, m), along one line of it."""
         shaft, x = self.shafts[line.body], self.shown.of_rotors[line.body].x
         whole = np.zeros((len(x), 6, component.size))
         if line.way in PLANES:

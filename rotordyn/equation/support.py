@@ -9,8 +9,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Array, AtState, LinkMatrices, State
+from rotordyn.equation.term import AtState, LinkMatrices, State
 from rotordyn.machine.matrix import Value
 from rotordyn.machine.support import LinearSupport
 

@@ -21,15 +21,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from rotordyn.equation.dofs import Indices
-
-Array = NDArray[np.float64]
-Matrices = NDArray[np.inexact[Any]]
+from rotordyn.arrays import Array, Flags, Indices
 
 
 class Part(NamedTuple):
@@ -48,7 +42,7 @@ class State(NamedTuple):
 
     speed: Array
     tangents: Array
-    stops: NDArray[np.bool_]
+    stops: Flags
     standing: bool = False
 
 

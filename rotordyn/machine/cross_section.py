@@ -4,6 +4,7 @@ alike."""
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import TypeVar
 
 import numpy as np
@@ -23,22 +24,20 @@ def second_moment(outer_diameter: Number, inner_diameter: Number) -> Number:
     return area(outer_diameter, inner_diameter) * squares / 16.0
 
 
-def mean_area(outer: tuple[Number, Number], inner: tuple[Number, Number]) -> Number:
+def mean_area(outer: Iterable[Number], inner: Iterable[Number]) -> Number:
     """Mean of A over a cone of diameters ``outer`` and ``inner`` at its ends [m²]."""
     (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
     return area(do, di) + math.pi / 48.0 * (ro**2 - ri**2)
 
 
-def mean_second_moment(outer: tuple[Number, Number], inner: tuple[Number, Number]) -> Number:
+def mean_second_moment(outer: Iterable[Number], inner: Iterable[Number]) -> Number:
     """Mean of I over a cone of diameters ``outer`` and ``inner`` at its ends [m⁴]."""
     more, less = (d**2 * r**2 / 2.0 + r**4 / 80.0 for d, r in (_middle(*outer), _middle(*inner)))
     (do, _), (di, _) = _middle(*outer), _middle(*inner)
     return second_moment(do, di) + math.pi / 64.0 * (more - less)
 
 
-def area_moments(
-    outer: tuple[Number, Number], inner: tuple[Number, Number]
-) -> tuple[Number, Number]:
+def area_moments(outer: Iterable[Number], inner: Iterable[Number]) -> tuple[Number, Number]:
     """∫ A t dt and ∫ A t² dt [m²] over a cone, t from −½ at its front to ½ at its rear end."""
     (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
     first = math.pi / 24.0 * (do * ro - di * ri)

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
@@ -23,9 +23,6 @@ from rotordyn.numerics.modes import swings
 from rotordyn.numerics.products import times
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Flags = NDArray[np.bool_]
 MOTIONS = ("bending", "axial", "torsion")
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 WITHIN = 1.1  # doubts about modes above this multiple are left
@@ -65,7 +62,7 @@ class Branch:
     subsystem: int
     pole: Complex
     degree: Array
-    column: NDArray[np.intp]
+    column: Indices
     vector: Complex
     track: Track
     side: float
@@ -134,7 +131,7 @@ class _Step:
     damping: Array
     given: bool
 
-    def chosen(self, side: float) -> NDArray[np.intp]:
+    def chosen(self, side: float) -> Indices:
         """Columns of followed modes that whirl to ``side``, ascending."""
         columns = np.flatnonzero(self.followed & (self.whirl == side))
         return columns[np.argsort(self.pole.imag[columns])]
@@ -220,7 +217,7 @@ class _Sweep:
             for k in np.flatnonzero((path[given] >= 0).any(axis=0))
         ]
 
-    def _followable(self, columns: list[NDArray[np.intp]]) -> tuple[list[Complex], list[Array]]:
+    def _followable(self, columns: list[Indices]) -> tuple[list[Complex], list[Array]]:
         """Vectors and frequencies of some columns of every step."""
         both = list(zip(self.steps, columns, strict=True))
         return [s.vector[:, known] for s, known in both], [s.pole.imag[known] for s, known in both]
@@ -231,8 +228,8 @@ class _Sweep:
         subsystem: int,
         side: float,
         given: list[int],
-        columns: list[NDArray[np.intp]],
-        place: NDArray[np.intp],
+        columns: list[Indices],
+        place: Indices,
     ) -> Branch:
         """One path: its ``place`` among the ``columns`` of every step; −1 where it is lost."""
         column = np.array([c[p] if p >= 0 else -1 for c, p in zip(columns, place, strict=True)])

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.modes.branches import PLANAR, Branch, circular_share
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 MOSTLY = 0.5  # of the kinetic energy
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
 

@@ -16,11 +16,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MARGIN, Branch, breakpoints_between, whirl_degree
 from rotordyn.modes.character import whirl_along
@@ -33,9 +32,6 @@ from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
@@ -63,12 +59,10 @@ def critical_speeds(
     """Of all ``engine_orders`` of every rotor between the speeds of the case, up to
     ``band.max_frequency``, ascending by rotor, order and speed."""
     lines = exciting(scene.spindle.ratios, band.engine_orders)
-    starts = [
-        start
-        for line in lines
-        for start in (*_crossed(branches, line), *_direct(scene, branches, line))
-        if line.size * start.speed <= MARGIN * band.highest
-    ]
+    bent = {branch.subsystem for branch in branches if branch.kind == "bending"}
+    starts = [start for line in lines for start in _crossed(branches, line)]
+    starts += [start for line in lines for k in bent for start in _direct(scene, branches, k, line)]
+    starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
     crossings: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
@@ -106,17 +100,9 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
     return starts
 
 
-def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
-    """All synchronous motions of bending between the speeds of the case, where the matrices follow
-    straight lines of speed from breakpoint to breakpoint."""
-    subsystems = {branch.subsystem for branch in branches if branch.kind == "bending"}
-    return [
-        start for subsystem in subsystems for start in _of_system(scene, branches, subsystem, line)
-    ]
-
-
-def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
-    """Those of one subsystem."""
+def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
+    """All synchronous motions of bending of a subsystem between the speeds of the case, where the
+    matrices follow straight lines of speed from breakpoint to breakpoint."""
     linear = scene.system(subsystem).linear
     if linear.kinds != {"bending"} or not _piecewise(scene):
         return []

@@ -14,14 +14,13 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.modes import swings
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array, Complex
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
 from rotordyn.scene.scene import Scene
 
@@ -106,7 +105,7 @@ def _largest(
     )
 
 
-def _judged(branch: Branch, band: Band, *, overdamped: bool) -> NDArray[np.bool_]:
+def _judged(branch: Branch, band: Band, *, overdamped: bool) -> Flags:
     """Speeds (usable,) at which a mode swings within the band; or at which it is there and hardly
     swings."""
     with np.errstate(invalid="ignore"):

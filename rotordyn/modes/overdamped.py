@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.results.kinds import Array, Flags
+from rotordyn.arrays import Array, Flags
 
 ROUNDING = 1e-6  # of a damping ratio
 OVERDAMPED = 0.99  # damping ratio above which a motion hardly swings

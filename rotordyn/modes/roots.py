@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.modes.branches import Branch
@@ -22,8 +22,6 @@ from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import swings
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ITERATIONS = 20
 CLOSE = 1e-11  # of the frequency: the condition holds
 ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
@@ -129,7 +127,7 @@ def _states(
 
 
 def _corrected(
-    scene: Scene, subsystem: int, rows: NDArray[np.intp], starts: list[Start], at: Array
+    scene: Scene, subsystem: int, rows: Indices, starts: list[Start], at: Array
 ) -> list[State | None]:
     """The mode of every start by itself; None where that is not clearly the one looked for."""
     linear, line = scene.linear(subsystem), starts[0].line.size

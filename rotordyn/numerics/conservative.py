@@ -12,16 +12,11 @@ slow ones their digits.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.numerics.threads import in_threads
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
 ROUNDING = 1e-14  # of the largest entry of a coordinate's row
 HELD = 1e-6  # of a coordinate's stiffness, left when the others may follow: less loses digits
 SLOWEST = 1e-8  # of the fastest: slower poles lose digits

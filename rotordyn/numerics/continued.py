@@ -5,20 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Complex, Flags, Indices
 from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Flags = NDArray[np.bool_]
-Places = NDArray[np.intp]
 FARTHEST = 1.0  # of a pole: a larger change is not believed
 NEARNESS = 4.0  # of the MAC that a pole as far away as it is large costs
 
 
-def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Places:
+def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Indices:
     """Column of ``after`` for every one of ``before`` (speeds, k), each taken once, at ``rows``.
 
     A pole λ with the right vector v and the left one w is expected at λ − w ΔK v; of all ways to
@@ -63,7 +59,7 @@ def conjugate(modes: Modes) -> Modes:
     )
 
 
-def collected(base: Modes, parts: Iterable[tuple[Modes, Places, Flags]]) -> Modes:
+def collected(base: Modes, parts: Iterable[tuple[Modes, Indices, Flags]]) -> Modes:
     """``base`` with modes of other systems in place of its own: each of ``parts`` gives modes, the
     column of them for every mode of the base (speeds, k), and where they are taken (speeds, k).
 

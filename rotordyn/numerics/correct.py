@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
+from rotordyn.arrays import Complex, Flags, Matrix
+
 STEPS = 10
 MET = 1e-12  # of a pole: the step is rounding
 BESIDE = 1e-9  # of a pole: aside for inverse iteration
@@ -17,7 +14,7 @@ ASIDE = 1e-14  # of a pole: at itself P may have no inverse, and stop those that
 
 def corrected(
     stiffness: Matrix, damping: Matrix, pole: Complex, vector: Complex
-) -> tuple[Complex, Complex, NDArray[np.bool_]]:
+) -> tuple[Complex, Complex, Flags]:
     """Poles (k,), vectors (k, n) of unit length, and which of them converged (k,).
 
     ``stiffness`` and ``damping`` (k, n, n), ``pole`` (k,), ``vector`` (k, n): a start for each.

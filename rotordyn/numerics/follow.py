@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from rotordyn.arrays import Array, Complex, Flags, Indices
+
 LEAST_MAC = 0.2
 NEARNESS = 0.3  # of the MAC that the farthest value costs
 CLEAR = 0.7  # MAC from which a vector is known again
@@ -17,7 +16,7 @@ REPEATED = 1e-6  # of a value: nearer ones share their vectors
 TOUCHING = 3e-6  # of a value: a crossing met so closely is one
 
 
-def mac(a: Complex, b: Complex) -> NDArray[np.float64]:
+def mac(a: Complex, b: Complex) -> Array:
     """|aᴴ b|² / (|a|² |b|²) of the columns of a (n, k) and b (n, l): 1 alike, 0 orthogonal."""
     inner = np.abs(a.conj().T @ b) ** 2
     return inner / (
@@ -28,7 +27,7 @@ def mac(a: Complex, b: Complex) -> NDArray[np.float64]:
 
 def follow(
     vectors: list[Complex], values: list[Array], ahead: list[Array] | None = None
-) -> NDArray[np.intp]:
+) -> Indices:
     """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
 
     ``vectors``: one (n, k_s) array per step; ``values`` (k_s,); ``ahead`` (k_s,): what they are
@@ -60,9 +59,7 @@ def follow(
     return path
 
 
-def _partners(
-    last: Complex, at: Array, before: Array, fresh: Complex, value: Array
-) -> NDArray[np.intp]:
+def _partners(last: Complex, at: Array, before: Array, fresh: Complex, value: Array) -> Indices:
     """Which of ``fresh`` (n, l) each of ``last`` (n, k) has become (k,), −1 for none.
 
     ``before`` (k,): values of the last ones; ``at`` (k,): what these are expected to be now.
@@ -81,7 +78,7 @@ def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array
     return np.minimum(one @ alike @ other, 1.0)
 
 
-def _spanning(vectors: Complex, repeated: NDArray[np.bool_]) -> Complex:
+def _spanning(vectors: Complex, repeated: Flags) -> Complex:
     """Vectors (n, k), those of ``repeated`` values (k, k) as an orthonormal basis of their span."""
     groups = {tuple(np.flatnonzero(row)) for row in repeated if row.sum() > 1}
     if groups:
@@ -110,7 +107,7 @@ def doubts(
     return wanted
 
 
-def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> NDArray[np.bool_]:
+def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> Flags:
     """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
     most, steps = max(len(frequency) for frequency in values), len(values)
     if not most:
@@ -148,7 +145,7 @@ def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float 
     return _crossing(one, other[partner], one < within)
 
 
-def _veering(values: list[Array], unclear: list[NDArray[np.intp]]) -> float:
+def _veering(values: list[Array], unclear: list[Indices]) -> float:
     """A place whose distance to its neighbours is to be the mean, in ratio, of what it is at the
     two steps: vectors change where it is small. Half-way where one only comes or goes."""
     if not (unclear[0].size and unclear[1].size):
@@ -163,7 +160,7 @@ def _veering(values: list[Array], unclear: list[NDArray[np.intp]]) -> float:
     return gaps[0] / (gaps[0] + gaps[1])
 
 
-def _crossing(one: Array, other: Array, wanted: NDArray[np.bool_]) -> float | None:
+def _crossing(one: Array, other: Array, wanted: Flags) -> float | None:
     """Where the first two values that change their order meet, if no step is there yet."""
     before, after = one[:, None] - one, other[:, None] - other
     size = np.minimum(np.abs(one), np.abs(other))
@@ -175,7 +172,7 @@ def _crossing(one: Array, other: Array, wanted: NDArray[np.bool_]) -> float | No
     return float(share[swapped].min())
 
 
-def _matched(score: NDArray[np.float64]) -> NDArray[np.intp]:
+def _matched(score: Array) -> Indices:
     """Greedy matching of rows to columns, best score first."""
     partner = score.argmax(axis=1)
     if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_MAC:

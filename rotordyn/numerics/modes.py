@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.numerics.conservative import conservative_modes
 from rotordyn.numerics.products import times
 from rotordyn.numerics.threads import in_threads
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
 NOISE = 1e-7  # of the highest own frequency: what rounding makes of a pole at zero, at most
 HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is held by nothing
 STRAIGHT = 1e-6  # of |pole|: less imaginary part than that is no vibration
@@ -46,7 +42,7 @@ class Modes:
     participation: Complex
     condition: Array
 
-    def at_rest(self) -> NDArray[np.bool_]:
+    def at_rest(self) -> Flags:
         """Poles at zero, of motions that nothing holds (…, 2n).
 
         There are as many such motions as the stiffness has directions without any, each coordinate
@@ -63,7 +59,7 @@ class Modes:
             small[some] &= rank < 2 * free[:, None]
         return small
 
-    def one_of_each_pair(self) -> tuple[NDArray[np.intp], Array]:
+    def one_of_each_pair(self) -> tuple[Indices, Array]:
         """Columns (…, k) that stand for all poles, and for how many each: of a real system those
         of Im ≥ 0, two for a pair of conjugates. One that fills up a row stands for none."""
         if np.iscomplexobj(self.stiffness) or np.iscomplexobj(self.damping):
@@ -73,7 +69,7 @@ class Modes:
         columns = upwards[..., : int((self.pole.imag >= 0.0).sum(axis=-1).max())]
         return columns, 1.0 + np.sign(np.take_along_axis(self.pole.imag, columns, axis=-1))
 
-    def at(self, rows: NDArray[np.intp]) -> Modes:
+    def at(self, rows: Indices) -> Modes:
         """Of some of the systems, of a batch along one axis."""
         return Modes(*(getattr(self, field.name)[rows] for field in fields(self)))
 
@@ -167,17 +163,17 @@ def unsolved(stiffness: Matrix, damping: Matrix) -> Modes:
     )
 
 
-def swings(pole: Complex) -> NDArray[np.bool_]:
+def swings(pole: Complex) -> Flags:
     """Where poles are those of vibrations."""
     return np.asarray(np.abs(pole.imag) > STRAIGHT * np.abs(pole))
 
 
-def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
+def grows(pole: Complex, largest: Array | float) -> Flags:
     """Where poles mean growth by more than rounding; ``largest``: |pole| of their system."""
     return np.asarray(pole.real > np.maximum(NEUTRAL * np.abs(pole), UNSEEN * largest))
 
 
-def _held(stiffness: Matrix) -> NDArray[np.intp]:
+def _held(stiffness: Matrix) -> Indices:
     """How many directions K (s, n, n) holds (s,), rows and columns in their own measure."""
     size = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
     size = np.where(size > 0.0, size, np.abs(stiffness).max(axis=-1))

@@ -12,7 +12,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array, Indices
+
 GROWTH = 1.5  # of the distance from a pole, from one sample to the next
 NARROW = 1e-4  # of the frequency: about a pole without damping no closer samples
 CLOSER = 1e-3  # of an amplitude: a vertex higher than that is sampled
@@ -64,7 +65,7 @@ def spread_between(
     return np.unique(np.concatenate([np.zeros(0), *parts]))
 
 
-def tops(amplitude: Array) -> NDArray[np.intp]:
+def tops(amplitude: Array) -> Indices:
     """Places of local maxima of a curve (n,), its ends left out."""
     with np.errstate(invalid="ignore"):
         inner = amplitude[1:-1]

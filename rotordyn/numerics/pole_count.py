@@ -13,13 +13,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.vector_fit import vector_fit
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 PROMINENT = 0.35  # of ln |H|: a peak to begin with, 3 dB
 IN_VAIN = 2  # poles more without evidence
 DAMPED = 0.01  # damping ratio of a first pole

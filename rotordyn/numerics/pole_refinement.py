@@ -15,12 +15,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.numerics.vector_fit import Fit, columns, residues, stacked
+from rotordyn.arrays import Array, Complex
+from rotordyn.numerics.vector_fit import Fit, columns, real_unknowns, residues, stacked
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ROUNDS = 20
 BETTER = 1e-7  # of the sum of squares: less is no step forward
 HALVINGS = 6
@@ -88,40 +86,31 @@ def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> 
 def _moving(omega: Array, pole: Complex, known: Array) -> Complex:
     """Derivatives (e, f, k) by the real and imaginary part of every pole over its size, the real
     part alone of real ones; ``known`` (e, k + 1): coefficients of the columns."""
-    s, found, at = 1j * omega, [], 0
-    for own in pole:
-        size = abs(own)
-        ahead = size / (s - own) ** 2
-        if own.imag == 0.0:
-            found.append(known[:, at, None] * ahead)
-            at += 1
-            continue
-        residue = (known[:, at] + 1j * known[:, at + 1])[:, None]
-        one = residue * ahead
-        other = residue.conj() * size / (s - own.conjugate()) ** 2
-        found += [one + other, 1j * (one - other)]
-        at += 2
-    return np.stack(found, axis=-1)
+    wanted, parts = real_unknowns(pole), np.zeros((len(known), len(pole), 2))
+    parts[:, wanted] = known[:, :-1]
+    residue = (parts[..., 0] + 1j * parts[..., 1])[:, None]
+    s, size = 1j * omega[:, None], np.abs(pole)
+    one = residue * (size / (s - pole) ** 2)
+    other = residue.conj() * (size / (s - pole.conj()) ** 2)
+    first = np.where(pole.imag == 0.0, one, one + other)
+    return np.stack([first, 1j * (one - other)], axis=-1)[..., wanted]
 
 
 def _moved(pole: Complex, step: Array) -> Complex:
     """Poles after a step relative to their size, held left of the imaginary axis, a pair a pair."""
-    moved, at = pole.copy(), 0
-    for k, own in enumerate(pole):
-        size = abs(own)
-        real = min(own.real + size * step[at], 0.1 * own.real)
-        if own.imag == 0.0:
-            moved[k], at = real, at + 1
-            continue
-        moved[k] = real + 1j * max(own.imag + size * step[at + 1], 0.1 * own.imag)
-        at += 2
-    return moved
+    parts = _by_pole(pole, step)
+    return np.minimum(pole.real + parts[:, 0], 0.1 * pole.real) + 1j * np.maximum(
+        pole.imag + parts[:, 1], 0.1 * pole.imag
+    )
 
 
 def _deviation(pole: Complex, normal: Array) -> Array:
-    each = np.sqrt(np.maximum(np.diag(np.linalg.pinv(normal, hermitian=True)), 0.0))
-    found, at = np.zeros((len(pole), 2)), 0
-    for k, own in enumerate(pole):
-        many = 1 if own.imag == 0.0 else 2
-        found[k, :many], at = abs(own) * each[at : at + many], at + many
-    return found
+    covariance = np.diag(np.linalg.pinv(normal, hermitian=True))
+    return _by_pole(pole, np.sqrt(np.maximum(covariance, 0.0)))
+
+
+def _by_pole(pole: Complex, relative: Array) -> Array:
+    """Real and imaginary part (m, 2) of unknowns (k,) over the sizes of their poles."""
+    parts = np.zeros((len(pole), 2))
+    parts[real_unknowns(pole)] = relative
+    return parts * np.abs(pole)[:, None]

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
-Matrix = NDArray[np.inexact[Any]]
+from rotordyn.arrays import Matrix
 
 
 def times(matrix: Matrix, vector: Matrix) -> Matrix:

@@ -9,11 +9,10 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
-Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
+from rotordyn.arrays import Array, Indices
+
+Matrix = Any  # Array, or csr_array of scipy.sparse
 Part = tuple[Indices, Indices, Array]
 LARGE = 300  # DOF from which Lanczos finds a few modes in compressed rows faster than LAPACK all
 

@@ -7,14 +7,10 @@ at once, no crossing to be looked for.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
+from rotordyn.arrays import Array, Complex, Matrix
+
 REAL = 1e-6  # of Ω²: less imaginary part than that is rounding or a slight asymmetry
 
 

@@ -12,12 +12,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.numerics.peaks import tops
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ROUNDS = 12
 MOVED = 1e-10  # of a pole, below which it stays
 START_DAMPING = 0.01
@@ -81,37 +79,31 @@ def _start(omega: Array, values: Complex, count: int) -> Complex:
     return np.asarray(-START_DAMPING * at + 1j * at)
 
 
+def real_unknowns(pole: Complex) -> Flags:
+    """Which of two real numbers a pole (m, 2) are unknown: of a real one the first alone."""
+    return np.stack([np.ones(len(pole), dtype=bool), pole.imag != 0.0], axis=1)
+
+
 def columns(omega: Array | Complex, pole: Complex) -> Complex:
     """Functions of real coefficients (f, 2 per pair and 1 per real pole)."""
     s = 1j * omega[:, None]
-    found = []
-    for own in pole:
-        ahead = 1.0 / (s - own)
-        if own.imag == 0.0:
-            found.append(ahead)
-            continue
-        back = 1.0 / (s - own.conjugate())
-        found += [ahead + back, 1j * (ahead - back)]
-    return np.concatenate(found, axis=1) if found else np.zeros((len(omega), 0), dtype=complex)
+    ahead, back = 1.0 / (s - pole), 1.0 / (s - pole.conj())
+    first = np.where(pole.imag == 0.0, ahead, ahead + back)
+    both = np.stack([first, 1j * (ahead - back)], axis=2)
+    return np.ascontiguousarray(both[:, real_unknowns(pole)])
 
 
 def _complex(pole: Complex, rows: Array) -> Complex:
     """Residues (m, e) from real coefficients; of a real pole half of it, as its conjugate adds as
     much."""
-    found, at = np.empty((len(pole), rows.shape[1]), dtype=complex), 0
-    for k, own in enumerate(pole):
-        if own.imag == 0.0:
-            found[k], at = 0.5 * rows[at], at + 1
-        else:
-            found[k], at = rows[at] + 1j * rows[at + 1], at + 2
-    return found
+    parts = np.zeros((len(pole), 2, rows.shape[1]))
+    parts[real_unknowns(pole)] = rows
+    return np.where(pole.imag == 0.0, 0.5, 1.0)[:, None] * (parts[:, 0] + 1j * parts[:, 1])
 
 
 def _real(pole: Complex, residue: Complex) -> Array:
-    found: list[Array] = []
-    for own, row in zip(pole, residue, strict=True):
-        found += [2.0 * row.real] if own.imag == 0.0 else [row.real, row.imag]
-    return np.array(found).reshape(-1, residue.shape[1])
+    residue = np.where(pole.imag == 0.0, 2.0, 1.0)[:, None] * residue
+    return np.stack([residue.real, residue.imag], axis=1)[real_unknowns(pole)]
 
 
 def stacked(rows: Complex) -> Array:

@@ -130,12 +130,8 @@ def _loads(setting: Setting) -> Faults:
             "linear supports do not follow them; give the loads to section_forces",
         )
     if setting.loaded and conditions.formulation == ROTATING:
-        yield (
-            FORMULATION,
-            "under static loads (loads, weight, misaligned seats) bearings differ between "
-            "directions, which a turning frame cannot describe: given 'rotating'; allowed: "
-            "inertial",
-        )
+        under = "under static loads (loads, weight, misaligned seats)"
+        yield _unturned(f"{under} bearings differ between directions")
 
 
 def _warm(setting: Setting) -> Faults:
@@ -214,10 +210,7 @@ def _even(support: LinearSupport) -> Faults:
     elif uneven:
         what = f"support '{support.name}' holds only one of {' and '.join(uneven[0])} rigidly"
     if what:
-        yield (
-            FORMULATION,
-            f"{what}, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
-        )
+        yield _unturned(what)
         return
     import numpy as np
 
@@ -228,11 +221,13 @@ def _even(support: LinearSupport) -> Faults:
         entries = getattr(support, name).values()
         known = not any(isinstance(value, float) and math.isnan(value) for value in entries)
         if known and not answers_alike(support_matrices(support, name, speeds)):
-            yield (
-                FORMULATION,
-                f"the {name} of support '{support.name}' differs between directions about the "
-                "axis, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
-            )
+            differs = "differs between directions about the axis"
+            yield _unturned(f"the {name} of support '{support.name}' {differs}")
+
+
+def _unturned(what: str) -> tuple[Path, str]:
+    described = "which a turning frame cannot describe"
+    return FORMULATION, f"{what}, {described}: given '{ROTATING}'; allowed: {INERTIAL}"
 
 
 def _tables(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
@@ -311,11 +306,7 @@ def _sideways(setting: Setting) -> Faults:
     """Bearings are solved under axial load alone: what moves along x must not push aside."""
     conditions = setting.conditions
     by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
-    acting = (
-        abs(conditions.axial_force) > 0.0
-        or conditions.gravity not in ("", "none")
-        or setting.loaded
-    )
+    acting = abs(conditions.axial_force) > 0.0 or any(conditions.pull) or setting.loaded
     if not (by_speed or acting or conditions.loads):
         return
     for support in setting.spindle.supports:

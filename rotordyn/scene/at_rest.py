@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.equation.holding import (
     free_names,
@@ -33,7 +33,6 @@ from rotordyn.machine.spindle import Spindle
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 BALANCED = 1e-6  # of all loads along a free motion
 ROUNDING = 1e-12  # of all loads
 
@@ -61,7 +60,7 @@ def at_rest(
     InvalidInput : the shaft is a free body, or its reactions are not determined
     """
     spindle, x = scene.spindle, mesh.x
-    states, nodes = len(scene.usable), mesh.nodes_of(spindle.connections)
+    states, nodes = len(scene.usable), [mesh.node_of(each.x) for each in spindle.connections]
     point = np.broadcast_to(point, (states, mesh.nodes, 6))
     loads = on_nodes(point, line, x)
     free = require_balance(spindle, x, loads)

@@ -6,16 +6,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.statics import withstands
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
+from rotordyn.preload.axial_force import AxialForce
 from rotordyn.results.display import RPM
 
-Array = NDArray[np.float64]
 HALVINGS = 30
 
 
@@ -24,8 +23,7 @@ class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
     ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
-    compressed. ``force`` [N] on the front end and ``gravity`` [m/s²] towards +x; ``tension`` [N]
-    pulls at both ends; ``point_forces`` act besides.
+    compressed. ``along``: force in a shaft under bearing loads and a share of all axial forces.
     """
 
     spindle: Spindle
@@ -33,15 +31,12 @@ class Loading:
     structure: Callable[[], Structure]
     seat_load: Array
     seat_stiffness: Array
-    force: float
-    gravity: float
-    tension: float
-    point_forces: PointForces = ()
+    along: Callable[[Spindle, Array, float], AxialForce]
 
     def outcomes(self) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this speed and what would hold."""
         known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
-        if not known.any() or not self._along(self.spindle, 1.0).compresses:
+        if not known.any() or not self.along(self.spindle, self.seat_load, 1.0).compresses:
             return ("",) * len(self.speed)
         held = np.full(len(known), True)
         held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
@@ -50,12 +45,12 @@ class Loading:
             for row, stands in enumerate(held)
         )
 
-    def at(self, index: NDArray[np.intp]) -> Loading:
+    def at(self, index: Indices) -> Loading:
         """Some of the states."""
         load, stiffness = self.seat_load[index], self.seat_stiffness[index]
         return replace(self, speed=self.speed[index], seat_load=load, seat_stiffness=stiffness)
 
-    def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
+    def _withstands(self, forces: float, bar: float) -> Flags:
         """States that stand with shares of all axial forces, and of the drawbar's."""
         spindle, structure = self.spindle, self.structure()
         if spindle.drawbar:
@@ -63,15 +58,10 @@ class Loading:
                 replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
             )
             spindle = replace(spindle, drawbar=drawbar)
-        force = self._along(spindle, forces).bending(structure.shown.middle)
+        force = self.along(spindle, self.seat_load, forces).bending(structure.shown.middle)
         stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
         state = State(self.speed, self.seat_stiffness, stops)
         return withstands(structure, state, force, bar)
-
-    def _along(self, spindle: Spindle, share: float) -> AxialForce:
-        force, gravity, tension = (share * e for e in (self.force, self.gravity, self.tension))
-        point_forces = tuple((x, share * push) for x, push in self.point_forces)
-        return axial_force(spindle, share * self.seat_load, force, gravity, tension, point_forces)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""

@@ -17,19 +17,16 @@ from collections.abc import Callable
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Rows = NDArray[np.intp]
 T = TypeVar("T")
 ROUNDS = 2
 RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 
 
-def few_rows(scene: Scene) -> Rows:
+def few_rows(scene: Scene) -> Indices:
     """First and last of the usable speeds: what grows with the speed is least and largest there."""
     return np.unique([0, len(scene.usable) - 1])
 
@@ -59,7 +56,7 @@ def solve_accurately(
     return scene, solve(scene)
 
 
-def changes(scene: Scene, values: Callable[[Scene, Rows], Array | Complex], axis: int) -> Array:
+def changes(scene: Scene, values: Callable[[Scene, Indices], Array | Complex], axis: int) -> Array:
     """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
     all axes but ``axis``."""
     rows = few_rows(scene)

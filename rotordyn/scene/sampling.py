@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.numerics.peaks import sampled, spread_between
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 Arrays = Sequence[NDArray[Any]]
 LEAST = 40  # speeds, evenly from the first to the last
 CLOSEST = 1e-7  # of the highest speed, between two samples and the two sides of a jump
@@ -78,7 +78,7 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
     )
 
 
-def _stops(scene: Scene) -> NDArray[np.bool_]:
+def _stops(scene: Scene) -> Flags:
     """Which stops are closed at every speed (n, sleeves); none where there is no equilibrium."""
     held = np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
     held[scene.usable] = scene.stopped

@@ -12,9 +12,9 @@ from functools import cached_property, partial
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_matrices, require_modes
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
@@ -32,7 +32,6 @@ from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics
 from rotordyn.scene.warnings import friction_notes, machine_warnings
 
-Array = NDArray[np.float64]
 MEETING = 1e-6  # rad/s, of the speed at which a stop is met
 BEYOND = 2.0  # of the highest frequency: modes above it are followed a little farther
 
@@ -170,9 +169,6 @@ class Scene(Statics):
         conditions = self.conditions
         return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
 
-    def _structure(self) -> Structure:
-        return self.rotor
-
     @cached_property
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -181,7 +177,7 @@ class Scene(Statics):
         held = self.preload.net.held[:, 1:]
         return np.array([self._stop_speed(k, held[:, k]) for k in range(held.shape[1])])
 
-    def _stop_speed(self, sleeve: int, held: NDArray[np.bool_]) -> float:
+    def _stop_speed(self, sleeve: int, held: Flags) -> float:
         """The same under loads across the axis or with friction, between the speeds of the case."""
         from scipy.optimize import brentq
 
@@ -216,7 +212,7 @@ class Scene(Statics):
         return State(self.speed[self.usable], self.seat_stiffness, self.stopped | rubbing)
 
     @property
-    def stopped(self) -> NDArray[np.bool_]:
+    def stopped(self) -> Flags:
         """Sleeves at their stops at the usable speeds (usable, sleeves)."""
         if not self.spindle.seats:
             return np.zeros((len(self.usable), len(self.spindle.sleeves)), dtype=bool)
@@ -234,7 +230,7 @@ class Scene(Statics):
         drawbar = self.conditions.axial_stiffening
         return subsystems(self.rotor, self.state, drawbar=drawbar)
 
-    def linear(self, k: int, rows: NDArray[np.intp] | None = None) -> Linear:
+    def linear(self, k: int, rows: Indices | None = None) -> Linear:
         """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
         them."""
         chosen: Any = slice(None) if rows is None else rows
@@ -252,9 +248,7 @@ class Scene(Statics):
             self.systems[k] = self.system_at(k)
         return self.systems[k]
 
-    def system_at(
-        self, k: int, rows: NDArray[np.intp] | None = None, *, few: bool = False
-    ) -> FreeMotions:
+    def system_at(self, k: int, rows: Indices | None = None, *, few: bool = False) -> FreeMotions:
         """The same at some ``rows`` of the usable speeds alone; ``few``: for receptances at a few
         frequencies, for which modes are not always solved for."""
         if k in self.systems and rows is not None:

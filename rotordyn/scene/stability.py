@@ -6,15 +6,15 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM, number
 
 STRAIGHT = 1e-2  # of the growth: a motion that turns less while it grows e-fold does not swing
 
 
-def instability(systems: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
+def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
     """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
     fastest = np.full(len(speed), 0j)
     for modes in (one for one in systems if one.pole.size):

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ball.laws import Laws
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
-from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
 from rotordyn.machine.history import Past
 from rotordyn.machine.inertia import rotor_inertia
@@ -28,19 +28,20 @@ from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import acts_across
-from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
+from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
     from rotordyn.preload.family import Family
     from rotordyn.preload.heat_balance import HeatBalance
 
-Array = NDArray[np.float64]
 ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 
 class Statics(Staged):
     """A machine under given conditions at given speeds [rad/s], ascending, without vibration."""
+
+    rotor: stage  # terms of the machine (``Scene``)
 
     def __init__(
         self,
@@ -87,7 +88,7 @@ class Statics(Staged):
         return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
 
     @property
-    def bearing_row(self) -> NDArray[np.intp]:
+    def bearing_row(self) -> Indices:
         """For every speed of the case, its row among ``bearing_speed``."""
         rows = np.arange(len(self.speed))
         return rows if len(self.bearing_speed) == len(rows) else np.zeros_like(rows)
@@ -143,7 +144,7 @@ class Statics(Staged):
             raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
 
     @property
-    def usable(self) -> NDArray[np.intp]:
+    def usable(self) -> Indices:
         """Rows of the speeds with a solution; NoSolution where there is none."""
         self.require_solution()
         return np.flatnonzero([word == "" for word in self.outcome])
@@ -157,7 +158,7 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
-    def flagged(self, values: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def flagged(self, values: Flags) -> Flags:
         """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
         whole = np.zeros(len(self.speed), dtype=bool)
         whole[self.usable] = values
@@ -253,9 +254,9 @@ class Statics(Staged):
         """The rotor under its static loads across the axis, and their size [N]."""
         from rotordyn.equation.statics import loaded_rotor
 
-        structure, speed, force = self._structure(), self.state_speed, None
+        structure, speed, force = self.rotor, self.state_speed, None
         if self.conditions.axial_stiffening:
-            along = self._along(self.unloaded.seat_load())
+            along = self._along(self.grounded, self.unloaded.seat_load())
             force = np.nan_to_num(along.bending(self.mesh.middle))
         loads = across(self.spindle, self.conditions)
         length = self.spindle.shaft.end - self.spindle.shaft.start
@@ -265,7 +266,7 @@ class Statics(Staged):
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
-        return self._along(self._seat_load)
+        return self._along(self.grounded, self._seat_load)
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions))
     def buckling(self) -> tuple[str, ...]:
@@ -278,18 +279,8 @@ class Statics(Staged):
         """Per state with other loads (states, seats) and tangents of the bearings: as above."""
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
-        loading = Loading(
-            self.grounded,
-            speed,
-            self._structure,
-            seat_load,
-            seat_stiffness,
-            self.conditions.axial_force,
-            self.gravity,
-            self.conditions.tension,
-            self._point_forces,
-        )
-        return loading.outcomes()
+        machine = self.grounded, speed, lambda: self.rotor
+        return Loading(*machine, seat_load, seat_stiffness, self._along).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
         """Axial force that acts on bending (states, elements) [N]; None where it shall not.
@@ -298,29 +289,22 @@ class Statics(Staged):
         """
         if not self.conditions.axial_stiffening:
             return None
-        along = self.shaft_force if seat_load is None else self._along(seat_load)
+        along = self.shaft_force if seat_load is None else self._along(self.grounded, seat_load)
         return along.bending(self.mesh.middle)
 
-    def _along(self, seat_load: Array) -> AxialForce:
-        acting = self.conditions
-        return axial_force(
-            self.grounded,
-            seat_load,
-            acting.axial_force,
-            self.gravity,
-            acting.tension,
-            self._point_forces,
-        )
+    def _along(self, spindle: Spindle, seat_load: Array, share: float = 1.0) -> AxialForce:
+        """Under axial loads of the bearings (states, seats) and all forces of the conditions, or a
+        ``share`` of both."""
+        acting, gravity = self.conditions, share * self.gravity
+        force, tension = share * acting.axial_force, share * acting.tension
+        points = tuple((x, share * push) for x, push in self._point_forces)
+        return axial_force(spindle, share * seat_load, force, gravity, tension, points)
 
     @property
     def _point_forces(self) -> PointForces:
         """Stations and axial forces of the loads."""
         place = self.spindle.place
         return tuple((place(load.at).x, load.Fx) for load in self.conditions.loads if load.Fx)
-
-    def _structure(self) -> Structure:
-        """The terms of the machine."""
-        raise NotImplementedError
 
     @property
     def _axial_inputs(self) -> tuple[Any, ...]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.preload.growth import released_fits
@@ -22,7 +23,6 @@ from rotordyn.scene.stability import instability
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 FILMS_RULE = 0.1  # of the axial load of a bearing
 
 
@@ -135,9 +135,7 @@ def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
     return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
 
-def _lost(
-    name: str, speed: Array, usable: NDArray[np.bool_], load: Array, seat: BearingSeat
-) -> Iterator[str]:
+def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat) -> Iterator[str]:
     """Of a bearing that takes thrust one way, balls that loads from outside leave without load."""
     idle = usable[:, None] & (load <= 0.0)
     rows = np.flatnonzero(idle.any(axis=1))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.elements.beam import PlaneBending, beam_matrices, shear_parameter
-from rotordyn.equation.elements.rod import Rod, rod_matrices
+from rotordyn.equation.elements.rod import rod_matrices
 from rotordyn.machine.cross_section import area, second_moment
 
 Array = NDArray[np.float64]
@@ -30,6 +30,8 @@ def hierarchic_bending(
     return beam_matrices(length, shear_parameter(length, bending, shear), *along, degree=degree)
 
 
-def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degree: int) -> Rod:
-    """A rod of any ``degree``."""
+def hierarchic_rod(
+    length: Array, rigidity: Array, line_inertia: Array, *, degree: int
+) -> tuple[Array, Array]:
+    """Mass and stiffness of a rod of any ``degree``."""
     return rod_matrices(length, rigidity[:, None], line_inertia[:, None], degree=degree)

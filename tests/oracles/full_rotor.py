@@ -62,8 +62,8 @@ class FullRotor:
 
     def _stiffen(self, spindle: Spindle, axial_force: Array) -> None:
         """Add K_geo element by element in both planes, and the drawbar between its contacts."""
-        mesh, ring = self.mesh, (self.mesh.outer_diameter, self.mesh.inner_diameter)
-        ratio = mesh.inner_diameter / mesh.outer_diameter
+        mesh, ring = self.mesh, (self.mesh.outer[0], self.mesh.inner[0])
+        ratio = mesh.inner[0] / mesh.outer[0]
         kappa = shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
         bending = mesh.young_modulus * second_moment(*ring)
         phi = shear_parameter(mesh.length, bending, kappa * mesh.shear_modulus * area(*ring))

@@ -119,7 +119,7 @@ def test_full_matrices_element_by_element() -> None:
     """A plain loop over elements and bodies."""
     expected = {key: np.zeros_like(FULL.mass) for key in ("mass", "gyroscopic", "stiffness")}
     for k in range(MESH.nodes - 1):
-        outer, inner, nu = MESH.outer_diameter[k], MESH.inner_diameter[k], MESH.poisson_ratio[k]
+        outer, inner, nu = MESH.outer[0, k], MESH.inner[0, k], MESH.poisson_ratio[k]
         element = shaft_element(
             MESH.x[k + 1] - MESH.x[k],
             outer,

@@ -83,7 +83,7 @@ def divided(mesh: Mesh, parts: int) -> Mesh:
     """Every element cut into equal ones."""
     share = np.arange(parts) / parts
     x = np.append((mesh.x[:-1, None] + mesh.length[:, None] * share).ravel(), mesh.x[-1])
-    rest = {f.name: np.repeat(getattr(mesh, f.name), parts) for f in fields(Mesh)[1:]}
+    rest = {f.name: np.repeat(getattr(mesh, f.name), parts, axis=-1) for f in fields(Mesh)[1:-1]}
     return Mesh(x, **rest)
 
 

@@ -8,7 +8,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_responses
 from rotordyn.analyses.frf.coupled import with_coupled
@@ -24,6 +23,7 @@ from rotordyn.analyses.frf.result import (
 )
 from rotordyn.analyses.frf.spec import ORDERS_TURNED, FrfSpec
 from rotordyn.analyses.measured_response import QUANTITIES, Port
+from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.plausibility import undamped
@@ -32,11 +32,9 @@ from rotordyn.modes.branches import Branch, branches_of
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
-from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Answered = Callable[[Array], Complex]
 LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
@@ -204,7 +202,7 @@ def _finite(at: Array, high: Complex, row: int) -> Array:
     return np.unique(at[row][np.isfinite(at[row]) & np.isfinite(high[row])])
 
 
-def _slices(scene: Scene, spec: FrfSpec) -> NDArray[np.intp]:
+def _slices(scene: Scene, spec: FrfSpec) -> Indices:
     """Places of the speeds that are drawn, among those of the case."""
     ends = scene.speed[scene.usable[[0, -1]]]
     wanted = spec.slices or tuple(ends)
@@ -233,7 +231,7 @@ def _responses(
     power: int,
     scene: Scene,
     frequency: Array,
-    rows: Rows | None = None,
+    rows: Indices | None = None,
     *,
     few: bool = False,
 ) -> Complex:
@@ -321,7 +319,7 @@ def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bo
 
 
 def _weighed(
-    k: int, pairs: Sequence[tuple[Port, Port]], at: Array, power: int, scene: Scene, rows: Rows
+    k: int, pairs: Sequence[tuple[Port, Port]], at: Array, power: int, scene: Scene, rows: Indices
 ) -> Complex:
     """Receptances times ω to a power (rows, pairs, f) at frequencies ``at`` (f,) [Hz]."""
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
@@ -371,7 +369,7 @@ def _refuse_unlimited(
         )
 
 
-def _near_poles(motions: FreeMotions, frequency: Array) -> NDArray[np.bool_]:
+def _near_poles(motions: FreeMotions, frequency: Array) -> Flags:
     """Frequencies (f,) that may lie on the pole of a motion without damping."""
     pole = motions.pole
     with np.errstate(invalid="ignore"):

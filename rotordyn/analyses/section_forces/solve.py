@@ -63,7 +63,7 @@ def _result(
     line = scene.scattered(
         np.stack([moved[:, :-1], moved[:, 1:]], axis=2).reshape(len(moved), -1, 6)
     )
-    outer, inner = (np.stack(ends, axis=1).ravel() for ends in (mesh.outer, mesh.inner))
+    outer, inner = (ends.T.ravel() for ends in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)
     held = [(each.name, each.x) for each in spindle.connections]
     spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]

@@ -17,6 +17,7 @@ from rotordyn.analyses.unbalance.loads import acting, node_loads, unbalanced
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
@@ -27,12 +28,10 @@ from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
 from rotordyn.numerics.peaks import NARROW, tops
-from rotordyn.scene.refinement import Rows, changes, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import changes, response_accuracy, solve_accurately
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 AXES = ("y", "z")
 SLOWEST = 1e-9  # [rad/s]: below, no critical speed is sought
 UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
@@ -265,7 +264,7 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
     if not scene.checks.wanted:
         return np.full(len(spec.points), np.nan)
 
-    def values(one: Scene, rows: Rows) -> Complex:
+    def values(one: Scene, rows: Indices) -> Complex:
         linear = one.linear(_bending_subsystem(one), rows)
         motion = _steady(one, linear, spec, ratio * one.speed[one.usable[rows]])
         return np.nan_to_num(_displacements(one, linear, spec, motion))

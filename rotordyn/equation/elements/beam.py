@@ -17,12 +17,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.elements.polynomials import bubbles, points
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.intp]
 _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the DOF of constant shear: −½ ∫ψ_2 dξ
 
 
@@ -41,7 +39,7 @@ class PlaneBending:
     stiffness: Array
 
 
-def inner_dofs(degree: Whole, sheared: bool = True) -> Whole:
+def inner_dofs(degree: Indices, sheared: bool = True) -> Indices:
     """DOF between the nodes of elements of ``degree`` n ≥ 1 (1: the standard element)."""
     return np.where(degree < 2, 0, 2 * degree - 1 if sheared else degree - 2)
 

@@ -10,9 +10,8 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array, Indices
 
 
 def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
@@ -37,7 +36,7 @@ def _bubbles(last: int, shape: tuple[int, ...], places: bytes) -> tuple[Array, A
     return functions
 
 
-def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
+def _integral(p: Array, degree: Indices) -> Array:
     """∫ P_k dξ from −1."""
     before = np.where(degree == 0, -p[..., :1], p[..., np.abs(degree - 1)])
     return np.asarray((p[..., degree + 1] - before) / (2.0 * degree + 1.0))

@@ -6,27 +6,10 @@ cylinder; frequencies err as h^(2n).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.elements.polynomials import bubbles, points
-
-Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Rod:
-    """Matrices (elements, degree + 1, degree + 1)."""
-
-    mass: Array
-    stiffness: Array
-
-
-def inner_dofs(degree: int) -> int:
-    """DOF between the nodes of a rod of ``degree`` n ≥ 1."""
-    return degree - 1
 
 
 def quadrature(degree: int) -> tuple[Array, Array]:
@@ -34,8 +17,11 @@ def quadrature(degree: int) -> tuple[Array, Array]:
     return points(2 * degree + 4)
 
 
-def rod_matrices(length: Array, rigidity: Array, line_inertia: Array, *, degree: int) -> Rod:
-    """Matrices of rods of a ``length`` (elements,) [m], all of one ``degree``.
+def rod_matrices(
+    length: Array, rigidity: Array, line_inertia: Array, *, degree: int
+) -> tuple[Array, Array]:
+    """Mass and stiffness (elements, degree + 1, degree + 1) of rods of a ``length`` (elements,)
+    [m], all of one ``degree``.
 
     ``rigidity`` E A [N] or G Ip [N·m²] and ``line_inertia`` ρ A [kg/m] or ρ Ip [kg·m] (elements,
     points) at the points of ``quadrature``.
@@ -46,9 +32,7 @@ def rod_matrices(length: Array, rigidity: Array, line_inertia: Array, *, degree:
     if degree > 1:
         rise = np.concatenate([rise, bubbles(degree, xi)[2]], axis=-1)
     mass, stiffness = (line_inertia * weight * half), (rigidity * weight / half)
-    return Rod(
-        mass=shape.T @ (mass[..., None] * shape), stiffness=rise.T @ (stiffness[..., None] * rise)
-    )
+    return shape.T @ (mass[..., None] * shape), rise.T @ (stiffness[..., None] * rise)
 
 
 def shapes(degree: int, xi: Array) -> Array:

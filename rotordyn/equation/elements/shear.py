@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from bearings.errors import shown
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
-
-Array = NDArray[np.float64]
 
 
 def cowper(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:

@@ -101,15 +101,15 @@ def _matrix(spindle: Spindle, mesh: Mesh, name: str, rows: Selection, columns: S
         raise ValueError("standard elements of the dense rotor are cylinders")
     element = shaft_element(
         mesh.length,
-        mesh.outer_diameter,
-        mesh.inner_diameter,
+        mesh.outer[0],
+        mesh.inner[0],
         mesh.young_modulus,
         mesh.shear_modulus,
         mesh.density,
         shear_coefficient(
             spindle.shaft.shear_coefficient,
             mesh.poisson_ratio,
-            mesh.inner_diameter / mesh.outer_diameter,
+            mesh.inner[0] / mesh.outer[0],
         ),
     )
     shaft = chain(rows.take(getattr(element, name), columns))

@@ -10,19 +10,15 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigvals, solve
 
-from rotordyn.equation.dofs import Indices
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import summed
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)

@@ -84,9 +84,9 @@ def exact_rotor(
 def _segments(spindle: Spindle, mesh: Mesh, tension: Array) -> Segments:
     if (mesh.steepness > 1.0).any():
         raise InvalidInput("the exact shaft is made of cylinders")
-    ratio = mesh.inner_diameter / mesh.outer_diameter
-    ring = area(mesh.outer_diameter, mesh.inner_diameter)
-    moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)
+    ratio = mesh.inner[0] / mesh.outer[0]
+    ring = area(mesh.outer[0], mesh.inner[0])
+    moment = second_moment(mesh.outer[0], mesh.inner[0])
     kappa = shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
     shear = kappa * mesh.shear_modulus * ring
     if (shear + tension <= 0.0).any():

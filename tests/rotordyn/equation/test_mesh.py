@@ -48,7 +48,7 @@ def test_default_length() -> None:
 def test_elements_have_the_section_they_lie_in() -> None:
     mesh = build_mesh(FULL, 0.013)
     for left, right, outer, density in zip(
-        mesh.x, mesh.x[1:], mesh.outer_diameter, mesh.density, strict=False
+        mesh.x, mesh.x[1:], mesh.outer[0], mesh.density, strict=False
     ):
         section = FULL.shaft.section_at((left + right) / 2)
         assert (outer, density) == (section.outer_diameter, section.material.density)

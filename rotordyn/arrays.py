@@ -1,0 +1,14 @@
+"""Names of array types."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]  # real or complex
+Flags = NDArray[np.bool_]
+Indices = NDArray[np.intp]
