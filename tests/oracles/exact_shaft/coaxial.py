@@ -36,6 +36,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 SAME = 1e-9  # of the machine: stations nearer to one another are one
 EDGE = 0.05  # of the band, by which poles of coarse cones may lie beyond it
+BESIDE = 1e-8
 WAYS = ("radial", "tilt")
 
 
@@ -249,8 +250,11 @@ def _found(equations: Shooting, box: Box, starts: Complex, before: list[Complex]
 
 
 def _starts(found: list[Complex]) -> Complex:
-    """Where a finer rotor has its poles."""
-    return found[-1] if len(found) == 1 else found[-1] + (found[-1] - found[-2]) / 4.0
+    """Where a finer rotor has its poles, and a little beside: at a pole itself no step is known."""
+    if len({len(each) for each in found}) > 1:
+        raise NoSolution("not every pole of the exact shafts was reached")
+    last = found[-1] if len(found) == 1 else found[-1] + (found[-1] - found[-2]) / 4.0
+    return last * (1.0 + BESIDE)
 
 
 def _of_cylinders(spindle: Spindle, count: int) -> Spindle:
