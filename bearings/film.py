@@ -129,8 +129,10 @@ def film(
     if heating:
         parameter = eta * lubricant.thinning(celsius) * u**2 / lubricant.conductivity
         factor = inlet_heating(state.contact_pressure, modulus, parameter)
-    there = np.where(np.asarray(state.outcome) == "", 1.0, np.nan)[..., None, None]
-    least, central = (each * factor * starvation * there for each in (least, central))
+    there = (np.asarray(state.outcome) == "")[..., None, None]
+    least, central = (
+        np.where(there, each * factor * starvation, np.nan) for each in (least, central)
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
         stiffness = np.where(central > 0.0, load / (_BY_LOAD * central), np.inf)
     growth = _heaviest(load, central, inner) + _heaviest(load, central, ~inner)

@@ -113,6 +113,17 @@ def test_no_film_without_load_or_speed() -> None:
     assert ((found.least[1] > 0.0) == (state.contact_load[1] > 0.0)).all()
 
 
+def test_no_film_is_known_without_a_state() -> None:
+    """Rings pushed a metre, beside 20 µm."""
+    push = [[1.0, 0.0, 0.0, 0.0, 0.0], [2e-5, 0.0, 0.0, 0.0, 0.0]]
+    state = VEX70.equilibrium(displacement=push, speed=500.0)
+    found = film.film(state, OIL, 40.0)
+    assert (state.outcome != "").tolist() == [True, False]
+    for each in (found.least, found.central, found.growth):
+        assert np.isnan(each[0]).all()
+        assert (each[1] > 0.0).all()
+
+
 def test_viscosity_goes_through_its_two_points() -> None:
     assert OIL.kinematic([40.0, 100.0]) == pytest.approx([32e-6, 5.4e-6])
     assert (np.diff(OIL.kinematic(np.linspace(-10.0, 150.0, 40))) < 0.0).all()

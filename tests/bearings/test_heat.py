@@ -11,7 +11,7 @@ from scipy.optimize import minimize
 
 from bearings import STEEL, InvalidBearing, Lubricant, heat
 from bearings.heat.ellipse import Contacts, mean_speed
-from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, starvation
+from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
 from bearings.ring.motion import ball_motion, contact_motion
 from tests.oracles.known_bearings import HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
@@ -165,6 +165,45 @@ def test_skf_example_of_a_catalogue() -> None:
     assert inlet_shear(speed, 60e-3, nu) == pytest.approx(0.85, rel=0.01)
     assert starvation(speed, nu, 40e-3, 80e-3, "low bath", 5.5) == pytest.approx(0.80, rel=0.02)
     assert rolling_moment(0.26, nu, speed) == pytest.approx(0.437, rel=0.01)
+
+
+@pytest.mark.parametrize("pitch", [60e-3, 90e-3])
+def test_boundary_lubrication_of_skf_ends_with_speed(pitch: float) -> None:
+    """Catalogue 6000: φbl = 1/e^(2.6e-8 (n ν)^1.4 dm), μbl 0.15; at 1/e of it n ν is known."""
+    reached = (1.0 / (2.6e-8 * pitch * 1e3)) ** (1.0 / 1.4)
+    speed = np.array([0.0, 0.5, 1.0, 2.0, 20.0]) * reached / 20.0 * RPM
+    friction = 1e3 * sliding_moment(1.0, 20e-6, speed, pitch, 0.05)
+    share = (friction - 0.05) / (0.15 - 0.05)
+    known = [1.0, math.exp(-(0.5**1.4)), 1.0 / math.e, math.exp(-(2.0**1.4)), 0.0]
+    assert share == pytest.approx(known, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize(("hybrid", "centrifugal"), [(False, 1.0), (True, 0.41)])
+def test_skf_moment_by_hand(hybrid: bool, centrifugal: float) -> None:
+    """A 7214 B, 70 × 125, at 3000 rpm and 15 mm²/s under 800 N radial and 1200 N axial, as
+    catalogue 6000 has it for bearings 72 B: N, mm, rpm, mm²/s."""
+    n, nu, d, big, dm, fr, fa = 3000.0, 15.0, 70.0, 125.0, 97.5, 800.0, 1200.0
+    grr = 5.03e-7 * dm**1.97 * (fr + 1.90e-12 * centrifugal * dm**4 * n**2 + 1.97 * fa) ** 0.54
+    thrown = fr + 1.91e-12 * centrifugal * dm**4 * n**2
+    gsl = 1.30e-2 * dm**0.26 * (thrown ** (4 / 3) + 0.68 * fa ** (4 / 3))
+    inlet = 1.0 / (1.0 + 1.84e-9 * (n * dm) ** 1.28 * nu**0.64)
+    starved = math.exp(-6e-8 * nu * n * (d + big) * math.sqrt(4.4 / (2.0 * (big - d))))
+    boundary = math.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
+    found = heat.skf_moment(
+        radial=np.array([-fr, fr]),
+        axial=np.array([fa, -fa]),
+        speed=n * RPM,
+        viscosity=nu * 1e-6,
+        bore=d * 1e-3,
+        outside=big * 1e-3,
+        supply="grease",
+        hybrid=hybrid,
+        ehl_friction=0.04,
+    )
+    sliding = 1e-3 * gsl * (boundary * 0.15 + (1.0 - boundary) * 0.04)
+    assert found.rolling == pytest.approx(2 * [1e-3 * inlet * starved * grr * (n * nu) ** 0.6])
+    assert found.sliding == pytest.approx(2 * [sliding])
+    assert found.total == pytest.approx(found.rolling + found.sliding)
 
 
 def test_skf_model_ends() -> None:

@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import FourPointBallBearing
+from bearings import FourPointBallBearing, InvalidBearing
 from bearings.ring.state import BearingState
 from tests.oracles.four_point import Drawing, GrooveOracle
 from tests.oracles.known_bearings import DEGREE, RPM
@@ -96,6 +96,19 @@ def radial_play_of_a_ball(b: Drawing) -> float:
     for f, g in ((b.inner_conformity, b.inner_shim), (b.outer_conformity, b.outer_shim)):
         reach += math.sqrt(((f - 0.5) * b.ball_diameter) ** 2 - (0.5 * g) ** 2)
     return reach
+
+
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_a_shim_ends_where_the_ball_sits_against_the_middle_of_its_groove(ring: str) -> None:
+    """sin α⁰ = g/(2 ℓ): 90° at g = 2 ℓ, the distance of both arc centres from a ball that fills
+    the groove."""
+    usual = four_point(R24_14)
+    reach = (getattr(usual, f"{ring}_conformity") - 0.5) * usual.ball_diameter
+    for share, beyond in ((0.999, False), (1.001, True), (1.5, True)):
+        with pytest.raises(InvalidBearing) as caught:
+            replace(usual, **{f"{ring}_shim": 2.0 * share * reach})
+        assert ("reaches beyond the groove" in str(caught.value)) == beyond
+        assert not beyond or f"allowed below {2e3 * reach:.4g} mm" in str(caught.value)
 
 
 def carries(bearing: FourPointBallBearing, displacement: list[float]) -> bool:

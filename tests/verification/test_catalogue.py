@@ -16,6 +16,7 @@ from bearings import (
     SILICON_NITRIDE,
     STEEL,
     AngularContactBallBearing,
+    Catalogue,
     EstimatedBearing,
     InvalidBearing,
     estimate,
@@ -202,6 +203,7 @@ CONTRADICTIONS = [
     (dict(unloading=[190.0, 570.0, 1150.0]), "about three times the preload"),
     (dict(rigidities=[143e6]), "one for each of preloads: given 1 for 3"),
     (dict(rigidities=[143.0, 211.0, 274.0]), "in N/m, got 143: is the unit right"),
+    (dict(rigidities=[9.9e4, 211e6, 274e6]), "in N/m, got 99000: is the unit right"),
     (dict(outside_diameter=0.072), "outside_diameter 72 mm must be well above bore 70 mm"),
     (dict(ball_diameter=0.03), "ball_diameter 30 mm does not fit a section of 20 mm"),
     (dict(pitch_diameter=0.12), "pitch_diameter 120 mm must lie between bore and outside_diameter"),
@@ -215,6 +217,13 @@ CONTRADICTIONS = [
 def test_values_that_cannot_be(changed: dict[str, Any], sentence: str) -> None:
     with pytest.raises(InvalidBearing, match=sentence):
         estimate(**{**KH_6014_E, **changed})
+
+
+def test_rigidities_from_a_tenth_of_a_newton_per_micrometre_on_are_values() -> None:
+    printed = Catalogue(
+        bore=0.07, outside_diameter=0.11, contact_angle=0.4, preloads=(190.0,), rigidities=(1e5,)
+    )
+    assert printed.values[0].words == "rigidity at 190 N 0.1 N/µm"
 
 
 @pytest.mark.parametrize("given", [{}, {"rigidities": [], "preloads": []}])
