@@ -97,6 +97,15 @@ def test_force_and_offset_give_one_another() -> None:
     assert any("600 N as mounted" in line for line in summary(result))
 
 
+@pytest.mark.parametrize("force", [0.105, 1.05, 9.5, 10.5, 102.0, 995.0, 1040.0, 10500.0])
+def test_an_offset_of_any_size_gives_its_force_back(force: float) -> None:
+    """Beside every power of ten as well, between which the force is sought."""
+    machine = spindle("DB", SetPreload(force=force))
+    offset = ring_offset(machine, machine.sleeves[0], force)
+    back = spindle("DB", SetPreload(offset=offset))
+    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(force, rel=1e-8)
+
+
 def test_fits_raise_the_preload_of_an_offset() -> None:
     """Growth takes up BD (sin α − sin α') of each bearing: by the law of one bearing at the grown
     angle."""
