@@ -21,7 +21,9 @@ from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from tests.oracles.coaxial import INNER, OUTER, bearing
 from tests.oracles.rotors import support, uniform
+from tests.oracles.spindles import all_poles
 
 LIGHT = Material("light", 2.1e11, 0.3, 1.0)
 LENGTH, MASS, BETA = 0.6, 20.0, 2e-8
@@ -176,3 +178,32 @@ def test_tapered_shaft_grows_from_where_its_ratios_say() -> None:
     assert float(modes.stability_threshold) == pytest.approx(predicted, rel=5e-3)
     assert found["soft/campbell"].stability_threshold == math.inf
     assert found["published/campbell"].stability_threshold == math.inf
+
+
+@pytest.mark.parametrize("ratio", [1.5, -0.7])
+def test_damping_of_a_further_rotor_turns_at_its_own_speed(ratio: float) -> None:
+    """Joined to nothing, it has the poles that it has alone at that speed, either way it turns."""
+    spin = np.array([500.0])
+    ends = (bearing("c", 0.16, 2e7, 3e7, "outer"), bearing("d", 0.4, 1e7, 1e7, "outer"))
+    held = (bearing("a", 0.0, 26e6, 26e6), bearing("b", 0.5, 9e6, 9e6))
+    outer = replace(
+        OUTER, speed_ratio=ratio, rayleigh=RayleighDamping(stiffness=1e-4), internal_damping=0.8
+    )
+    both = replace(INNER, rotors=(outer,), supports=(*held, *ends))
+    found = all_poles(Scene(both, Conditions(), spin, 400.0))
+    alone = all_poles(Scene(both.part("outer"), Conditions(), abs(ratio) * spin, 400.0))
+    alone = alone[(alone.imag > 1.0) & (alone.imag < 2.0 * np.pi * 400.0)]
+    assert len(alone) >= 2
+    for pole in alone:
+        assert np.abs(found / pole - 1.0).min() < 1e-6
+
+
+@pytest.mark.parametrize("share", [0.5, 0.8])
+def test_a_share_of_the_damping_turns(share: float) -> None:
+    """Of damping β k the whole damps and the share drives: ζ = β (ω − s Ω)/2, forwards."""
+    part = replace(rotor(0.0), internal_damping=share)
+    omega, _ = still(part)
+    for factor in (0.5, 2.0):
+        ratio = answered(part, [factor * omega]).damping_ratio[0, :2]
+        expected = 0.5 * BETA * omega * (1.0 + share * factor * np.array([1.0, -1.0]))
+        assert np.sort(ratio)[::-1] == pytest.approx(expected, rel=1e-3)
