@@ -42,7 +42,7 @@ def corrected(
 
 def participation(stiffness: Matrix, damping: Matrix, pole: Complex, vector: Complex) -> Complex:
     """Of corrected eigenpairs (k,), (k, n) the left vectors w (k, n), w P′ v = 1, as ``Modes`` have
-    them: by one step of inverse iteration with Pᵀ from a pole just aside."""
+    them: by two steps of inverse iteration with Pᵀ from a pole just aside."""
     one = np.eye(stiffness.shape[-1])
     at = (1.0 + BESIDE) * pole[:, None, None]
     turned = np.swapaxes(damping, -1, -2) + 2.0 * at * one

@@ -70,6 +70,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/numerics/follow.py": [
         (
+            "0.5 -> 0.55",
+            "return",
+            "which place between two steps is looked at next",
+        ),
+        (
             "np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2 -> "
             "(np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:])) ** ((2) * 1.1)",
             "assurance",
@@ -134,6 +139,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "shapes alone",
         ),
     ],
+    "rotordyn/equation/axial_force.py": [
+        (
+            "middle[:, None] + length[:, None] / 2.0 * xi -> middle[:, None] - length[:, None] / 2.0 * xi",
+            "middle",
+            "points and weights of a Gauss rule are the same from either end",
+        ),
+    ],
+    "bearings/ball/friction.py": [
+        (
+            "1.0 -> 1.1",
+            "wanted",
+            "a divisor where nothing slips",
+        ),
+    ],
     "rotordyn/preload/history.py": [
         (
             "float(at.force[SHAFT]) - base -> float(at.force[SHAFT]) + base",
@@ -151,9 +170,19 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("axial - films.axial -> axial + films.axial", "change", "more rounds to one fixed point"),
     ],
     "rotordyn/preload/play.py": [
-        ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has")
+        (
+            "0.5 -> 0.55",
+            "across",
+            "which place is tried next",
+        ),
+        ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has"),
     ],
     "rotordyn/preload/stops.py": [
+        (
+            "zero + margin -> zero - margin",
+            "guess",
+            "which samples of a bracket are taken next",
+        ),
         (
             "high - low -> high + low",
             "margin",

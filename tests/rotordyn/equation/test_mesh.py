@@ -13,7 +13,7 @@ from rotordyn.machine.lumped import Disc
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.rotors import STEEL, STEPPED, uniform
+from tests.oracles.rotors import STEEL, STEPPED, support, uniform
 
 FULL = replace(
     STEPPED,
@@ -27,6 +27,16 @@ def test_every_station_is_a_node() -> None:
     expected = [-0.05, 0.0, 0.033, 0.06, 0.10, 0.111, 0.24, 0.27]
     assert mesh.x == pytest.approx(expected)
     assert [mesh.node_of(x) for x in expected] == list(range(8))
+
+
+@pytest.mark.parametrize("start", [-0.05, 40.0])
+def test_no_node_is_taken_for_one_beside_it_wherever_a_shaft_begins(start: float) -> None:
+    """Stations are one to 3e-7 of the length of the shaft, not of where it lies."""
+    shaft = Shaft(start, (Section(0.32, 0.05, 0.0, STEEL),))
+    mesh = build_mesh(Spindle("far", shaft, supports=(support("s", start, (1e7, 1e7)),)), 0.1)
+    assert mesh.node_of(start + 0.32 * 2.9e-7) == 0
+    with pytest.raises(InvalidInput, match="no node at x"):
+        mesh.node_of(start + 0.32 * 3.1e-7)
 
 
 @pytest.mark.parametrize("longest", [0.004, 0.011, 0.05])

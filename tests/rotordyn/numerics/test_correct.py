@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rotordyn.numerics.correct import corrected
+from rotordyn.numerics.correct import corrected, participation
 from rotordyn.numerics.modes import modes
 
 
@@ -33,3 +33,15 @@ def test_without_an_eigenvalue_near_nothing_converges() -> None:
     pole, _, met = corrected(nothing, nothing, np.array([0j]), np.array([[1.0 + 0j, 0.0]]))
     assert not met.any()
     assert pole[0] == 0.0
+
+
+def test_left_vectors_are_those_of_the_dense_solver_where_poles_are_close() -> None:
+    """Pairs of poles 2 % apart, vectors far from symmetric: all left vectors to 10 digits."""
+    draw = np.random.default_rng(8)
+    turn = draw.standard_normal((8, 8))
+    stiffness = turn @ np.diag(100.0 * np.array([1, 1.04, 4, 4.16, 9, 9.36, 16, 16.6]))
+    stiffness = stiffness @ np.linalg.inv(turn)
+    known = modes(stiffness, 0.02 * np.linalg.inv(turn).T @ turn.T + 0.3 * np.eye(8))
+    found = participation(known.stiffness, known.damping, known.pole, known.vector.T)
+    size = np.abs(known.participation).max(axis=1, keepdims=True)
+    assert np.abs(found / size - known.participation / size).max() < 1e-8
