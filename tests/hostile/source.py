@@ -141,7 +141,8 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/axial_force.py": [
         (
-            "middle[:, None] + length[:, None] / 2.0 * xi -> middle[:, None] - length[:, None] / 2.0 * xi",
+            "middle[:, None] + length[:, None] / 2.0 * xi -> "
+            "middle[:, None] - length[:, None] / 2.0 * xi",
             "middle",
             "points and weights of a Gauss rule are the same from either end",
         ),
