@@ -15,6 +15,7 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.section_forces import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -91,6 +92,28 @@ def test_a_column_buckles_at_the_load_of_euler_and_engesser() -> None:
     assert all("buckles the shaft" in word for word in scene(1.0 + 1e-6).outcome)
     with pytest.raises(NoSolution, match=r"0\.5 times that force would not"):
         scene(2.0).require_solution()
+
+
+def test_a_drawbar_in_part_of_the_shaft_buckles_it_where_the_lowest_mode_stands_still() -> None:
+    """Held by the bar between its guides; f² falls to zero as the force grows."""
+    given = replace(FINE, axial_stiffening=True)
+
+    def pressed(force: float) -> Spindle:
+        return beam("x", drawbar=Drawbar(force, 0.2, 0.7, (0.3,)))
+
+    def lowest(force: float) -> float:
+        return float(bending(pressed(force), given, 200.0)[0, 0]) ** 2
+
+    last, here = (0.0, lowest(1e-3)), (4.0 * BUCKLING, lowest(4.0 * BUCKLING))
+    for _ in range(9):  # nearer and nearer from below, since f² bends downwards
+        zero = here[0] + here[1] * (here[0] - last[0]) / (last[1] - here[1])
+        last, here = here, (force := here[0] + 0.5 * (zero - here[0]), lowest(force))
+    zero = here[0] + here[1] * (here[0] - last[0]) / (last[1] - here[1])
+    assert here[1] < 1e-2 * lowest(1e-3)
+    for factor, word in ((0.9999, ""), (1.0001, "buckles the shaft")):
+        (found,) = Scene(pressed(factor * zero), given, np.zeros(1), 200.0).outcome
+        assert word in found
+        assert bool(word) == bool(found)
 
 
 def test_section_forces_take_it() -> None:
