@@ -38,6 +38,11 @@ def power(base: float, values: object, name: str = "", often: int = 1) -> float:
         (lambda: interference((0.0, 1e-6), (0.0,)), "bore must be two numbers"),
         (lambda: bearing_bore(0.06, 4), "grade must be text"),
         (lambda: Lubricant("x", 5e-6), "viscosity_40 must be a number"),
+        (lambda: Lubricant(5e-6, 0.4e-6), "above 0.5 mm²/s, got 0.4 mm²/s: is the unit right"),
+        (
+            lambda: Lubricant(5e-6, 8e-6),
+            "viscosity_100 8 mm²/s must be below viscosity_40, 5 mm²/s",
+        ),
         (lambda: Material("m", 10**400, 0.3, 1.0), "young_modulus must be a number"),
         (lambda: Material("m", 2e11, -1.001, 7800.0), "poisson_ratio must lie between -1 and 0.5"),
     ],

@@ -69,6 +69,13 @@ def test_smoothing() -> None:
     assert fits.smoothing(0.8e-6, 0.4e-6, "NKE") == pytest.approx(0.48e-6)
 
 
+def test_smoothing_takes_as_much_of_every_interference() -> None:
+    whole = fits.Interference(-2e-6, 16e-6, 7e-6, (1e-6, 13e-6))
+    less = whole.reduced(4e-6)
+    assert less[:3] == pytest.approx((-6e-6, 12e-6, 3e-6))
+    assert less.probable == pytest.approx((-3e-6, 9e-6))
+
+
 def test_bearing_rings() -> None:
     assert fits.bearing_bore(0.07, "P4") == pytest.approx((-7e-6, 0.0))
     assert fits.bearing_outside(0.110) == pytest.approx((-8e-6, 0.0))

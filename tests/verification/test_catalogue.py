@@ -182,6 +182,18 @@ def test_given_ball_data_is_kept() -> None:
     assert "fi" not in found.estimated
 
 
+def test_an_unloading_force_is_beyond_twice_the_preload() -> None:
+    """A stiff pair unloads at 2.83 times its preload by δ ∝ F^(2/3), at 2 if it were linear."""
+    given = dict(KH_6014_E, preloads=[570.0], rigidities=[211e6])
+    with pytest.raises(
+        InvalidBearing, match="force of 1139 N at a preload of 570 N: that of a pair"
+    ):
+        estimate(**given, unloading=[1139.0])
+    with pytest.raises(InvalidBearing) as refused:  # contradicts the rest, not itself
+        estimate(**given, unloading=[1150.0])
+    assert "about three times" not in str(refused.value)
+
+
 def test_what_c_is_taken_for_is_said_and_how_wrong_a_life_would_be() -> None:
     """C of a pair given for one cannot be told from most data; L10 goes with C³."""
     found = estimate(**KH_6014_E)

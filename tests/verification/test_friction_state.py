@@ -24,7 +24,7 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, moments, most_moments
+from rotordyn.preload.history import Moment, history, moments, most_moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
@@ -57,6 +57,22 @@ def test_a_history_of_forces_with_real_bearings() -> None:
         assert state.friction_force[0, 0] + state.stop_force[0, 0] == pytest.approx(
             known["friction"][0] + known["stop"][0], rel=1e-3
         )
+
+
+def test_a_history_without_a_state_names_its_speed(monkeypatch: pytest.MonkeyPatch) -> None:
+    speed = np.array([0.0, 16000.0]) * RPM
+    whole = history(dynamic_preload(rubbing(), speed, LAW), 0.0)
+    found = list(whole.run_up())
+
+    class Ended:
+        network = whole.network
+
+        def run_up(self) -> list[Any]:
+            return [found[0], "a spring ends"]
+
+    monkeypatch.setattr("rotordyn.preload.history.history", lambda state, reach: Ended())
+    words = operating_state(rubbing(), speed, LAW).outcome
+    assert words == ("", "the history leads to no state at 16000 rpm: a spring ends")
 
 
 def test_without_friction_the_history_leaves_nothing() -> None:

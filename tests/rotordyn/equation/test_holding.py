@@ -1,12 +1,13 @@
-"""Rigid supports against the motions that a rigid shaft has."""
+"""Motions of a rigid shaft, and rigid supports against them."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from rotordyn.equation.holding import holds_twice
+from rotordyn.equation.holding import holds_twice, rigid_motion
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEPPED
 
@@ -33,3 +34,13 @@ def test_a_rigid_shaft_is_held_once_in_each_motion(
         for k, (x, ways) in enumerate(zip(HERE, held, strict=False))
     )
     assert holds_twice(replace(STEPPED, supports=supports)) == twice
+
+
+def test_a_rigid_motion_is_a_turn_about_the_front() -> None:
+    """u + θ × r at every station, and θ itself."""
+    draw = np.random.default_rng(1)
+    motion, x = draw.normal(size=6), np.array([-0.1, 0.2, 0.7])
+    found = rigid_motion(x, 0.2) @ motion
+    for place, moved in zip(x, found, strict=True):
+        turned = np.cross(motion[3:], [place - 0.2, 0.0, 0.0])
+        assert moved == pytest.approx([*(motion[:3] + turned), *motion[3:]], rel=1e-13, abs=1e-15)
