@@ -26,7 +26,7 @@ import pytest
 from tests.hostile.judged import judged
 
 ROOT = Path(__file__).parents[2]
-FIRST = 12.0  # s of processor time for a test file without any change
+FIRST = 30.0  # s of processor time for a test file without any change
 STARTING = 2.0  # s that any test may take
 USUAL = ("-q", "-s", "-p", "no:cacheprovider", "-p", "no:xdist", "--hypothesis-profile", "ci")
 
