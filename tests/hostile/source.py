@@ -92,6 +92,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/friction.py": [
         (
+            "state.rest + there.x -> state.rest - there.x",
+            "position",
+            "where an iteration starts",
+        ),
+        (
             "self.limit * (1.0 + BEYOND) -> self.limit / (1.0 + BEYOND)",
             "slips",
             "the rounding of a limit",
@@ -154,6 +159,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "a divisor where nothing slips",
         ),
     ],
+    "bearings/lubricant.py": [
+        (
+            "0.01 -> 0.011000000000000001",
+            "step",
+            "the step of a difference",
+        ),
+    ],
+    "rotordyn/equation/sleeve.py": [
+        (
+            "self.fine.weightless ** 2 -> (self.fine.weightless) ** ((2) * 1.1)",
+            "mass",
+            "a mass that is next to nothing, both",
+        ),
+    ],
     "rotordyn/preload/history.py": [
         (
             "float(at.force[SHAFT]) - base -> float(at.force[SHAFT]) + base",
@@ -192,6 +211,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("zero - margin -> zero + margin", "guess", "which samples of a bracket are taken next"),
     ],
     "bearings/heat/ellipse.py": [
+        (
+            "size * size -> size / size",
+            "cube",
+            "the step of an iteration",
+        ),
+        (
+            "0.5 -> 0.55",
+            "share",
+            "weights are brought to a sum of 1",
+        ),
         (
             "np.arange(AROUND) + 0.5 -> np.arange(AROUND) - 0.5",
             "turn",

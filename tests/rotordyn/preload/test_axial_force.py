@@ -50,6 +50,18 @@ def test_preload_stretches_the_shaft_between_its_groups() -> None:
     assert not found.shaft_force.compresses
 
 
+@pytest.mark.parametrize("gravity", [0.0, 9.81])
+@pytest.mark.parametrize("x", [0.2, 0.5, 0.9])
+def test_a_force_compresses_the_shaft_up_to_what_holds_it(x: float, gravity: float) -> None:
+    """Pushed at its front end, held at x; or standing on a support at x with what is before it."""
+    held = LinearSupport("foot", x, {("x", "x"): 1e7})
+    rotor = uniform(1.0, 0.05, supports=(held,))
+    force = 0.0 if gravity else 100.0
+    assert axial_force(rotor, np.zeros((1, 0)), force, gravity).compresses
+    assert axial_force(rotor, np.zeros((1, 0)), -force, -gravity).compresses == bool(gravity)
+    assert not axial_force(rotor, np.zeros((1, 0))).compresses
+
+
 def test_weight_is_spread_over_sections_and_masses() -> None:
     """Held at its front end, the shaft hangs (+x down): tension is the weight behind the cut."""
     held = LinearSupport("top", 0.0, {("x", "x"): 1e7})
