@@ -166,6 +166,21 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "the step of a difference",
         ),
     ],
+    "rotordyn/equation/free_directions.py": [
+        (
+            "_of_unit(matrix) + np.diag(each.rigid) -> _of_unit(matrix) - np.diag(each.rigid)",
+            "answers",
+            "a direction is held rigidly or by stiffness, never by both",
+        ),
+        (
+            "DEPENDENT ** 2 -> (DEPENDENT) ** ((2) * 1.1)",
+            "values",
+            "the rounding of nothing, both",
+        ),
+    ],
+    "rotordyn/numerics/vector_fit.py": [
+        ("moved - pole -> moved + pole", "moved", "more rounds to one fixed point"),
+    ],
     "rotordyn/equation/sleeve.py": [
         (
             "self.fine.weightless ** 2 -> (self.fine.weightless) ** ((2) * 1.1)",
