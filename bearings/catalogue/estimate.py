@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -196,6 +197,7 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
     return likeliest(given)
 
 
+@lru_cache(maxsize=32)  # seats and variants of a machine have the same few catalogue bearings
 def likeliest(given: Catalogue) -> EstimatedBearing:
     """The estimate from printed values; errors of ``estimate``."""
     x, likely, share = _weighed(given)

@@ -17,12 +17,14 @@ from rotordyn.analyses.stability_lobes.modal import (
 )
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.rational import rational_poles
 from rotordyn.numerics.vector_fit import Fit, vector_fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 SAMPLES = 2000  # of the band, as many as resolve peaks of a damping ratio of 1e-3
-PAIRS = (2, 4, 6, 8, 10, 12, 16, 20, 26, 32)
+NEAR = 1e-4  # of the largest receptance: how near a rational function comes that has its poles
+FURTHER, DAMPED = 20, 0.1  # modes added where the sum is farthest from it, and their damping ratio
 WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
 BEYOND = 1.2  # times the band, within which no mode may drive the tip
 STILL = 0.5  # of the largest receptance: a band that ends higher ends within a peak
@@ -62,11 +64,14 @@ class MeasuredTip:
                 f"has {size[-1] / size.max():.0%} of its largest response: measure beyond the peak"
             )
         reach = np.linspace(0.0, BEYOND * self.omega[-1], SAMPLES)[1:]
-        for pairs in PAIRS:
-            fit = vector_fit(self.omega, values, pairs, 1.0 / size[:, None])
+        start = rational_poles(self.omega, values.sum(axis=1), NEAR).pole
+        for _ in range(FURTHER):
+            fit = vector_fit(self.omega, values, len(start), 1.0 / size[:, None], start)
             gain = fit(reach).imag.max()
-            if max(np.abs(fit.error).max(), gain) <= WITHIN * size.max():
+            missed = np.abs(fit.error).max(axis=1)
+            if max(missed.max(), gain) <= WITHIN * size.max():
                 return fit
+            start = np.append(fit.pole, (1j - DAMPED) * self.omega[missed.argmax()])
         raise InvalidInput(
             "stability_lobes: the tip on the measured spindle is no sum of damped modes within "
             f"{WITHIN:.0%}: give fewer modes of the measurement, or less loss_factor"

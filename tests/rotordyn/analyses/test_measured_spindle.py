@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 import rotordyn
 from rotordyn.analyses.frf.uff import write_uff
 from rotordyn.analyses.on_measured import OnMeasured
+from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job.solving import solve
@@ -155,6 +157,29 @@ def test_limits_on_the_measured_spindle_are_those_of_the_machine_at_rest(tested)
         ratio = result.measured.values / result.at_rest.values
         np.testing.assert_allclose(ratio, 1.0, atol=0.03)
         assert "the tool on the measured spindle is stable up to" in results.summary
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed):
+    """With a loss factor it is no sum of modes: nothing but the fit chooses them."""
+    chance = np.random.default_rng(seed)
+    at = np.geomspace(300.0, 4000.0, 4) * chance.uniform(0.8, 1.2, 4)
+    stiffness, loss = 10.0 ** chance.uniform(7.0, 8.0, 4), chance.uniform(0.01, 0.02, 4)
+
+    def receptance(omega):
+        square = (omega[:, None] / (2.0 * np.pi * at)) ** 2
+        return (1.0 / (stiffness * (1.0 - square + 1j * loss))).sum(axis=1)
+
+    found = []
+    for share in (1.0, 1.0 + 3e-16):
+        machine = SimpleNamespace(
+            omega=2.0 * np.pi * np.linspace(50.0, 6000.0, 400),
+            fits={"y": None},
+            tip=lambda _, omega, by=share: by * receptance(omega),
+        )
+        tip = MeasuredTip(machine, 0.0)
+        found.append(tip._fit(tip.omega)[:, 0])
+    assert np.abs(found[1] - found[0]).max() < 1e-9 * np.abs(found[0]).max()
 
 
 def test_points_on_the_nose_need_no_blank(tested):
