@@ -37,6 +37,7 @@ LEAST = 1e-9  # N
 SOFT = 1e-12  # of the largest stiffness, added where bearings may hold nothing
 LONGEST_STEP = 50e-6  # m, by which a ring moves in one step of the search
 LEVEL = 1e-6  # by which the balance may seem worse where it does not change
+BEYOND = 0.9  # of the force along a step at its start, that may push back at its end
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 SMALL = 1e3
 ITERATIONS = 20
@@ -361,20 +362,29 @@ class Balance:
     ) -> tuple[Point, Flags]:
         """A Newton step at the speeds still moving, shortened where the balance gets worse.
 
-        Also where it helped, or was not needed.
+        Also where it helped, or was not needed. With bearings solved by themselves forces have a
+        convex energy: a step helps as well that goes down, or past the least by not too much. Where
+        next to nothing holds a motion, as within the play of a bearing, the shortest step counts in
+        any case: nothing gets better before balls touch, and the first touch may be hard.
         """
         matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
         moved = np.abs(self._bearing_motion(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
         length = moving * np.minimum(1.0, LONGEST_STEP / np.maximum(moved, 1e-300))
-        there, worse = here, moving
+        there, helped, downhill = here, ~moving, (miss * step).sum(axis=1)
         for _ in range(tries):
             there = place(self, here.coordinates + length[:, None] * step, here)
-            worse = moving & ~(self._error(there, force)[1] < error * (1.0 + LEVEL * (tries > 1)))
-            if not worse.any():
+            missed, after = self._error(there, force)
+            helped = ~moving | (after < error * (1.0 + LEVEL * (tries > 1)))
+            if tries > 1:
+                beyond = -(missed * step).sum(axis=1)
+                helped |= np.isfinite(after) & (beyond < BEYOND * downhill)
+            if helped.all():
                 break
-            length = np.where(worse, 0.5 * length, length)
-        return there, ~worse
+            length = np.where(helped, length, 0.5 * length)
+        if tries > 1:
+            helped |= (moved > LONGEST_STEP) & np.isfinite(after)
+        return there, helped
 
     def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""

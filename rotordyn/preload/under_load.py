@@ -64,9 +64,12 @@ def contact_loss(
     """
     first = Balance.at(state, rotor, rows)
     shares = np.linspace(0.0, 1.0, steps + 1)
-    every = [_inner_loads(_marched(first, share * size)[1]) for share in shares]
+    every = [_inner_loads(_marched(first, 0.0)[1])]
     lost_at = np.full((len(rows), len(every[0])), np.nan)
     ball = np.full(lost_at.shape, -1)
+    if not any(load.min() > 0.0 for seat in every[0] for load in seat):
+        return ContactLoss(lost_at, ball)  # as of bearings within their play
+    every += [_inner_loads(_marched(first, share * size)[1]) for share in shares[1:]]
     for seat in range(lost_at.shape[1]):
         known = [_leaving(shares, [each[seat][row] for each in every]) for row in range(len(rows))]
         for _ in range(NEARER):

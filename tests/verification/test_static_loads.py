@@ -29,6 +29,7 @@ from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.seat import turn
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.misalignment import Misalignment
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
@@ -170,8 +171,6 @@ def test_bearings_carry_the_loads(rpm: float) -> None:
             for seat, (state, column) in zip(found.spindle.seats, moved.seat_states(), strict=True)
         ]
     )
-    from rotordyn.machine.inertia import rotor_inertia
-
     rotor = rotor_inertia(found.spindle)
     weight = rotor.mass * STANDARD_GRAVITY
     places = [found.spindle.place(each.at).x for each in loads]
@@ -320,6 +319,7 @@ def _balance(
 # --- bearings without thrust: contacts enumerated one by one --------------------------------------
 
 DEEP = DeepGrooveBallBearing(10e-3, 60e-3, 8, radial_clearance=10e-6)
+ROOMY = DeepGrooveBallBearing(8e-3, 50e-3, 9, radial_clearance=30e-6)
 
 
 def deep_pair(misalignment: Misalignment | None = None) -> Spindle:
@@ -354,7 +354,7 @@ def _race(bearing: DeepGrooveBallBearing, inner: bool) -> Any:
     return found.inner if inner else found.outer
 
 
-@pytest.mark.parametrize("load", [50.0, 400.0, 3000.0])
+@pytest.mark.parametrize("load", [0.01, 0.3, 4.0, 50.0, 400.0, 3000.0])
 def test_deep_groove_bearings_without_thrust(load: float) -> None:
     """A rigid shaft pushed along y, where a ball of either bearing is: half of it on each."""
     acting = (PointLoad(at="middle", Fy=2.0 * load),)
@@ -364,6 +364,37 @@ def test_deep_groove_bearings_without_thrust(load: float) -> None:
     assert result.radial_load[0] == pytest.approx([load, load], rel=1e-6)
     assert result.radial_displacement[0] == pytest.approx([_enumerated(load)] * 2, rel=1e-5)
     assert np.isnan(result.loss_share).all(), "they are not pressed all round without loads"
+
+
+@pytest.mark.parametrize("number", range(8))
+def test_shafts_lie_in_bearings_within_their_play(number: int) -> None:
+    """Random light and heavy shafts in two or three such bearings, under their weight and a force
+    that is a thousandth to a thousand times as large: there is a balance, of all forces and of the
+    moments about both axes."""
+    chance = np.random.default_rng(number)
+    length, share = chance.uniform(0.15, 1.0), 10.0 ** chance.uniform(-3.0, 3.0)
+    diameter = length * 10.0 ** chance.uniform(-1.7, -0.7)
+    count = int(chance.choice([2, 3]))
+    x = length * (np.arange(count) + chance.uniform(0.1, 0.9, count)) / count
+    kinds = [(DEEP, ROOMY)[k] for k in chance.integers(0, 2, count)]
+    seats = tuple(
+        BearingSeat(f"b{k}", kind, at) for k, (kind, at) in enumerate(zip(kinds, x, strict=True))
+    )
+    shaft = Shaft(0.0, (Section(length, diameter, 0.0, STEEL),))
+    place, turn = length * chance.random(), chance.uniform(0.0, 2.0 * math.pi)
+    spindle = Spindle("loose", shaft, seats=seats, points={"p": place})
+    weight = rotor_inertia(spindle).mass * STANDARD_GRAVITY
+    y, z = np.array([math.cos(turn), math.sin(turn)]) * min(share * weight, 500.0)
+    acting = (PointLoad(at="p", Fy=y, Fz=z),)
+    found = Scene(spindle, Conditions(loads=acting, gravity="-z"), np.array([0.0, 3000.0]) * RPM)
+    state, size = found.preload, weight + math.hypot(y, z)
+    assert state.outcome == ("", "")
+    carried = np.stack([each.load[:, column] for each, column in state.seat_states()], axis=1)
+    force, moment = carried[..., 1:3].sum(axis=1), carried[..., 3:].sum(axis=1)
+    moment += np.stack([-carried[..., 2] @ x, carried[..., 1] @ x], axis=-1)
+    assert force == pytest.approx(np.array([[y, z - weight]] * 2), abs=1e-6 * size)
+    known = [-z * place + weight * length / 2.0, y * place]
+    assert moment == pytest.approx(np.array([known] * 2), abs=1e-6 * size * length)
 
 
 def test_superposition_fails_as_the_contacts_say() -> None:
