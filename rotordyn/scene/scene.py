@@ -23,8 +23,10 @@ from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
+from rotordyn.errors import NoSolution
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.display import RPM
 from rotordyn.scene.checks import Checks
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
@@ -82,9 +84,20 @@ class Scene(Statics):
 
     @cached_property
     def refined(self) -> Scene:
-        """The same machine with a finer model."""
+        """The same machine with a finer model.
+
+        Raises
+        ------
+        NoSolution : one of both models has a state at a speed where the other has none
+        """
         finer = self._like(self.speed, self.finer + 1)
         finer.coarse = None if self.conditions.element_length is not None else self.rotor
+        for speed, here, there in zip(self.speed, self.outcome, finer.outcome, strict=True):
+            if bool(here) != bool(there):
+                raise NoSolution(
+                    f"whether the machine has a state at {speed * RPM.factor:.6g} rpm hangs on how "
+                    f"fine its model is ({here or there}): leave that speed out, or hold it better"
+                )
         return finer
 
     def _like(self, speed: Array, finer: int) -> Scene:

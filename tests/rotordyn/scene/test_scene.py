@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rotordyn.analyses.campbell.solve import answer as campbell_answer
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
@@ -17,6 +18,7 @@ from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.growth import PrescribedShortening
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import (
     ROOT,
@@ -191,6 +193,21 @@ def test_linear_supports_need_no_bearing_solver() -> None:
         "bearings.ball.balance",
         "bearings.fit.compound",
     } & set(done.stdout.split())
+
+
+def test_a_state_that_only_one_of_both_models_has_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As near to buckling, or where loads are hardly balanced: no error can be told there."""
+    found = scene(mfw2310(), (0.0, 12000.0, 24000.0))
+    exact = Scene.outcome
+    monkeypatch.setattr(
+        Scene,
+        "outcome",
+        property(lambda each: ("", "the shaft buckles", "") if each.finer else exact.func(each)),
+    )
+    with pytest.raises(
+        NoSolution, match=r"at 12000 rpm hangs on how fine its model is \(the shaft"
+    ):
+        campbell_answer(found, CampbellSpec(3000.0))
 
 
 def test_tolerances_reached() -> None:
