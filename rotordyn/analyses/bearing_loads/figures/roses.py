@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 ACROSS = 3
 SIDE = 52.0  # mm
+LEGEND = 4.0  # mm, above the line of words
 
 
 def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
@@ -31,7 +32,8 @@ def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     picked = good[evenly(good.size, speeds)]
     across = min(ACROSS, len(result.bearing))
     down = -(-len(result.bearing) // across)
-    figure = new_figure(SIDE * across + 10.0, SIDE * down + 18.0)
+    height = SIDE * down + 18.0
+    figure = new_figure(SIDE * across + 10.0, height)
     boxes = grid_boxes(figure, down, across, margins=(9.0, 9.0, 18.0, 10.0), gaps=(14.0, 17.0))
     for k, (name, box) in enumerate(zip(result.bearing, boxes, strict=False)):
         axes: Any = add_axes(figure, box, projection="polar")
@@ -44,7 +46,15 @@ def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     words = "inner load of every ball [N]; y at 0°, z at 90°, seen along +x"
     figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
     lines, labels = axes.get_legend_handles_labels()
-    figure.legend(lines, labels, loc="lower right", fontsize=FONT_SIZE, frameon=False, ncols=3)
+    figure.legend(
+        lines,
+        labels,
+        loc="lower right",
+        bbox_to_anchor=(1.0, LEGEND / height),
+        fontsize=FONT_SIZE,
+        frameon=False,
+        ncols=3,
+    )
     return figure
 
 
