@@ -255,6 +255,8 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/constraint.py": [
+        ("0.5 -> 0.55", "first", "which of the large entries of a row gives its sign"),
+        ("0.5 -> 0.55", "others", "singular values are 0 or 1"),
         (
             "ways[:, :rank] / size[:rank] -> ways[:, :rank] * size[:rank]",
             "follow",

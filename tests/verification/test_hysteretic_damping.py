@@ -613,3 +613,27 @@ def test_every_mode_is_one_of_the_system_that_answers_it(stiff: tuple[float, flo
             assert abs(pole.real) > 1e-4 * abs(pole)
             compared += 1
     assert compared >= 12
+
+
+@pytest.mark.parametrize("spin", [1750.0, 3400.0])
+def test_lossy_supports_decide_on_which_side_of_the_shaft_whirl_is(spin: float) -> None:
+    """Forward whirl that is slower than the shaft without any loss and faster with that of the
+    supports is answered by a shaft that it overtakes."""
+    held = tuple(
+        replace(support(name, x, (2e7, 2e7)), loss_factor=1.0)
+        for name, x in (("a", 0.0), ("b", 0.25))
+    )
+    own = scene(replace(STEPPED, supports=held, loss_factor=0.05), [spin], 3000.0)
+    (bending,) = own.with_motions(("bending",))
+    lossy, found = own.system(bending).lossy, own.system(bending).modes.pole[0]
+    assert lossy is not None
+    assert lossy.whirling
+    plain, led, ahead, slower = (
+        lossy.answering(Signs(*signs)).pole[0]
+        for signs in ((0, 0, 0), (0, 0, 1), (1, 0, 1), (-1, 0, 1))
+    )
+    (below,) = plain[(plain.imag > 0.9 * spin) & (plain.imag < spin)]
+    (above,) = led[(led.imag > spin) & (led.imag < 1.15 * spin)]
+    expected, other = (each[np.abs(each - above).argmin()] for each in (ahead, slower))
+    assert np.abs(found - expected).min() < 1e-9 * abs(below)
+    assert np.abs(found - other).min() > 1e-3 * abs(below)
