@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -68,3 +70,14 @@ def test_the_search_meets_a_root_just_behind_a_kink() -> None:
     low, high = np.array([-1e-5]), np.array([6e-5])
     found = play._root(missing, (low, missing(low)), (high, missing(high)))
     assert found == pytest.approx([kink + (7.0 - soft * kink) / stiff], abs=1e-14)
+
+
+def test_a_bearing_without_any_state_is_named_with_its_speed_and_growth() -> None:
+    """Grooves that grow by five balls leave no angle at which a ball could touch both."""
+    case = rotordyn.load("mfw2310")
+    joined = play.arrangement(case.spindle, np.array([150.0 * RPM]))
+    third = replace(joined.bearings[2], growth=np.array([43.21e-3]))
+    odd = replace(joined, bearings=(*joined.bearings[:2], third))
+    said = r"number 4 of the spindle at 150 rpm, groove growth 4\.321e\+04 µm: it has no axial"
+    with pytest.raises(NoSolution, match=said):
+        play.BearingCurves().of(odd)

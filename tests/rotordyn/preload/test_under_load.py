@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.preload.under_load import _marched
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.preload.under_load import _marched, _pushed_apart, _why
 
 
 class Stiffening:
@@ -65,3 +66,33 @@ def test_loads_grow_to_their_size_in_equal_strides(size: float, reach: float, st
 
 def test_what_no_stride_leads_to_is_no_balance() -> None:
     assert not _marched(Stiffening(0.05), 1.0)[2].any()  # type: ignore[arg-type]
+
+
+def row_of_states() -> Any:
+    seats = [SimpleNamespace(name=name, thrust=sign) for name, sign in (("a", 1), ("b", -1))]
+    return SimpleNamespace(
+        speed=np.array([0.0, 1500.0 * np.pi / 30.0]),
+        spindle=SimpleNamespace(seats=seats),
+        network=SimpleNamespace(both_ways=np.array([False, False])),
+    )
+
+
+def test_words_say_speed_pressure_and_loads() -> None:
+    there: Any = SimpleNamespace(pressure=np.array([3e9, 12.34e9]))
+    assert HIGHEST_PRESSURE == 10e9
+    calm, heavy = (_why(row_of_states(), there, row, 7500.0) for row in (0, 1))
+    assert calm.startswith("nothing balances the loads of 7500 N on the shaft at 0 rpm")
+    assert "overloaded under the loads of 7500 N on the shaft at 1500 rpm" in heavy
+    assert "peak pressure 12.3 GPa, at most 10 GPa" in heavy
+
+
+@pytest.mark.parametrize(("load", "named"), [((30.0, 40.0), "b"), ((-30.0, -40.0), "a")])
+def test_a_bearing_whose_thrust_turns_over_is_pushed_apart(
+    load: tuple[float, float], named: str
+) -> None:
+    """Loads towards +x in the spindle press a bearing of thrust +1 and pull at one of −1."""
+    there: Any = SimpleNamespace(load=np.array([[[0.0], [0.0]], [[load[0]], [load[1]]]]))
+    balance: Any = SimpleNamespace(bearings=[0, 1])
+    assert _pushed_apart(row_of_states(), balance, there, 0) == ""
+    word = _pushed_apart(row_of_states(), balance, there, 1)
+    assert word.startswith(f"the loads push bearing {named} apart at 1500 rpm")
