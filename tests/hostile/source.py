@@ -213,6 +213,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has"),
     ],
     "rotordyn/preload/stops.py": [
+        ("high - low -> high + low", "zero is not None", "one more round to the same zero"),
         (
             "zero + margin -> zero - margin",
             "guess",
@@ -285,10 +286,31 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/network.py": [
         (
+            "x + np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0) -> "
+            "x - np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0)",
+            "rough",
+            "a last step of what is in balance already",
+        ),
+        (
             "x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0) -> "
             "x - np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)",
             "moving",
             "bearings that do not come into balance together do so one by one",
+        ),
+    ],
+    "rotordyn/numerics/pole_count.py": [
+        ("0.05 -> 0.05500000000000001", "damped", "where an iteration starts"),
+        ("0.0001 -> 0.00011", "damped", "where an iteration starts"),
+    ],
+    "rotordyn/equation/fineness.py": [
+        ("2.0 -> 2.2", "low, high", "a wider bracket of the same zero"),
+    ],
+    "rotordyn/equation/reduce.py": [
+        ("0.5 -> 0.55", "normalised", "vectors of any length that are brought to one"),
+        (
+            "rest ** 2 -> (rest) ** ((2) * 1.1)",
+            "size",
+            "which freedoms hold a body, any that do",
         ),
     ],
 }
