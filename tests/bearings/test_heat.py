@@ -13,8 +13,9 @@ from bearings import STEEL, InvalidBearing, Lubricant, heat
 from bearings.heat.ellipse import Contacts, mean_speed
 from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
 from bearings.ring.motion import ball_motion, contact_motion
+from bearings.ring.truncation import half_axes
 from tests.oracles.known_bearings import HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
-from tests.oracles.known_grooves import QJ218, R24_14, four_point
+from tests.oracles.known_grooves import QJ218, R24_14, deep_groove, drawn_6210, four_point
 
 OIL = Lubricant(32e-6, 5.4e-6)
 LOAD = np.array([610.0, 0, 0, 0, 0])
@@ -36,7 +37,17 @@ def test_spin_alone_is_closed() -> None:
 
 
 @pytest.mark.parametrize(
-    "given", [{}, {"spin": 30.0}, {"creep": 0.3}, {"spin": 2.0, "creep": 0.7}, {"radius": -5e-3}]
+    "given",
+    [
+        {},
+        {"spin": 30.0},
+        {"spin": 10.0},
+        {"spin": 0.3, "b": 0.05e-3},
+        {"spin": 0.0},
+        {"creep": 0.3},
+        {"spin": 2.0, "creep": 0.7},
+        {"radius": -5e-3},
+    ],
 )
 def test_sliding_is_the_least_of_its_functional(given: dict[str, float]) -> None:
     """Against a fine Cartesian grid and a minimum sought without derivatives."""
@@ -58,6 +69,27 @@ def test_sliding_is_the_least_of_its_functional(given: dict[str, float]) -> None
     start = np.array([0.1 * float(c.creep[0]), -0.1 * math.copysign(1.0, float(c.radius[0]))])
     best = minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-5, "fatol": 1e-7}).x
     assert mean_speed(c) == pytest.approx(mean(*best), rel=0.025)
+
+
+def test_a_groove_slips_about_its_ball_by_the_mean_of_both_curvatures() -> None:
+    """Without spin v = ωr (x² − k² a²)/2R (Heathcote 1921): 1/R is the mean of 2/D and 1/(f D), and
+    k = 0.3473, at which the friction of the lines within balances that beyond."""
+    bearing = deep_groove(drawn_6210())
+    state = bearing.equilibrium(load=[0, 5000.0, 0, 0, 0], speed=3000 * RPM)
+    motion, g = contact_motion(state), state.operation.geometry
+    power, load = heat.sliding(state, 0.05).power, state.contact_load
+    ball = int(load[:, 0].argmax())
+    x = np.linspace(0.0, 1.0, 100_001)
+    share = float(np.trapezoid(1.5 * (1.0 - x**2) * np.abs(x**2 - 0.3473**2), x))
+    d = bearing.ball_diameter
+    for k, (race, f) in enumerate(
+        ((g.inner, bearing.inner_conformity), (g.outer, bearing.outer_conformity))
+    ):
+        curvature = 0.5 * (2.0 / d + 1.0 / (f * d))
+        q, roll = load[ball, k], abs(motion.roll[ball, k]) * 3000 * RPM
+        assert abs(motion.spin[ball, k]) < 1e-9 * abs(motion.roll[ball, k])
+        slip = roll * float(half_axes(race, q)[0]) ** 2 * curvature / 2.0 * share
+        assert power[ball, k] == pytest.approx(0.05 * q * slip, rel=0.03)
 
 
 def test_sliding_power_exceeds_that_of_spin() -> None:

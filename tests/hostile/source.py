@@ -49,6 +49,8 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("inner + outer -> inner - outer", "beyond", "where an iteration starts"),
         ("3.0 -> 3.3000000000000003", "part", "where an iteration starts"),
         ("energy + slack -> energy - slack", "most", "the rounding of an energy"),
+        ("4.0 -> 4.4", "noise", "the rounding of a force"),
+        ("4.0 -> 4.4", "slack", "the rounding of an energy"),
     ],
     "bearings/heat/total.py": [("0.5 -> 0.55", "part", "a share of no loss at all")],
     "rotordyn/equation/housing.py": [

@@ -1,6 +1,8 @@
-"""Links far stiffer than the softest motion are set apart from it, others are not."""
+"""Links far stiffer than the softest motion are set apart; what rigid ones leave of the others."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,16 +20,23 @@ LENGTH, DIAMETER = 0.5, 0.02
 DIGITS = 1e6  # what a stiffness takes of the digits of one that is less by so much
 
 
-def bending(stiffness: float) -> Linear:
-    """A slender rod on equal springs at both ends, one plane."""
-    ends = [("a", 0.0), ("b", LENGTH)]
+def rod(stiffness: float, *places: tuple[str, float]) -> Spindle:
+    """A slender one on equal springs."""
     ways = {("y", "y"): stiffness, ("z", "z"): stiffness}
-    supports = tuple(LinearSupport(name, x, ways) for name, x in ends)
+    supports = tuple(LinearSupport(name, x, ways) for name, x in places)
     shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
-    spindle = Spindle("rod", shaft, supports=supports)
+    return Spindle("rod", shaft, supports=supports)
+
+
+def equation(spindle: Spindle) -> Linear:
+    """Of bending, one plane."""
     scene = Scene(spindle, Conditions(), np.zeros(1), 1000.0)
     (k,) = scene.with_motions(("bending",))
     return scene.linear(k)
+
+
+def bending(stiffness: float) -> Linear:
+    return equation(rod(stiffness, ("a", 0.0), ("b", LENGTH)))
 
 
 def test_springs_that_take_six_digits_are_set_apart() -> None:
@@ -42,3 +51,19 @@ def test_springs_that_take_six_digits_are_set_apart() -> None:
     together = bending(clear / (2.0 * apart.size))
     assert together.allowed is None
     assert together.size == pytest.approx(apart.size)
+
+
+@pytest.mark.parametrize("rigid", ["a", "c"])
+def test_stiffness_beside_rigid_supports_is_the_sum_of_all_links(rigid: str) -> None:
+    """Of usual springs, link by link and at once."""
+    spindle = rod(3e6, ("a", 0.0), ("b", 0.3), ("c", LENGTH))
+    supports = tuple(
+        LinearSupport(s.name, s.x, {}, rigid=("y", "z")) if s.name == rigid else s
+        for s in spindle.supports
+    )
+    linear = equation(replace(spindle, supports=supports))
+    assert linear.allowed is not None
+    whole = linear.allowed.T @ linear.stiffness @ linear.allowed
+    assert np.abs(linear.allowed_stiffness - whole).max() < 1e-9 * np.abs(whole).max()
+    (row,) = (c.motions[c.rigid > 0.0] for c in linear.connections if c.link.name == rigid)
+    assert np.abs(row @ linear.allowed).max() < 1e-9 * np.abs(row).max()
