@@ -41,6 +41,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
     "bearings/ball/potential.py": [
         (
+            "c.inner.stiffness ** 2 -> (c.inner.stiffness) ** ((2) * 1.1)",
+            "slope",
+            "the rounding of a load",
+        ),
+        (
             "outer * outer - along * along -> outer * outer + along * along",
             "across",
             "where an iteration starts",
@@ -112,6 +117,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/preload/balance.py": [
+        ("1.0 -> 1.1", "largest", "an equation of nothing alone"),
         (
             "1.0 + LEVEL * (tries > 1) -> 1.0 - LEVEL * (tries > 1)",
             "worse",
@@ -314,6 +320,9 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "size",
             "which freedoms hold a body, any that do",
         ),
+    ],
+    "rotordyn/equation/component.py": [
+        ("count * len(self.dofs) -> count / len(self.dofs)", "large", "how a matrix is kept"),
     ],
 }
 ROOMS = {  # tests of a folder, beside those named like the module

@@ -98,6 +98,23 @@ def test_heat_that_falls_as_steeply_as_it_may_still_settles(
             assert ring == pytest.approx(30.0 + (most / (1.0 + steep))[:, 0], abs=2e-3)
 
 
+def test_a_speed_without_a_state_is_named_with_how_hot_it_was(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """At 1500 rpm none from the first turn on, at 30 °C around; heat of none leaves that there."""
+
+    def contacts(_: Any, __: Flow) -> tuple[np.ndarray, np.ndarray]:
+        return np.zeros((2, 4, 2)), np.array([True, False])
+
+    monkeypatch.setattr("rotordyn.preload.heat_balance._contact_heat", contacts)
+    flow = Flow(OIL.oil, Conductances(1.0, 1.0), Surroundings(30.0, 30.0, 30.0), 0.0, NEXT_TO_NONE)
+    speed = np.array([700.0, 1500.0]) * RPM
+    found = heat_balance(lambda t: t, speed, grinding(), flow)  # type: ignore[arg-type,return-value]
+    assert found.outcome[0] == ""
+    said = "bearings at 1500 rpm: no axial state at temperatures up to 30 °C, raise the preload"
+    assert found.outcome[1].startswith(said)
+
+
 def test_run_away_names_bearing_and_speed() -> None:
     fast = Scene(grinding(rigid=True), Conditions(heat_flow=FLOW), np.array([6e3, 26e3]) * RPM)
     assert fast.outcome[0] == ""
