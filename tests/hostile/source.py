@@ -187,6 +187,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/vector_fit.py": [
+        (
+            "weight * values -> weight / values",
+            "start",
+            "where an iteration starts",
+        ),
         ("moved - pole -> moved + pole", "moved", "more rounds to one fixed point"),
     ],
     "rotordyn/equation/sleeve.py": [
@@ -279,6 +284,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/pole_refinement.py": [
+        ("0.5 -> 0.55", "half", "how a step that gains nothing is shortened"),
         (
             "0.1 -> 0.11000000000000001",
             "own",
@@ -323,6 +329,13 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/component.py": [
         ("count * len(self.dofs) -> count / len(self.dofs)", "large", "how a matrix is kept"),
+    ],
+    "rotordyn/numerics/synchronous.py": [
+        (
+            "np.sqrt(np.abs(stiffness).max()) / order -> np.sqrt(np.abs(stiffness).max()) * order",
+            "scale",
+            "a scale that is taken back",
+        ),
     ],
 }
 ROOMS = {  # tests of a folder, beside those named like the module

@@ -142,3 +142,10 @@ def test_a_veering_is_sought_where_its_gap_is_the_mean_in_ratio(
     values = [scale * np.array([1.0, 1.0 + gap, 9.0]) for gap in (ahead, behind)]
     share = module._veering(values, [np.array([0]), np.array([1])])
     assert ahead + (behind - ahead) * share == pytest.approx(np.sqrt(ahead * behind))
+
+
+@pytest.mark.parametrize(("step", "splits"), [(1.9, False), (2.1, True)])
+def test_a_step_of_twice_the_narrowest_can_be_split(step: float, *, splits: bool) -> None:
+    vectors, values = [unit(2, 0, 1), unit(2, 1, 0)], [np.array([1.0, 2.0])] * 2
+    found = doubts(np.array([5.0, 5.0 + step]), vectors, values, 9.0, 1.0)
+    assert found == (pytest.approx([5.0 + step / 2.0]) if splits else [])

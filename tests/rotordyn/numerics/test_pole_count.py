@@ -5,7 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.numerics.pole_count import Counted, _one_more, _outside, _strength, counted
+from rotordyn.numerics.pole_count import (
+    Counted,
+    _one_more,
+    _outside,
+    _peaks,
+    _strength,
+    _trial,
+    counted,
+)
 from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.vector_fit import residues
 
@@ -133,3 +141,27 @@ def test_strength_of_a_pole_is_what_it_adds_to_the_samples() -> None:
             for root, share in ((pole, residue), (pole.conjugate(), residue.conj())):
                 total += float((np.abs(share / (1j * omega - root) / width) ** 2).sum())
         assert known == pytest.approx(total, rel=1e-12)
+
+
+def test_evidence_and_misfit_by_hand() -> None:
+    """Bayes' criterion N ln(S/N) + k ln N of N = 1800 real numbers, misfit √(S/(N − k))."""
+    one = Refined(
+        residues(OMEGA, values(), POLE[:2], np.ones((300, 3))), np.zeros((2, 2)), 90.0, 16
+    )
+    found = _trial(one, values())
+    assert found.poles == 2
+    assert found.evidence == pytest.approx(1800.0 * np.log(0.05) + 16.0 * np.log(1800.0))
+    assert found.misfit == pytest.approx(np.sqrt(90.0 / 1784.0))
+
+
+def test_counting_begins_at_peaks_the_most_prominent_first() -> None:
+    """Of three poles alone 1, 4 and 2 times as high as the rest; a smooth rise has one, its top."""
+    pole = (-0.005 + 1j) * 2.0 * np.pi * np.array([200.0, 350.0, 500.0])
+    height = np.array([[3.0], [40.0], [9.0]])
+    s = 1j * OMEGA[:, None]
+    curve = 1.0 + np.abs(pole.real / (s - pole)) ** 2 @ height + 0j
+    found = _peaks(OMEGA, curve)
+    assert found.imag == pytest.approx(pole.imag[[1, 2, 0]], rel=0.01)
+    assert found.real == pytest.approx(-0.01 * found.imag)
+    rise = _peaks(OMEGA, np.exp(OMEGA[:, None] / 1e3) + 0j)
+    assert rise.imag.tolist() == [OMEGA[-1]]
