@@ -77,6 +77,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/numerics/follow.py": [
         (
+            "1.0 -> 1.1",
+            "whole",
+            "a divisor of nothing",
+        ),
+        (
             "0.5 -> 0.55",
             "return",
             "which place between two steps is looked at next",
@@ -161,6 +166,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "bearings/ball/friction.py": [
+        (
+            "-one * part * side -> -one * part / side",
+            "held",
+            "signs are 1 or -1",
+        ),
         (
             "1.0 -> 1.1",
             "wanted",
@@ -335,6 +345,13 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "np.sqrt(np.abs(stiffness).max()) / order -> np.sqrt(np.abs(stiffness).max()) * order",
             "scale",
             "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/numerics/crossing.py": [
+        (
+            "0.5 -> 0.55",
+            "low, high",
+            "a wider bracket of the same zero",
         ),
     ],
 }
