@@ -234,10 +234,10 @@ def test_a_history_in_its_order() -> None:
 
 
 def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
-    steps = (HistoryStep(speed=25.0), HistoryStep(speed=5.0), HistoryStep(run_up=True))
-    speeds = [10.0, 20.0, 30.0]
+    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0, 5.0)]
+    steps, speeds = (*ways, HistoryStep(run_up=True)), [10.0, 20.0, 30.0]
     before, through, after = moments(Past(steps), speeds, 0.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
+    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 15.0, 10.0, 5.0]
     assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
 
 

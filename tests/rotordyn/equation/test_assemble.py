@@ -12,6 +12,7 @@ from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL
 from tests.oracles.spinning_beam import PinnedBeam
@@ -33,6 +34,26 @@ def equation(spindle: Spindle) -> Linear:
     scene = Scene(spindle, Conditions(), np.zeros(1), 1000.0)
     (k,) = scene.with_motions(("bending",))
     return scene.linear(k)
+
+
+def test_the_softened_formulation_takes_mass_by_the_square_of_speed() -> None:
+    """K − Ω² M of translation, at every speed."""
+    speed = np.array([0.0, 3.0, 700.0])
+    conditions = Conditions(formulation=SOFTENED)
+    scene = Scene(rod(1e6, ("a", 0.0), ("b", LENGTH)), conditions, speed, 1000.0)
+    (k,) = scene.with_motions(("bending",))
+    linear = scene.linear(k)
+    (component, *_) = linear.components
+    taken = (linear.stiffness[0] - linear.stiffness[1:])[:, linear.slices[0], linear.slices[0]]
+    mass = component.projected("softening")
+    ends = component.is_rigid
+    assert np.linalg.eigvalsh(mass)[-1] < 1.0 + 1e-9
+    assert mass[ends][:, ends].trace() > 1.9
+    for removed, omega in zip(taken, speed[1:], strict=True):
+        assert np.abs(removed - omega**2 * mass).max() < 1e-6 * np.abs(linear.stiffness[0]).max()
+        assert removed[ends][:, ends].trace() == pytest.approx(
+            omega**2 * mass[ends][:, ends].trace(), rel=1e-6
+        )
 
 
 def bending(stiffness: float) -> Linear:
