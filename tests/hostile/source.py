@@ -220,6 +220,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "rotordyn/preload/history.py": [
         (
             "2.0 -> 2.2",
+            "high",
+            "how far a table goes that is doubled as needed",
+        ),
+        (
+            "2.0 -> 2.2",
             "most",
             "how far a table goes that is doubled as needed",
         ),
@@ -321,6 +326,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/network.py": [
         (
+            "0.5 -> 0.55",
+            "length",
+            "how a step that gains nothing is shortened",
+        ),
+        (
             "x + np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0) -> "
             "x - np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0)",
             "rough",
@@ -382,6 +392,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "1.1 -> 1.2100000000000002",
             "ring",
             "a free ring expands alike, whatever its thickness",
+        ),
+    ],
+    "rotordyn/preload/axial_force.py": [
+        (
+            "1.0 + POINTS -> 1.0 - POINTS",
+            "POINTS",
+            "points and weights of a Gauss rule are the same from either end",
+        ),
+    ],
+    "rotordyn/preload/mounting.py": [
+        (
+            "10.0 -> 11.0",
+            "brentq",
+            "a wider bracket of the same zero",
         ),
     ],
 }
