@@ -359,6 +359,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/component.py": [
+        (
+            "1.0 -> 1.1",
+            "self.ports), np",
+            "loads of any size are answered by the same motions",
+        ),
         ("count * len(self.dofs) -> count / len(self.dofs)", "large", "how a matrix is kept"),
     ],
     "rotordyn/numerics/synchronous.py": [

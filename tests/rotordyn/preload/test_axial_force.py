@@ -132,3 +132,17 @@ def test_rigid_supports_share_by_how_far_each_part_gives() -> None:
     along = axial_force(rod, np.zeros((1, 0)), point_forces=((0.4, 1000.0),))
     share = 1000.0 * rates / rates.sum()
     assert along.at(np.array([0.2, 0.7]))[0] == pytest.approx([share[0], -share[1]])
+
+
+@pytest.mark.parametrize(("share", "compressed"), [(0.2, True), (-0.2, False)])
+def test_a_hanging_shaft_pressed_from_below_is_compressed_at_its_end(
+    share: float, *, compressed: bool
+) -> None:
+    """By less than its weight: its upper part stays in tension."""
+    held = LinearSupport("top", 0.0, {("x", "x"): 1e7})
+    rod = uniform(1.0, 0.05, supports=(held,))
+    force = share * rotor_inertia(rod).mass * 9.81
+    along = axial_force(rod, np.zeros((1, 0)), gravity=9.81, point_forces=((1.0, -force),))
+    assert along.at(np.array([0.1]))[0, 0] > 0.0
+    assert along.at(np.array([0.999]))[0, 0] == pytest.approx(-force, rel=0.01)
+    assert along.compresses == compressed
