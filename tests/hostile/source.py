@@ -173,6 +173,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "bearings/ball/friction.py": [
         (
+            "1.0 -> 1.1",
+            "one_i, one_o",
+            "a divisor of a race without a share",
+        ),
+        (
             "-one * part * side -> -one * part / side",
             "held",
             "signs are 1 or -1",
@@ -191,6 +196,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/free_directions.py": [
+        (
+            "1.0 -> 1.1",
+            "scale > 0.0",
+            "a divisor of nothing",
+        ),
+        (
+            "1.0 -> 1.1",
+            "rows / np",
+            "a divisor of nothing",
+        ),
         (
             "_of_unit(matrix) + np.diag(each.rigid) -> _of_unit(matrix) - np.diag(each.rigid)",
             "answers",
@@ -310,6 +325,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/pole_refinement.py": [
+        (
+            "here.squares - there.squares -> here.squares + there.squares",
+            "gain",
+            "more rounds to one minimum",
+        ),
         ("0.5 -> 0.55", "half", "how a step that gains nothing is shortened"),
         (
             "0.1 -> 0.11000000000000001",
