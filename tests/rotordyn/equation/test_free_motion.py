@@ -101,3 +101,19 @@ def test_under_a_force_that_grows_poles_sum_up_as_at_real_frequencies(supports: 
     summed = residue @ (1.0 / (s - pole)).T
     summed += residue[:, swings].conj() @ (1.0 / (s - pole[swings].conj())).T
     np.testing.assert_allclose(given, summed, rtol=1e-8, atol=1e-9 * np.abs(summed).max())
+
+
+@pytest.mark.parametrize("uneven", [0.0, 2e7])
+@pytest.mark.parametrize(("number", "free"), [(0, 4), (1, 2), (2, 0)])
+def test_motions_that_nothing_holds_are_counted_in_both_planes(
+    uneven: float, number: int, free: int
+) -> None:
+    """Each takes two poles, also where planes differ: four motions of a free shaft across its axis,
+    two about one support."""
+    held = tuple(
+        replace(s, stiffness={("y", "y"): 8e7, ("z", "z"): 8e7 + uneven}, damping={})
+        for s in EVEN[:number]
+    )
+    found = free_motions(bending(held, 0.0))
+    assert found.whirling == (uneven == 0.0 or number == 0)
+    assert found.free_count == pytest.approx(2.0 * free)
