@@ -9,7 +9,8 @@ import pytest
 
 from rotordyn.analyses.frf.solve import answer
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.equation.free_motion import free_motions
+from rotordyn.equation.free_motion import answering_stiffness, free_motions
+from rotordyn.equation.hysteresis import Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.numerics.modes import modes
 from rotordyn.scene.conditions import Conditions
@@ -117,3 +118,16 @@ def test_motions_that_nothing_holds_are_counted_in_both_planes(
     found = free_motions(bending(held, 0.0))
     assert found.whirling == (uneven == 0.0 or number == 0)
     assert found.free_count == pytest.approx(2.0 * free)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_lossy_supports_answer_ahead_of_the_motion(way: int) -> None:
+    """Each spring k as k (1 + iη) of motions e^(iωt), the conjugate of e^(−iωt)."""
+    held = tuple(replace(s, loss_factor=0.2) for s in EVEN)
+    linear = bending(held, 3000.0)
+    found = answering_stiffness(linear, Signs(0, 0, way))
+    springs = sum(np.asarray(each.stiffness) for each in linear.connections)
+    assert found.real == pytest.approx(linear.stiffness)
+    assert found.imag == pytest.approx(way * 0.2 * springs)
+    plain = bending(EVEN, 3000.0)
+    assert answering_stiffness(plain, Signs(0, 0, way)) is plain.stiffness
