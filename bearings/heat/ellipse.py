@@ -28,9 +28,9 @@ from bearings.ring.truncation import half_axes
 if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
-RADIAL, AROUND = 6, 16  # points of the quadrature: within 1 % of the integral
+RADIAL, AROUND = 6, 16  # points of the quadrature: within 2.5 % of the integral
 FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
-_SMOOTH = 1e-6  # of the largest velocity, below which it counts as zero
+_SMOOTH = 1e-2  # of the largest velocity: a sharper corner of |v| than points can tell is not met
 _STEPS, _NEWTON = 6, 5  # iterations: reweighted least squares, then Newton's
 
 

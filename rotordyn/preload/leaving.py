@@ -18,6 +18,7 @@ KNOWN = 3  # loads that a parabola takes
 NEARER = 24  # loads that are tried, at most
 CLOSE = 1e-3  # of the load at which a ball leaves: from there the parabola is right to far less
 REAL = 1e-12
+STRAIGHT = 1e-9  # of the approach: a bend that is less is rounding, of which a root would be made
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +53,8 @@ class Leaving:
         if len(self.load) < 2:
             return self.lost
         curve = np.polynomial.Polynomial.fit(self.load, self.approach, len(self.load) - 1)
-        zeros = np.asarray(curve.roots())
+        straight = curve.trim(STRAIGHT * np.abs(curve.coef).max())
+        zeros = np.asarray(straight.roots())
         zeros = zeros.real[np.abs(zeros.imag) < REAL]
         inside = zeros[(self.load[-1] <= zeros) & (zeros <= self.lost)]
         return float(inside.min(initial=self.lost))

@@ -82,6 +82,22 @@ def test_heating_and_starvation_thin_films() -> None:
     assert warm.growth.shape == (3, 25)
 
 
+@pytest.mark.parametrize("loading", [0.05, 3.0])
+@pytest.mark.parametrize("slip", [0.05, 0.5, 0.8])
+def test_slip_heats_the_inlet_by_its_power(loading: float, slip: float) -> None:
+    """Gupta's φT = (1 − 13.2 (p/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)."""
+    pressure, modulus = 1.2e9, 2.3e11
+
+    def inverse(s: float) -> float:
+        return 1.0 / float(film.inlet_heating(pressure, modulus, loading, s))
+
+    share = (inverse(slip) - inverse(0.0)) / (inverse(1.0) - inverse(0.0))
+    assert share == pytest.approx(slip**0.83)
+    top = 1.0 - 13.2 * pressure / modulus * loading**0.42
+    assert inverse(0.0) * top == pytest.approx(1.0 + 0.213 * loading**0.64)
+    assert inverse(1.0) * top == pytest.approx(1.0 + 0.213 * 3.23 * loading**0.64)
+
+
 def test_ball_on_four_contacts_grows_by_the_film_of_one_line() -> None:
     """A radial load alone presses both diagonals alike, each on the films of its two contacts."""
     state = four_point(R24_14).equilibrium(

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from bearings import STEEL, InvalidBearing, Lubricant, heat
+from bearings import STEEL, InvalidBearing, Lubricant, ThrustBallBearing, heat
 from bearings.heat.ellipse import Contacts, mean_speed
 from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
 from bearings.ring.motion import ball_motion, contact_motion
+from bearings.ring.truncation import half_axes
 from tests.oracles.known_bearings import HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
-from tests.oracles.known_grooves import QJ218, R24_14, four_point
+from tests.oracles.known_grooves import QJ218, R24_14, deep_groove, drawn_6210, four_point
 
 OIL = Lubricant(32e-6, 5.4e-6)
 LOAD = np.array([610.0, 0, 0, 0, 0])
@@ -24,6 +25,15 @@ def one(**given: float) -> Contacts:
     """A contact of the size of a spindle bearing's, changed."""
     usual = dict(a=1e-3, b=0.2e-3, radius=5e-3, roll=5000.0, spin=500.0, slide=np.nan, creep=0.0)
     return Contacts(*(np.array([float(value)]) for value in (usual | given).values()))
+
+
+@pytest.mark.parametrize("creep", [0.0, 0.4, 0.85])
+@pytest.mark.parametrize("slide", [0.05, -0.3])
+def test_a_given_slide_leaves_the_drift_across_it_to_the_creep(slide: float, creep: float) -> None:
+    """A ball that slides by a velocity c without rolling or spin is pushed aside by μ Q F where
+    sin of its way is F: v = F c/√(1 − F²), |v| = c/√(1 − F²)."""
+    found = mean_speed(one(slide=slide, creep=creep, spin=0.0, roll=0.0))
+    assert found == pytest.approx(abs(slide) / math.sqrt(1.0 - creep**2), rel=1e-3)
 
 
 def test_spin_alone_is_closed() -> None:
@@ -36,7 +46,17 @@ def test_spin_alone_is_closed() -> None:
 
 
 @pytest.mark.parametrize(
-    "given", [{}, {"spin": 30.0}, {"creep": 0.3}, {"spin": 2.0, "creep": 0.7}, {"radius": -5e-3}]
+    "given",
+    [
+        {},
+        {"spin": 30.0},
+        {"spin": 10.0},
+        {"spin": 0.3, "b": 0.05e-3},
+        {"spin": 0.0},
+        {"creep": 0.3},
+        {"spin": 2.0, "creep": 0.7},
+        {"radius": -5e-3},
+    ],
 )
 def test_sliding_is_the_least_of_its_functional(given: dict[str, float]) -> None:
     """Against a fine Cartesian grid and a minimum sought without derivatives."""
@@ -58,6 +78,27 @@ def test_sliding_is_the_least_of_its_functional(given: dict[str, float]) -> None
     start = np.array([0.1 * float(c.creep[0]), -0.1 * math.copysign(1.0, float(c.radius[0]))])
     best = minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-5, "fatol": 1e-7}).x
     assert mean_speed(c) == pytest.approx(mean(*best), rel=0.025)
+
+
+def test_a_groove_slips_about_its_ball_by_the_mean_of_both_curvatures() -> None:
+    """Without spin v = ωr (x² − k² a²)/2R (Heathcote 1921): 1/R is the mean of 2/D and 1/(f D), and
+    k = 0.3473, at which the friction of the lines within balances that beyond."""
+    bearing = deep_groove(drawn_6210())
+    state = bearing.equilibrium(load=[0, 5000.0, 0, 0, 0], speed=3000 * RPM)
+    motion, g = contact_motion(state), state.operation.geometry
+    power, load = heat.sliding(state, 0.05).power, state.contact_load
+    ball = int(load[:, 0].argmax())
+    x = np.linspace(0.0, 1.0, 100_001)
+    share = float(np.trapezoid(1.5 * (1.0 - x**2) * np.abs(x**2 - 0.3473**2), x))
+    d = bearing.ball_diameter
+    for k, (race, f) in enumerate(
+        ((g.inner, bearing.inner_conformity), (g.outer, bearing.outer_conformity))
+    ):
+        curvature = 0.5 * (2.0 / d + 1.0 / (f * d))
+        q, roll = load[ball, k], abs(motion.roll[ball, k]) * 3000 * RPM
+        assert abs(motion.spin[ball, k]) < 1e-9 * abs(motion.roll[ball, k])
+        slip = roll * float(half_axes(race, q)[0]) ** 2 * curvature / 2.0 * share
+        assert power[ball, k] == pytest.approx(0.05 * q * slip, rel=0.03)
 
 
 def test_sliding_power_exceeds_that_of_spin() -> None:
@@ -131,6 +172,15 @@ def test_palmgren_by_hand() -> None:
     driving = 0.9 * 1000 / math.tan(math.radians(25))
     moment = 0.001 * (380 / 12_000) ** 0.33 * driving * 0.09
     assert heat.load_moment(state, 12_000.0) == pytest.approx(moment, rel=1e-6)
+
+
+@pytest.mark.parametrize("share", [0.02, 0.3])
+def test_load_moment_of_thrust_bearings(share: float) -> None:
+    """M1 = 0.0008 (Fa/C0)^0.33 Fa dm."""
+    bearing = ThrustBallBearing(9.525e-3, 60e-3, 14)
+    state = bearing.equilibrium(load=[share * 2e4, 0, 0, 0, 0])
+    moment = 0.0008 * share**0.33 * share * 2e4 * 60e-3
+    assert heat.load_moment(state, 2e4) == pytest.approx(moment, rel=1e-6)
 
 
 def test_load_moment_of_other_kinds() -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from bearings import InvalidBearing, life
 from bearings.grooves import Grooves
+from bearings.ring.motion import ball_motion
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
 
@@ -211,3 +212,18 @@ def test_rating_of_scaled_grooves() -> None:
     at = [life.dynamic_rating(scaled(25.4e-3 * (1.0 + e))) for e in (-1e-9, 1e-9)]
     assert at[1] == pytest.approx(at[0], rel=1e-4)
     assert power(life.static_rating, 5e-3, 60e-3) == pytest.approx(2.0, rel=1e-9)
+
+
+def test_spread_of_the_balls_is_of_those_that_the_inner_race_drives() -> None:
+    """Highest less lowest speed around the axis, none of balls that are all alike."""
+    even = VEX70.equilibrium(load=500.0 * THRUST, speed=12_000 * RPM)
+    assert life.frequencies(even).spread == pytest.approx(0.0, abs=1e-12)
+    load = np.array([300.0, 2500.0, 0.0, 0.0, 0.0])
+    state = VEX70.equilibrium(load=load, speed=12_000 * RPM, kinematics="outer")
+    driven = np.asarray(state.inner_load) > 0.0
+    orbit = ball_motion(state).orbit
+    assert not driven.all()
+    found = life.frequencies(state)
+    assert found.spread == pytest.approx(float(np.ptp(orbit[driven])))
+    assert found.spread > 0.01
+    assert found.cage == pytest.approx(float(orbit[driven].mean()))

@@ -370,3 +370,29 @@ def test_impossible_questions() -> None:
 def test_impossible_cylinders(wrong: dict[str, float]) -> None:
     with pytest.raises(InvalidBearing):
         Cylinder(material=STEEL, **wrong)
+
+
+@axials
+def test_fits_of_random_stacks_press_until_they_let_go(axial: str) -> None:
+    """Up to the speed told all the way, and no more just above it; those that never let go press
+    at any speed."""
+    rng, met = np.random.default_rng(5), 0
+    for _ in range(40):
+        radii = np.cumsum(rng.uniform(0.004, 0.02, 5))
+        kinds = rng.integers(0, 3, 4)
+        materials = [(STEEL, CERAMIC, ALUMINIUM)[k] for k in kinds]
+        bodies = [Cylinder(a, b, m) for (a, b), m in zip(pairwise(radii), materials, strict=True)]
+        fit = rng.uniform(-4e-6, 30e-6, 3)
+        told = release_speed(bodies, fit, axial=axial)
+        for joint, speed in enumerate(told):
+            last = speed if np.isfinite(speed) else 4.0 * max(told[np.isfinite(told)], default=1e4)
+            if last == 0.0:
+                assert compound(bodies, fit, [0.0], axial=axial).pressure[0, joint] == 0.0
+                continue
+            below = compound(bodies, fit, last * np.linspace(0.0, 0.9999, 9), axial=axial)
+            assert (below.pressure[:, joint] > 0.0).all()
+            if np.isfinite(speed):
+                above = compound(bodies, fit, [speed * 1.0001], axial=axial)
+                assert above.pressure[0, joint] == 0.0
+                met += 1
+    assert met > 40

@@ -41,6 +41,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
     "bearings/ball/potential.py": [
         (
+            "c.inner.stiffness ** 2 -> (c.inner.stiffness) ** ((2) * 1.1)",
+            "slope",
+            "the rounding of a load",
+        ),
+        (
             "outer * outer - along * along -> outer * outer + along * along",
             "across",
             "where an iteration starts",
@@ -49,6 +54,8 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("inner + outer -> inner - outer", "beyond", "where an iteration starts"),
         ("3.0 -> 3.3000000000000003", "part", "where an iteration starts"),
         ("energy + slack -> energy - slack", "most", "the rounding of an energy"),
+        ("4.0 -> 4.4", "noise", "the rounding of a force"),
+        ("4.0 -> 4.4", "slack", "the rounding of an energy"),
     ],
     "bearings/heat/total.py": [("0.5 -> 0.55", "part", "a share of no loss at all")],
     "rotordyn/equation/housing.py": [
@@ -69,6 +76,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("1j -> 1.1j", "_hermitian", "as Hermitian, whatever the factor")
     ],
     "rotordyn/numerics/follow.py": [
+        (
+            "1.0 -> 1.1",
+            "whole",
+            "a divisor of nothing",
+        ),
         (
             "0.5 -> 0.55",
             "return",
@@ -104,12 +116,19 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/holding.py": [
         (
+            "node_matrix(_largest(support)) / scale / scale[:, None] -> "
+            "node_matrix(_largest(support)) / scale * scale[:, None]",
+            "stiff",
+            "rows of another size span the same",
+        ),
+        (
             "1.0 -> 1.1",
             "length, length",
             "a scale that is taken back",
         ),
     ],
     "rotordyn/preload/balance.py": [
+        ("1.0 -> 1.1", "largest", "an equation of nothing alone"),
         (
             "1.0 + LEVEL * (tries > 1) -> 1.0 - LEVEL * (tries > 1)",
             "worse",
@@ -155,6 +174,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "bearings/ball/friction.py": [
         (
             "1.0 -> 1.1",
+            "one_i, one_o",
+            "a divisor of a race without a share",
+        ),
+        (
+            "-one * part * side -> -one * part / side",
+            "held",
+            "signs are 1 or -1",
+        ),
+        (
+            "1.0 -> 1.1",
             "wanted",
             "a divisor where nothing slips",
         ),
@@ -168,6 +197,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/free_directions.py": [
         (
+            "1.0 -> 1.1",
+            "scale > 0.0",
+            "a divisor of nothing",
+        ),
+        (
+            "1.0 -> 1.1",
+            "rows / np",
+            "a divisor of nothing",
+        ),
+        (
             "_of_unit(matrix) + np.diag(each.rigid) -> _of_unit(matrix) - np.diag(each.rigid)",
             "answers",
             "a direction is held rigidly or by stiffness, never by both",
@@ -179,6 +218,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/vector_fit.py": [
+        (
+            "weight * values -> weight / values",
+            "start",
+            "where an iteration starts",
+        ),
         ("moved - pole -> moved + pole", "moved", "more rounds to one fixed point"),
     ],
     "rotordyn/equation/sleeve.py": [
@@ -189,6 +233,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/preload/history.py": [
+        (
+            "2.0 -> 2.2",
+            "high",
+            "how far a table goes that is doubled as needed",
+        ),
+        (
+            "2.0 -> 2.2",
+            "most",
+            "how far a table goes that is doubled as needed",
+        ),
         (
             "float(at.force[SHAFT]) - base -> float(at.force[SHAFT]) + base",
             "_ways",
@@ -213,6 +267,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("a + b -> a - b", "fb != fa", "ends of equal value, which no bracket has"),
     ],
     "rotordyn/preload/stops.py": [
+        ("high - low -> high + low", "zero is not None", "one more round to the same zero"),
         (
             "zero + margin -> zero - margin",
             "guess",
@@ -226,6 +281,16 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ("zero - margin -> zero + margin", "guess", "which samples of a bracket are taken next"),
     ],
     "bearings/heat/ellipse.py": [
+        (
+            "(part * vx).sum(axis=1) - contacts.creep -> (part * vx).sum(axis=1) + contacts.creep",
+            "force_x",
+            "a contact pushed to the other side is its mirror image",
+        ),
+        (
+            "0.001 * hxx -> 0.001 / hxx",
+            "det",
+            "how a step is kept from being singular",
+        ),
         (
             "size * size -> size / size",
             "cube",
@@ -255,6 +320,8 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/constraint.py": [
+        ("0.5 -> 0.55", "first", "which of the large entries of a row gives its sign"),
+        ("0.5 -> 0.55", "others", "singular values are 0 or 1"),
         (
             "ways[:, :rank] / size[:rank] -> ways[:, :rank] * size[:rank]",
             "follow",
@@ -268,6 +335,12 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/pole_refinement.py": [
+        (
+            "here.squares - there.squares -> here.squares + there.squares",
+            "gain",
+            "more rounds to one minimum",
+        ),
+        ("0.5 -> 0.55", "half", "how a step that gains nothing is shortened"),
         (
             "0.1 -> 0.11000000000000001",
             "own",
@@ -283,10 +356,105 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/network.py": [
         (
+            "0.5 -> 0.55",
+            "length",
+            "how a step that gains nothing is shortened",
+        ),
+        (
+            "x + np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0) -> "
+            "x - np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0)",
+            "rough",
+            "a last step of what is in balance already",
+        ),
+        (
             "x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0) -> "
             "x - np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)",
             "moving",
             "bearings that do not come into balance together do so one by one",
+        ),
+    ],
+    "rotordyn/numerics/pole_count.py": [
+        ("0.05 -> 0.05500000000000001", "damped", "where an iteration starts"),
+        ("0.0001 -> 0.00011", "damped", "where an iteration starts"),
+    ],
+    "rotordyn/equation/fineness.py": [
+        ("2.0 -> 2.2", "low, high", "a wider bracket of the same zero"),
+    ],
+    "rotordyn/equation/reduce.py": [
+        ("0.5 -> 0.55", "normalised", "vectors of any length that are brought to one"),
+        (
+            "rest ** 2 -> (rest) ** ((2) * 1.1)",
+            "size",
+            "which freedoms hold a body, any that do",
+        ),
+    ],
+    "rotordyn/equation/component.py": [
+        (
+            "1.0 -> 1.1",
+            "self.ports), np",
+            "loads of any size are answered by the same motions",
+        ),
+        ("count * len(self.dofs) -> count / len(self.dofs)", "large", "how a matrix is kept"),
+    ],
+    "rotordyn/numerics/synchronous.py": [
+        (
+            "np.sqrt(np.abs(stiffness).max()) / order -> np.sqrt(np.abs(stiffness).max()) * order",
+            "scale",
+            "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/numerics/crossing.py": [
+        (
+            "0.5 -> 0.55",
+            "low, high",
+            "a wider bracket of the same zero",
+        ),
+    ],
+    "rotordyn/preload/state.py": [
+        (
+            "0.05 * largest + 1.0 -> 0.05 * largest - 1.0",
+            "likely",
+            "where an iteration starts",
+        ),
+    ],
+    "rotordyn/preload/growth.py": [
+        (
+            "0.9 -> 0.9900000000000001",
+            "ring",
+            "a free ring expands alike, whatever its thickness",
+        ),
+        (
+            "1.1 -> 1.2100000000000002",
+            "ring",
+            "a free ring expands alike, whatever its thickness",
+        ),
+    ],
+    "rotordyn/preload/axial_force.py": [
+        (
+            "1.0 + POINTS -> 1.0 - POINTS",
+            "POINTS",
+            "points and weights of a Gauss rule are the same from either end",
+        ),
+    ],
+    "rotordyn/preload/mounting.py": [
+        (
+            "10.0 -> 11.0",
+            "brentq",
+            "a wider bracket of the same zero",
+        ),
+    ],
+    "bearings/fit/compound.py": [
+        (
+            "slope + compliance @ p1 -> slope - compliance @ p1",
+            "rate",
+            "where gaps close no fit lets go",
+        ),
+    ],
+    "rotordyn/equation/shaft.py": [
+        (
+            "1.0 -> 1.1",
+            "element, np.clip",
+            "what lies beyond an element is rounding",
         ),
     ],
 }
@@ -337,11 +505,12 @@ def _some(path: Path, chance: random.Random) -> list[Mutant]:
 
 
 def _places(tree: ast.AST) -> Iterator[ast.expr]:
-    """Operations and numbers within functions, of floating-point numbers as far as one can see."""
+    """Operations and numbers within functions, of floating-point numbers as far as one can see;
+    not the defaults of arguments, which are no part of the code that is exchanged."""
     small = {"EPS", *_tolerances(tree)}
     for function in ast.walk(tree):
         if isinstance(function, ast.FunctionDef):
-            for node in ast.walk(function):
+            for node in (node for line in function.body for node in ast.walk(line)):
                 if isinstance(node, ast.BinOp) and type(node.op) in {*SWAPPED, ast.Pow}:
                     sides = {each.id for each in (node.left, node.right) if type(each) is ast.Name}
                     if not _whole(node) and not sides & small:

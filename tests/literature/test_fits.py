@@ -41,6 +41,14 @@ def test_fit_of_a_catalogue() -> None:
     assert found.reduced(3e-6).mean == pytest.approx(13e-6)
 
 
+def test_probable_fits_lie_within_half_the_root_of_squared_tolerances() -> None:
+    """Of 6 and 8 µm: 5 µm on either side of the mean."""
+    found = fits.interference((11e-6, 17e-6), (-8e-6, 0.0))
+    assert found.mean == pytest.approx(18e-6)
+    assert found.probable == pytest.approx((13e-6, 23e-6))
+    assert (found.least, found.most) == pytest.approx((11e-6, 25e-6))
+
+
 def test_fit_of_another_catalogue() -> None:
     """NKE, 75 j5 in a bore 0/−15: 21 to −7, probable 12 µm."""
     shaft, bore = fits.limits("j5", 0.075), fits.bearing_bore(0.075)

@@ -112,7 +112,7 @@ def test_clearance_is_free_until_it_is_taken_up() -> None:
     [
         ((2, 4e-3, 0.1, 4e-6), "from 3 up"),
         ((9, 0.0, 0.1, 4e-6), "above 0"),
-        ((9, 4e-3, 0.1, 4e-3), "far below the balls"),
+        ((9, 4e-3, 0.1, 4e-3), "4000 µm must be far below the balls' diameter, 4 mm"),
     ],
 )
 def test_impossible_guides(values: Any, sentence: str) -> None:

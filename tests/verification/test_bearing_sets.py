@@ -353,7 +353,11 @@ def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> Non
 
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     loose = spindle("DB", SetPreload(offset=1e-6), growth=RingGrowth(static=-20e-6))
-    with pytest.raises(InvalidInput, match="offset of 1 µm leaves play in its bearings as mounted"):
+    plain = spindle("DB", SetPreload(offset=1e-6))
+    given, taken = (ring_offset(each, each.sleeves[0], 1e-6) for each in (plain, loose))
+    left = 1.0 - (taken - given) * 1e6
+    play = rf"offset of 1 µm leaves play in its bearings as mounted \({left:.3g} µm with"
+    with pytest.raises(InvalidInput, match=play):
         mounted_preload(loose, loose.sleeves[0])
     small = AngularContactBallBearing(3e-3, 30e-3, 5, contact_angle=math.radians(15.0))
     pressed = spindle("DB", SetPreload(offset=0.9e-3), small)

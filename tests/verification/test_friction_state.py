@@ -24,10 +24,11 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, history, moments, most_moments
+from rotordyn.preload.history import Moment, _solved, history, moments, most_moments
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
+from tests.oracles.known_grooves import deep_groove, drawn_6210
 from tests.oracles.spindles import RPM, mfw2310, scene, system_of, with_sleeve
 
 LAW = Law("outer", "equal")
@@ -234,10 +235,10 @@ def test_a_history_in_its_order() -> None:
 
 
 def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
-    steps = (HistoryStep(speed=25.0), HistoryStep(speed=5.0), HistoryStep(run_up=True))
-    speeds = [10.0, 20.0, 30.0]
+    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0, 5.0)]
+    steps, speeds = (*ways, HistoryStep(run_up=True)), [10.0, 20.0, 30.0]
     before, through, after = moments(Past(steps), speeds, 0.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 10.0, 5.0]
+    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 15.0, 10.0, 5.0]
     assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
 
 
@@ -308,3 +309,14 @@ def test_a_warm_spindle_may_run_up_cold() -> None:
 def test_histories_that_make_no_sense(words: str, build: Any) -> None:
     with pytest.raises(InvalidInput, match=words):
         build()
+
+
+@pytest.mark.parametrize("d", [3e-8, 2e-7, 1.7e-6, 1.3e-5])
+def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
+    """And is its law, to 0.1 mN where there is next to no load."""
+    model = deep_groove(drawn_6210(0.0))
+    law = _solved(model, Law("outer", "equal"), (0.0, 0.0), 0.0, 50e-6)[0]
+    exact = float(model.equilibrium(displacement=[d, 0, 0, 0, 0]).load[0])
+    assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
+    assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
+    assert law(-d)[1] == pytest.approx(law(d)[1], rel=1e-6)

@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 
 import rotordyn
+from bearings.heat.temperature import Conductances, Surroundings
 from rotordyn.analyses import LifeSpec, Lubrication
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.heat_balance import Flow, heat_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.scene import Scene
@@ -20,6 +22,7 @@ from tests.oracles.spindles import RPM, case
 
 OIL = Lubrication(32e-6, 5.4e-6, 50.0)
 FLOW = SpindleHeatFlow(3.0, 6.0, 30.0, 25.0, 30.0, balls_oil=1.0, lubricant=OIL)
+NEXT_TO_NONE = 1e-12  # factor of losses in the oil
 SPEED = np.array([0.0, 6e3, 12e3]) * RPM
 
 
@@ -69,6 +72,47 @@ def test_a_spring_holds_the_preload() -> None:
     change = warm.preload.seat_load().sum(axis=1) / cold.preload.seat_load().sum(axis=1)
     assert change == pytest.approx(1.0, abs=0.15)
     assert (lives(warm).ball_temperature[2] < lives(scene(rigid=True)).ball_temperature[2]).all()
+
+
+def test_heat_that_falls_as_steeply_as_it_may_still_settles(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Heat q − s T of either contact that leaves by a ring of conductance g, T = q/(g + s) above
+    what is around: turns without damping would run apart where s > g, by half where s > 3 g."""
+    steep = np.array([0.0, 0.9, 3.5, 5.0])[:, None]  # of g = 1 W/K
+    most = np.array([10.0, 20.0, 40.0, 54.0])[:, None]
+
+    def contacts(at: Any, _: Flow) -> tuple[np.ndarray, np.ndarray]:
+        rings = np.array(
+            [[each.inner_ring, each.outer_ring] for each in at.bearings.values()]
+        )  # (bearings, 2, speeds)
+        rise = rings.transpose(2, 0, 1) - 30.0
+        return most[..., None] - steep[..., None] * rise, np.ones(4, dtype=bool)
+
+    monkeypatch.setattr("rotordyn.preload.heat_balance._contact_heat", contacts)
+    flow = Flow(OIL.oil, Conductances(1.0, 1.0), Surroundings(30.0, 30.0, 30.0), 0.0, NEXT_TO_NONE)
+    found = heat_balance(lambda t: t, np.arange(4.0) * 100.0, grinding(), flow)  # type: ignore[arg-type,return-value]
+    assert found.outcome == ("",) * 4
+    for each in found.temperatures.bearings.values():
+        for ring in (each.inner_ring, each.outer_ring):
+            assert ring == pytest.approx(30.0 + (most / (1.0 + steep))[:, 0], abs=2e-3)
+
+
+def test_a_speed_without_a_state_is_named_with_how_hot_it_was(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """At 1500 rpm none from the first turn on, at 30 °C around; heat of none leaves that there."""
+
+    def contacts(_: Any, __: Flow) -> tuple[np.ndarray, np.ndarray]:
+        return np.zeros((2, 4, 2)), np.array([True, False])
+
+    monkeypatch.setattr("rotordyn.preload.heat_balance._contact_heat", contacts)
+    flow = Flow(OIL.oil, Conductances(1.0, 1.0), Surroundings(30.0, 30.0, 30.0), 0.0, NEXT_TO_NONE)
+    speed = np.array([700.0, 1500.0]) * RPM
+    found = heat_balance(lambda t: t, speed, grinding(), flow)  # type: ignore[arg-type,return-value]
+    assert found.outcome[0] == ""
+    said = "bearings at 1500 rpm: no axial state at temperatures up to 30 °C, raise the preload"
+    assert found.outcome[1].startswith(said)
 
 
 def test_run_away_names_bearing_and_speed() -> None:

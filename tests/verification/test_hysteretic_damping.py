@@ -24,7 +24,7 @@ from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
-from rotordyn.equation.hysteresis import Signs, signs_of
+from rotordyn.equation.hysteresis import Hysteretic, Signs, signs_of
 from rotordyn.errors import InvalidInput, TooCostly
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
@@ -589,9 +589,12 @@ def test_read_from_a_case(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("stiff", [(2e7, 2e7), (2e7, 3e7)], ids=["alike", "apart"])
-def test_every_mode_is_one_of_the_system_that_answers_it(stiff: tuple[float, float]) -> None:
+def test_every_mode_is_one_of_the_system_that_answers_it(
+    stiff: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Modes are corrected one by one from those without loss; all modes of the whole system with
     the signs of each are the reference. None is found twice."""
+    monkeypatch.delattr(Hysteretic, "_of_whole_systems")
     held = tuple(
         replace(support(name, x, stiff), loss_factor=0.1) for name, x in (("a", 0.0), ("b", 0.25))
     )
@@ -613,3 +616,27 @@ def test_every_mode_is_one_of_the_system_that_answers_it(stiff: tuple[float, flo
             assert abs(pole.real) > 1e-4 * abs(pole)
             compared += 1
     assert compared >= 12
+
+
+@pytest.mark.parametrize("spin", [1750.0, 3400.0])
+def test_lossy_supports_decide_on_which_side_of_the_shaft_whirl_is(spin: float) -> None:
+    """Forward whirl that is slower than the shaft without any loss and faster with that of the
+    supports is answered by a shaft that it overtakes."""
+    held = tuple(
+        replace(support(name, x, (2e7, 2e7)), loss_factor=1.0)
+        for name, x in (("a", 0.0), ("b", 0.25))
+    )
+    own = scene(replace(STEPPED, supports=held, loss_factor=0.05), [spin], 3000.0)
+    (bending,) = own.with_motions(("bending",))
+    lossy, found = own.system(bending).lossy, own.system(bending).modes.pole[0]
+    assert lossy is not None
+    assert lossy.whirling
+    plain, led, ahead, slower = (
+        lossy.answering(Signs(*signs)).pole[0]
+        for signs in ((0, 0, 0), (0, 0, 1), (1, 0, 1), (-1, 0, 1))
+    )
+    (below,) = plain[(plain.imag > 0.9 * spin) & (plain.imag < spin)]
+    (above,) = led[(led.imag > spin) & (led.imag < 1.15 * spin)]
+    expected, other = (each[np.abs(each - above).argmin()] for each in (ahead, slower))
+    assert np.abs(found - expected).min() < 1e-9 * abs(below)
+    assert np.abs(found - other).min() > 1e-3 * abs(below)

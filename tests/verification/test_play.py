@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -68,3 +70,27 @@ def test_the_search_meets_a_root_just_behind_a_kink() -> None:
     low, high = np.array([-1e-5]), np.array([6e-5])
     found = play._root(missing, (low, missing(low)), (high, missing(high)))
     assert found == pytest.approx([kink + (7.0 - soft * kink) / stiff], abs=1e-14)
+
+
+def test_a_bearing_without_any_state_is_named_with_its_speed_and_growth() -> None:
+    """Grooves that grow by five balls leave no angle at which a ball could touch both."""
+    case = rotordyn.load("mfw2310")
+    joined = play.arrangement(case.spindle, np.array([150.0 * RPM]))
+    third = replace(joined.bearings[2], growth=np.array([43.21e-3]))
+    odd = replace(joined, bearings=(*joined.bearings[:2], third))
+    said = r"number 4 of the spindle at 150 rpm, groove growth 4\.321e\+04 µm: it has no axial"
+    with pytest.raises(NoSolution, match=said):
+        play.BearingCurves().of(odd)
+
+
+def test_a_curve_goes_on_level_below_and_straight_above() -> None:
+    """F = 9e6 d + 1e11 d² up to 80 µm is met between its points; beyond, its slope goes on."""
+    d = np.linspace(-20e-6, 80e-6, 11)
+    pressed = np.maximum(d, 0.0)
+    curve = play._curve(d, 9e6 * pressed + 1e11 * pressed**2, (9e6 + 2e11 * d) * (d >= 0.0))
+    assert curve(np.array([-1e-3, -3e-4])).tolist() == [0.0, 0.0]
+    inside = np.array([31e-6, 77e-6])
+    assert curve(inside) == pytest.approx(9e6 * inside + 1e11 * inside**2, rel=1e-6)
+    end, slope = 9e6 * 80e-6 + 1e11 * 80e-6**2, 9e6 + 2e11 * 80e-6
+    beyond = np.array([1e-4, 1e-3, 4e-3])
+    assert curve(beyond) == pytest.approx(end + slope * (beyond - 80e-6), rel=0.01)

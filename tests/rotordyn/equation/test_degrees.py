@@ -124,3 +124,13 @@ def test_a_taper_adds_to_the_phase_of_a_linear_element() -> None:
     for slack, degree in ((1e-9, 1), (-1e-9, 2)):
         found = least_degree(np.array([0.5]), tolerance * (1.0 + slack), np.array([1.21]))
         assert (found[0] == 1) == (degree == 1)
+
+
+def test_free_modes_are_kept_as_far_as_accuracy_asks() -> None:
+    """What those left out err falls with the fourth power; a step finer keeps twice as far."""
+    usual = Fineness(1000.0, accuracy=USUAL)
+    assert Fineness(1000.0, accuracy=USUAL / 16.0).cutoff == pytest.approx(2.0 * usual.cutoff)
+    for steps in (1, 2):
+        finer = Fineness(1000.0, accuracy=USUAL, finer=steps)
+        assert finer.cutoff == pytest.approx(2.0**steps * usual.cutoff)
+        assert finer.slow == pytest.approx(2.0**steps * usual.slow)

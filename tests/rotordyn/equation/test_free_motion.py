@@ -9,7 +9,8 @@ import pytest
 
 from rotordyn.analyses.frf.solve import answer
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.equation.free_motion import free_motions
+from rotordyn.equation.free_motion import answering_stiffness, free_motions
+from rotordyn.equation.hysteresis import Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.numerics.modes import modes
 from rotordyn.scene.conditions import Conditions
@@ -101,3 +102,32 @@ def test_under_a_force_that_grows_poles_sum_up_as_at_real_frequencies(supports: 
     summed = residue @ (1.0 / (s - pole)).T
     summed += residue[:, swings].conj() @ (1.0 / (s - pole[swings].conj())).T
     np.testing.assert_allclose(given, summed, rtol=1e-8, atol=1e-9 * np.abs(summed).max())
+
+
+@pytest.mark.parametrize("uneven", [0.0, 2e7])
+@pytest.mark.parametrize(("number", "free"), [(0, 4), (1, 2), (2, 0)])
+def test_motions_that_nothing_holds_are_counted_in_both_planes(
+    uneven: float, number: int, free: int
+) -> None:
+    """Each takes two poles, also where planes differ: four motions of a free shaft across its axis,
+    two about one support."""
+    held = tuple(
+        replace(s, stiffness={("y", "y"): 8e7, ("z", "z"): 8e7 + uneven}, damping={})
+        for s in EVEN[:number]
+    )
+    found = free_motions(bending(held, 0.0))
+    assert found.whirling == (uneven == 0.0 or number == 0)
+    assert found.free_count == pytest.approx(2.0 * free)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_lossy_supports_answer_ahead_of_the_motion(way: int) -> None:
+    """Each spring k as k (1 + iη) of motions e^(iωt), the conjugate of e^(−iωt)."""
+    held = tuple(replace(s, loss_factor=0.2) for s in EVEN)
+    linear = bending(held, 3000.0)
+    found = answering_stiffness(linear, Signs(0, 0, way))
+    springs = sum(np.asarray(each.stiffness) for each in linear.connections)
+    assert found.real == pytest.approx(linear.stiffness)
+    assert found.imag == pytest.approx(way * 0.2 * springs)
+    plain = bending(EVEN, 3000.0)
+    assert answering_stiffness(plain, Signs(0, 0, way)) is plain.stiffness

@@ -29,9 +29,10 @@ def test_nearness_weighs_as_a_share_of_the_pole(
     assert continued(before, after, [0])[0].tolist() == column
 
 
-def test_poles_are_expected_where_stiffness_moves_them() -> None:
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e8])
+def test_poles_are_expected_where_stiffness_moves_them(unit: float) -> None:
     """ω becomes ω + Δk/(2ω) for a unit mass."""
-    stiffness, added = np.array([1.0, 4.0]), np.array([0.1, -0.2])
+    stiffness, added = unit * np.array([1.0, 4.0]), unit * np.array([0.1, -0.2])
     before, after = (
         modes(np.diag(k)[None], np.zeros((1, 2, 2))) for k in (stiffness, stiffness + added)
     )

@@ -124,3 +124,28 @@ def test_the_step_asked_for_is_where_two_straight_lines_meet(
     order = np.argsort(ends)
     vectors, values = [unit(2, 0, 1), unit(2, *order)], [np.array([1.0, 2.0]), np.sort(ends)]
     assert doubts(np.array([3.0, 7.0]), vectors, values, 1e3, 0.5) == pytest.approx([meet])
+
+
+def test_no_step_becomes_smaller_than_the_narrowest() -> None:
+    """Where lines meet a hundredth from a step, half of the narrowest step is no place to look."""
+    vectors, values = [unit(2, 0, 1), unit(2, 1, 0)], [np.array([1.0, 1.1]), np.array([1.0, 10.0])]
+    for at in (np.array([3.0, 7.0]), np.array([1003.0, 1007.0])):
+        assert doubts(at, vectors, values, 1e3, 1.5) == pytest.approx([at[0] + 1.5])
+
+
+@pytest.mark.parametrize("scale", [1.0, 1e3])
+@pytest.mark.parametrize(("ahead", "behind"), [(1.0, 1.0), (0.01, 0.04), (0.09, 0.01)])
+def test_a_veering_is_sought_where_its_gap_is_the_mean_in_ratio(
+    scale: float, ahead: float, behind: float
+) -> None:
+    """A gap that goes straight from one step to the next is the geometric mean of both there."""
+    values = [scale * np.array([1.0, 1.0 + gap, 9.0]) for gap in (ahead, behind)]
+    share = module._veering(values, [np.array([0]), np.array([1])])
+    assert ahead + (behind - ahead) * share == pytest.approx(np.sqrt(ahead * behind))
+
+
+@pytest.mark.parametrize(("step", "splits"), [(1.9, False), (2.1, True)])
+def test_a_step_of_twice_the_narrowest_can_be_split(step: float, *, splits: bool) -> None:
+    vectors, values = [unit(2, 0, 1), unit(2, 1, 0)], [np.array([1.0, 2.0])] * 2
+    found = doubts(np.array([5.0, 5.0 + step]), vectors, values, 9.0, 1.0)
+    assert found == (pytest.approx([5.0 + step / 2.0]) if splits else [])

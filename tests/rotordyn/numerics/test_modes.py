@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotordyn.numerics.modes import FEW, grows, modes, residual, unsolved
+from rotordyn.numerics.modes import FEW, _held, grows, modes, residual, unsolved
 
 OMEGA = np.array([0.0, 0.7, 3.0, 11.0, -4.0])
 
@@ -90,6 +90,26 @@ def test_residual_notices_a_wrong_pole() -> None:
     found = modes(stiffness, damping)
     wrong = replace(found, pole=found.pole * 1.01)
     assert residual(wrong, stiffness, damping) > 1e-4
+
+
+def test_residual_is_what_equations_miss_beside_their_terms() -> None:
+    """Of λ² + dλ + k with any λ: |λ² + dλ + k| over |λ|² + d |λ| + k."""
+    found = modes(np.array([[100.0]]), np.array([[8.0]]))
+    for factor in (1.2, 0.3):
+        pole = factor * found.pole[0]
+        missed = np.abs(pole**2 + 8.0 * pole + 100.0)
+        beside = np.abs(pole) ** 2 + 8.0 * np.abs(pole) + 100.0
+        wrong = replace(found, pole=factor * found.pole)
+        told = residual(wrong, np.array([[[100.0]]]), np.array([[[8.0]]]))
+        assert told == pytest.approx((missed / beside).max())
+
+
+@pytest.mark.parametrize("soft", [1e-6, 1.0, 1e9])
+def test_what_holds_is_counted_in_the_measure_of_each_coordinate(soft: float) -> None:
+    """A soft spring beside a stiff one holds as well; two coordinates of one spring hold once."""
+    turn = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, -3.0]])
+    both = turn.T @ np.diag([1e9, soft]) @ turn
+    assert _held(np.array([both, np.diag([1e9, soft, soft])])).tolist() == [2, 3]
 
 
 def test_single_oscillator() -> None:

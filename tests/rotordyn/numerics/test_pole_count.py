@@ -5,8 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.numerics.pole_count import Counted, _one_more, counted
-from rotordyn.numerics.pole_refinement import refined
+from rotordyn.numerics.pole_count import (
+    Counted,
+    _one_more,
+    _outside,
+    _peaks,
+    _strength,
+    _trial,
+    counted,
+)
+from rotordyn.numerics.pole_refinement import Refined, refined
+from rotordyn.numerics.vector_fit import residues
 
 HERTZ = np.array([180.0, 300.0, 304.0, 520.0])
 RATIO = np.array([0.01, 0.008, 0.008, 0.002])
@@ -101,3 +110,58 @@ def test_a_peak_of_two_is_split_about_its_pole() -> None:
     below, above = np.sort_complex(found[~np.isin(found, few.fit.pole)] / 1j)[::-1] * 1j
     assert (below + above) / 2.0 == pytest.approx(left)
     assert abs(below.imag - above.imag) > abs(left.real)
+
+
+def test_a_missed_peak_gets_a_pole_damped_like_the_others() -> None:
+    """Far from the poles there are: at the frequency of the peak, within two samples of it."""
+    weight = np.ones_like(values(), dtype=float)
+    few = Refined(residues(OMEGA, values(), POLE[:3], weight), np.zeros((3, 2)), 1.0, 21)
+    *before, new = _one_more(OMEGA, few, weight)
+    assert before == POLE[:3].tolist()
+    assert abs(new.imag - POLE[3].imag) < 2.0 * (OMEGA[1] - OMEGA[0])
+    assert -new.real / new.imag == pytest.approx(np.median(RATIO[:3]))
+
+
+def test_poles_outside_decay_beyond_either_end() -> None:
+    above, below = _outside(OMEGA)
+    assert above.imag > OMEGA[-1]
+    assert 0.0 < below.imag < OMEGA[0]
+    for pole in (above, below):
+        assert -0.1 * pole.imag < pole.real < 0.0
+
+
+def test_strength_of_a_pole_is_what_it_adds_to_the_samples() -> None:
+    """|R/(s − p)|² and that of the conjugate over the variance, one sample after another."""
+    samples, deviation = measured(0)
+    found = refined(OMEGA, samples, POLE, 1.0 / deviation)
+    strength = _strength(OMEGA, found, 1.0 / deviation)
+    for pole, residue, known in zip(found.fit.pole, found.fit.residue, strength, strict=True):
+        total = 0.0
+        for omega, width in zip(OMEGA, deviation, strict=True):
+            for root, share in ((pole, residue), (pole.conjugate(), residue.conj())):
+                total += float((np.abs(share / (1j * omega - root) / width) ** 2).sum())
+        assert known == pytest.approx(total, rel=1e-12)
+
+
+def test_evidence_and_misfit_by_hand() -> None:
+    """Bayes' criterion N ln(S/N) + k ln N of N = 1800 real numbers, misfit √(S/(N − k))."""
+    one = Refined(
+        residues(OMEGA, values(), POLE[:2], np.ones((300, 3))), np.zeros((2, 2)), 90.0, 16
+    )
+    found = _trial(one, values())
+    assert found.poles == 2
+    assert found.evidence == pytest.approx(1800.0 * np.log(0.05) + 16.0 * np.log(1800.0))
+    assert found.misfit == pytest.approx(np.sqrt(90.0 / 1784.0))
+
+
+def test_counting_begins_at_peaks_the_most_prominent_first() -> None:
+    """Of three poles alone 1, 4 and 2 times as high as the rest; a smooth rise has one, its top."""
+    pole = (-0.005 + 1j) * 2.0 * np.pi * np.array([200.0, 350.0, 500.0])
+    height = np.array([[3.0], [40.0], [9.0]])
+    s = 1j * OMEGA[:, None]
+    curve = 1.0 + np.abs(pole.real / (s - pole)) ** 2 @ height + 0j
+    found = _peaks(OMEGA, curve)
+    assert found.imag == pytest.approx(pole.imag[[1, 2, 0]], rel=0.01)
+    assert found.real == pytest.approx(-0.01 * found.imag)
+    rise = _peaks(OMEGA, np.exp(OMEGA[:, None] / 1e3) + 0j)
+    assert rise.imag.tolist() == [OMEGA[-1]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.numerics.pole_refinement import _moving
+from rotordyn.numerics.pole_refinement import _moved, _moving
 from rotordyn.numerics.vector_fit import columns, real_unknowns
 
 
@@ -28,3 +28,11 @@ def test_curves_move_with_their_poles_as_told(pole: list[complex]) -> None:
         difference = (curves[0] - curves[1]).T / (2.0 * step)
         size = np.abs(difference).max()
         assert np.abs(told[:, :, at] - difference).max() < 1e-7 * size
+
+
+def test_no_step_takes_more_than_nine_tenths_of_a_pole() -> None:
+    """Neither its decay nor its frequency; smaller steps are taken as they are, in |p|."""
+    pole = np.array([-3.0 + 4.0j, -0.02 + 0.0j, -0.3 + 0.4j])
+    step = np.array([0.1, -0.2, 0.5, 7.0, -9.0])
+    moved = _moved(pole, step)
+    assert moved == pytest.approx(np.array([-2.5 + 3.0j, -0.01, -0.03 + 0.04j]))

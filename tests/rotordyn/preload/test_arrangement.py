@@ -9,16 +9,19 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bearings import Lubricant
 from bearings.ball.law import Law
 from bearings.ring import request
 from bearings.ring.operation import Operation
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
+from rotordyn.preload.on_films import Films
 from rotordyn.preload.state import dynamic_preload
 from tests.oracles.spindles import TOP, mfw2310, with_springs
 
 SPEED = np.array([0.0, 0.5, 1.0]) * TOP
 LAW = Law("outer", "equal")
+LIKE = np.array([0.2, 0.2, 0.3, 0.4, 0.4])  # of tandem twins alike
 
 
 def test_tandem_twins_are_one_bearing() -> None:
@@ -88,3 +91,14 @@ def test_all_speeds_are_asked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
         dynamic_preload(mfw2310(), np.linspace(0.0, TOP, speeds), LAW)
         counts.append(len(calls))
     assert 0 < counts[1] <= counts[0] + 10
+
+
+def test_films_grow_the_inner_grooves_and_shift_them_the_loading_way() -> None:
+    """Beside rings and seats that change with speed; linearly between speeds of the films."""
+    growth, axial = (np.outer([1.0, 2.0, 4.0], part) for part in (LIKE * 1e-6, LIKE * 3e-6))
+    films = Films(Lubricant(32e-6, 5.4e-6), 40.0, SPEED[[0, 1, 2]], growth, axial, growth)
+    with_films, without = (arrangement(mfw2310(), SPEED, films=each) for each in (films, None))
+    for found, bare in zip(with_films.bearings, without.bearings, strict=True):
+        seat = found.seats[0]
+        assert found.growth - bare.growth == pytest.approx(growth[:, seat])
+        assert found.shortening - bare.shortening == pytest.approx(found.thrust * axial[:, seat])

@@ -12,9 +12,11 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.axial_force import axial_force
-from tests.oracles.rotors import uniform
+from tests.oracles.rotors import STEEL, uniform
 from tests.oracles.spindles import mfw2310, scene
 
 SPEEDS = range(0, 24001, 3000)
@@ -104,3 +106,43 @@ def test_drawbar_compresses_the_shaft_between_its_ends(guides: object, bending: 
 def test_state_that_is_not_known_stays_unknown() -> None:
     load = np.full((1, 5), math.nan)
     assert np.isnan(axial_force(mfw2310(), load).at(np.array([0.2]))).all()
+
+
+@pytest.mark.parametrize("turned", [1.0, -1.0])
+def test_rigid_supports_hold_the_length_between_them(turned: float) -> None:
+    """A rod that stands between two of them hangs by half from the upper one and stands by half on
+    the lower one; a force between them is carried in inverse ratio of the ways, n L = n₁ L₁."""
+    ends = tuple(LinearSupport(n, x, {}, rigid=("x",)) for n, x in (("a", 0.0), ("b", 1.0)))
+    rod = uniform(1.0, 0.05, supports=ends)
+    weight = rotor_inertia(rod).mass * 9.81 * turned
+    along = axial_force(rod, np.zeros((1, 0)), gravity=9.81 * turned)
+    x = np.array([1e-9, 0.25, 0.5, 1.0 - 1e-9])
+    expected = weight * (0.5 - x)
+    assert along.at(x)[0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * abs(weight))
+    pushed = axial_force(rod, np.zeros((1, 0)), point_forces=((0.3, 1000.0 * turned),))
+    assert pushed.at(np.array([0.1, 0.9]))[0] == pytest.approx([700.0 * turned, -300.0 * turned])
+
+
+def test_rigid_supports_share_by_how_far_each_part_gives() -> None:
+    """Two thicknesses between them: of a force at the step each part takes EA/L of its own."""
+    ends = tuple(LinearSupport(n, x, {}, rigid=("x",)) for n, x in (("a", 0.0), ("b", 1.0)))
+    thin, thick = Section(0.4, 0.04, 0.0, STEEL), Section(0.6, 0.06, 0.03, STEEL)
+    rod = Spindle("rod", Shaft(0.0, (thin, thick)), supports=ends)
+    rates = np.array([0.04**2 / 0.4, (0.06**2 - 0.03**2) / 0.6])
+    along = axial_force(rod, np.zeros((1, 0)), point_forces=((0.4, 1000.0),))
+    share = 1000.0 * rates / rates.sum()
+    assert along.at(np.array([0.2, 0.7]))[0] == pytest.approx([share[0], -share[1]])
+
+
+@pytest.mark.parametrize(("share", "compressed"), [(0.2, True), (-0.2, False)])
+def test_a_hanging_shaft_pressed_from_below_is_compressed_at_its_end(
+    share: float, *, compressed: bool
+) -> None:
+    """By less than its weight: its upper part stays in tension."""
+    held = LinearSupport("top", 0.0, {("x", "x"): 1e7})
+    rod = uniform(1.0, 0.05, supports=(held,))
+    force = share * rotor_inertia(rod).mass * 9.81
+    along = axial_force(rod, np.zeros((1, 0)), gravity=9.81, point_forces=((1.0, -force),))
+    assert along.at(np.array([0.1]))[0, 0] > 0.0
+    assert along.at(np.array([0.999]))[0, 0] == pytest.approx(-force, rel=0.01)
+    assert along.compresses == compressed

@@ -325,3 +325,19 @@ def test_other_travels_are_those_of_a_spindle_that_has_them(travel: float) -> No
     assert found.shift == pytest.approx(expected.shift, rel=1e-9, abs=1e-15)
     assert (found.net.held == expected.net.held).all()
     assert found.outcome == expected.outcome
+
+
+def test_forces_on_bodies_are_those_of_springs_bearings_and_friction() -> None:
+    """Towards +x; a spring takes its stiffness of a shift, friction is added as it stands."""
+    found = state(mfw2310(), [0, 12000])
+    there, response = found.net.position, found.net.response
+    rubbed = np.array([[0.0, 10.0, -3.0], [0.0, -20.0, 5.0]])
+    plain, rubbing = found.network, replace(found.network, friction=rubbed)
+    assert rubbing.forces(there, response) - plain.forces(there, response) == pytest.approx(rubbed)
+    moved = np.array([0.0, 1e-6, -2e-6])
+    pulled = plain.forces(there + moved, response) - plain.forces(there, response)
+    stiffness = np.array([0.0, *(sleeve.spring.stiffness for sleeve in mfw2310().sleeves)])
+    assert pulled == pytest.approx(np.tile(-stiffness * moved, (2, 1)), rel=1e-6)
+    pushed = replace(plain.arrangement, force=plain.arrangement.force + 70.0)
+    more = replace(plain, arrangement=pushed).forces(there, response)
+    assert more - plain.forces(there, response) == pytest.approx(np.tile([70.0, 0.0, 0.0], (2, 1)))

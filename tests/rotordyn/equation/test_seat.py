@@ -1,0 +1,26 @@
+"""Bearings at their seats: coupling that is rounding is left out, in the measure of both ways."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.equation.seat import seat_matrices
+from rotordyn.equation.term import State
+from tests.oracles.spindles import mfw2310
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e4])
+@pytest.mark.parametrize(("share", "kept"), [(1e-9, True), (3e-12, True), (3e-13, False)])
+def test_coupling_beside_what_both_ways_resist(unit: float, share: float, *, kept: bool) -> None:
+    """1e8 N/m across and 1e4 N·m about: their coupling counts beside √(k c), in any unit."""
+    across, about = 1e8 * unit, 1e4 * unit
+    tangent = np.diag([across, across, across, about, about])
+    coupling = share * np.sqrt(across * about)
+    tangent[1, 4] = tangent[4, 1] = coupling
+    seat = mfw2310().seats[0]
+    state = State(np.zeros(1), tangent[None, None], np.zeros((1, 0), dtype=bool))
+    found = seat_matrices(seat, 0)(state).stiffness[0]
+    assert np.count_nonzero(np.diagonal(found)) == 5
+    assert np.count_nonzero(found) == (7 if kept else 5)
+    assert np.abs(found - np.diag(np.diagonal(found))).max() == (coupling if kept else 0.0)

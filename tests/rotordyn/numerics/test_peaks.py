@@ -1,0 +1,49 @@
+"""Peaks of resonance curves from three samples, and samples about them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.numerics.peaks import GROWTH, NARROW, spread, vertex
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
+@pytest.mark.parametrize("samples", [(9.0, 10.0, 11.5), (9.4, 9.9, 10.3), (10.19, 10.2, 10.9)])
+def test_three_samples_of_an_oscillator_give_its_peak(
+    samples: tuple[float, float, float], scale: float
+) -> None:
+    """c/√((x − p)² + w²) has its inverse square on a parabola: highest at p, c/w."""
+    p, w = 10.2, 0.4
+    x = np.array(samples)
+    at, height = vertex(x, scale / np.sqrt((x - p) ** 2 + w**2))
+    assert at == pytest.approx(p)
+    assert height == pytest.approx(scale / w)
+
+
+def test_a_parabola_below_zero_tells_no_height() -> None:
+    """And where its lowest place is."""
+    x = np.array([1.0, 2.0, 4.0])
+    at, height = vertex(x, 1.0 / np.sqrt((x - 2.4) ** 2 - 0.01))
+    assert at == pytest.approx(2.4)
+    assert height == np.inf
+
+
+@pytest.mark.parametrize("centre", [40.0, 4e4])
+@pytest.mark.parametrize("width", [0.0, 1e-9, 0.02])
+def test_samples_about_a_peak_grow_apart_from_the_width_of_the_peak(
+    centre: float, width: float
+) -> None:
+    """Geometrically, on either side alike, from a quarter of the width, or of the narrowest one
+    that is told apart from none, out to both ends."""
+    low, high = 0.5 * centre, 1.8 * centre
+    found = spread(centre, width, low, high)
+    apart = np.sort(np.abs(found - centre))
+    least = max(width, NARROW * centre)
+    assert apart[:2] == pytest.approx(0.25 * least, rel=1e-6)
+    beyond = (found - centre)[found > centre]
+    steps = beyond[beyond > 1.01 * least]
+    assert steps[1:] / steps[:-1] == pytest.approx(GROWTH, rel=1e-6)
+    assert high / GROWTH < centre + GROWTH * beyond[-1]
+    assert found.min() >= low
+    assert found.max() <= high
