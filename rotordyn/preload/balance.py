@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ring.assembly import Assembly, full_assembly, half_assembly
+from rotordyn.allowance import require_time
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.equation.statics import PLANE, StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
@@ -308,6 +309,7 @@ class Balance:
         """
         problem, converged = self, np.zeros(len(alive), dtype=bool)
         for _ in range(ITERATIONS if tries == 1 else SEARCH):
+            require_time("loads", "broken off")
             miss, error = problem._error(there, force)
             converged = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
             wanted = problem._contacts(there)
