@@ -15,6 +15,7 @@ from scipy.optimize import minimize_scalar, root
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, Material
 from bearings.materials import STEEL
 from bearings.ring.tangents import stiffness as tangent_of
+from rotordyn.allowance import within
 from rotordyn.analyses import (
     BearingLoadsSpec,
     PointLoad,
@@ -29,6 +30,7 @@ from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.seat import turn
+from rotordyn.errors import TooCostly
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.misalignment import Misalignment
 from rotordyn.machine.seat import BearingSeat
@@ -36,6 +38,7 @@ from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.preload.under_load import under_load
 from rotordyn.scene.agreement import setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
@@ -574,6 +577,13 @@ def test_a_radial_curve_past_unloading_does_not_end_by_its_steps() -> None:
         assert curve.outcome == ("",)
         last.append(curve.deflection[0, 0, -1])
     assert last[:2] == pytest.approx([last[2]] * 2, rel=1e-6)
+
+
+def test_the_search_for_a_balance_ends_with_the_time_of_the_run() -> None:
+    first = Scene(deep_pair(), Conditions(gravity="-z"), np.zeros(1))
+    rotor = first.static_rotor  # all that comes before the search
+    with within(0.0), pytest.raises(TooCostly, match="loads: broken off"):
+        under_load(first.unloaded, *rotor)
 
 
 def test_loads_beyond_the_bearings_are_named() -> None:
