@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearings import InvalidBearing, life
+from bearings import InvalidBearing, ThrustBallBearing, life
 from bearings.grooves import Grooves
 from bearings.ring.motion import ball_motion
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
@@ -227,3 +227,18 @@ def test_spread_of_the_balls_is_of_those_that_the_inner_race_drives() -> None:
     assert found.spread == pytest.approx(float(np.ptp(orbit[driven])))
     assert found.spread > 0.01
     assert found.cage == pytest.approx(float(orbit[driven].mean()))
+
+
+@pytest.mark.parametrize(("one", "other"), [(0.52, 0.54), (0.515, 0.58)])
+def test_races_of_a_thrust_bearing_can_change_places(one: float, other: float) -> None:
+    """At 90° both are alike but for their conformity: C^(−10/3) is the sum over both races."""
+
+    def factor(inner: float, outer: float) -> float:
+        bearing = ThrustBallBearing(
+            9.525e-3, 60e-3, 14, inner_conformity=inner, outer_conformity=outer
+        )
+        return life.geometry_factor(bearing)
+
+    assert factor(one, other) == pytest.approx(factor(other, one), rel=1e-12)
+    both = 0.5 * (factor(one, one) ** (-10 / 3) + factor(other, other) ** (-10 / 3))
+    assert factor(one, other) == pytest.approx(both**-0.3, rel=1e-12)

@@ -16,6 +16,7 @@ import sys
 import time
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import _lru_cache_wrapper
 from importlib import import_module
 from pathlib import Path
 from types import CodeType, FrameType, FunctionType
@@ -26,6 +27,7 @@ import pytest
 from tests.hostile.judged import judged
 
 ROOT = Path(__file__).parents[2]
+SOURCES = ("bearings.", "rotordyn.")
 FIRST = 30.0  # s of processor time for a test file without any change
 STARTING = 2.0  # s that any test may take
 USUAL = ("-q", "-s", "-p", "no:cacheprovider", "-p", "no:xdist", "--hypothesis-profile", "ci")
@@ -91,6 +93,7 @@ class Tests:
     def _try(self, tests: list[Ran], path: str, text: str) -> int:
         _quiet()
         _exchange(path, text)
+        _forget()
         signal.signal(signal.SIGVTALRM, _late)
         items = [self.items[each.name] for each in tests if each.name in self.items]
         most = {each.name: STARTING + 4.0 * each.seconds for each in tests}
@@ -115,6 +118,7 @@ class Tests:
         _quiet()
         items = self.files[file]
         for item, after in zip(items, [*items[1:], None], strict=True):
+            _forget()
             self.recorder.reached, self.recorder.failed = set(), False
             begin = time.process_time()
             sys.settrace(self.recorder.called)
@@ -152,6 +156,13 @@ def _exchange(path: str, text: str) -> None:
         if type(each) is FunctionType and each.__code__.co_filename == place:
             old = each.__code__
             each.__code__ = codes.get((old.co_qualname, old.co_firstlineno), old)
+
+
+def _forget() -> None:
+    """What functions of the source keep of former calls, so that every test executes them anew."""
+    for each in gc.get_objects():
+        if type(each) is _lru_cache_wrapper and each.__module__.startswith(SOURCES):
+            each.cache_clear()
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

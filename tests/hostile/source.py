@@ -41,6 +41,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "bearings/ball_guide.py": [("2.0 -> 2.2", "brentq", "a wider bracket of the same zero")],
     "bearings/ball/potential.py": [
         (
+            "gap[1] / where(pinched, turning, 1.0) -> gap[1] * where(pinched, turning, 1.0)",
+            "rise",
+            "the step of an iteration",
+        ),
+        (
             "c.inner.stiffness ** 2 -> (c.inner.stiffness) ** ((2) * 1.1)",
             "slope",
             "the rounding of a load",
@@ -60,10 +65,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "bearings/heat/total.py": [("0.5 -> 0.55", "part", "a share of no loss at all")],
     "rotordyn/equation/housing.py": [
         (
+            "motion * sign -> motion / sign",
+            "under",
+            "signs are 1 or -1",
+        ),
+        (
+            "sign[:, None] * matrix * sign -> sign[:, None] * matrix / sign",
+            "matrix",
+            "signs are 1 or -1",
+        ),
+        (
             "(mass + mass.T) / 2.0 -> (mass + mass.T) * 2.0",
             "cholesky",
             "four times a matrix is as definite",
-        )
+        ),
     ],
     "rotordyn/equation/seat.py": [
         (
@@ -143,6 +158,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/equation/structure.py": [
+        (
+            "1.0 -> 1.1",
+            "ratio=",
+            "the speed of what does not turn",
+        ),
         (
             "-housing.under[name] -> housing.under[name]",
             "motions",
@@ -455,6 +475,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "1.0 -> 1.1",
             "element, np.clip",
             "what lies beyond an element is rounding",
+        ),
+    ],
+    "bearings/heat/temperature.py": [
+        (
+            "1.0 -> 1.1",
+            "LONGEST",
+            "the step of an iteration",
+        ),
+    ],
+    "rotordyn/equation/statics.py": [
+        (
+            "0.5 -> 0.55",
+            "swapaxes",
+            "signs of values of a matrix of any scale",
         ),
     ],
 }

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from bearings import AngularContactBallBearing
+from bearings.ball.potential import riding_radius
+from bearings.geometry import geometry
 from tests.oracles.ball_bearing import BallBearingOracle, rolling
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
 
@@ -183,3 +185,11 @@ def test_balls_under_light_loads_tend_to_rigid_ones(compiled: bool) -> None:
     assert (s.outcome == "").all()
     steps = np.abs(np.diff(s.displacement[:, :4], axis=0)).max(axis=-1)
     assert steps[:-1] / steps[1:] == pytest.approx(np.full((5, 4), 10.0 ** (2 / 3)), rel=0.02)
+
+
+@pytest.mark.parametrize("force", [1e-3, 5.0, 800.0])
+def test_a_ball_that_rides_the_outer_race_is_pressed_in_by_hertz(force: float) -> None:
+    """Fc = K δ^1.5 beyond the place where it just touches."""
+    c = geometry(VEX70.grooves)
+    pressed = riding_radius(c, force) - c.outer_centre_distance
+    assert c.outer.stiffness * pressed**1.5 == pytest.approx(force, rel=1e-9)

@@ -56,6 +56,23 @@ def assert_same(state: Any, index: int, want: Found, unit: Array, tolerance: flo
         assert found[inner] == pytest.approx(there[inner], abs=1e3 * tolerance * most)
 
 
+def test_balls_pressed_too_far_at_rest_are_told_by_how_much() -> None:
+    """A play of −Qr · t presses either arch of every ball by Qr: with an even number t is 2."""
+    usual = four_point(R24_14)
+    arch = (usual.inner_conformity - 0.5) * usual.ball_diameter
+    even = replace(usual, balls=2 * (usual.balls // 2), inner_shim=arch, outer_shim=arch)
+    for share, fits in ((0.99, True), (1.01, False)):
+        pressed = share * 2e-3 * usual.ball_diameter
+        given = dict(contact_angle=None, axial_play=None, radial_play=-2.0 * pressed)
+        if fits:
+            assert replace(even, **given).plays[2] == pytest.approx(-2.0 * pressed)
+            continue
+        most = 2e-3 * usual.ball_diameter
+        said = f"in by {pressed * 1e6:.4g} µm at rest, beyond {most * 1e6:.4g} µm"
+        with pytest.raises(InvalidBearing, match=said):
+            replace(even, **given)
+
+
 @BOTH
 @DRAWN
 def test_random_loads(drawing: Drawing, dynamics: str) -> None:
@@ -255,20 +272,3 @@ def test_balls_against_the_straight_wall_of_a_groove_are_in_balance(number: int)
     for fault in (found.ball, found.ring, found.motion):
         assert fault[chosen].max() < 1e-9
     assert found.gap[chosen].max() < 1e-12 * asked.bearing.ball_diameter
-
-
-def test_balls_pressed_too_far_at_rest_are_told_by_how_much() -> None:
-    """A play of −Qr · t presses either arch of every ball by Qr: with an even number t is 2."""
-    usual = four_point(R24_14)
-    arch = (usual.inner_conformity - 0.5) * usual.ball_diameter
-    even = replace(usual, balls=2 * (usual.balls // 2), inner_shim=arch, outer_shim=arch)
-    for share, fits in ((0.99, True), (1.01, False)):
-        pressed = share * 2e-3 * usual.ball_diameter
-        given = dict(contact_angle=None, axial_play=None, radial_play=-2.0 * pressed)
-        if fits:
-            assert replace(even, **given).plays[2] == pytest.approx(-2.0 * pressed)
-            continue
-        most = 2e-3 * usual.ball_diameter
-        said = f"in by {pressed * 1e6:.4g} µm at rest, beyond {most * 1e6:.4g} µm"
-        with pytest.raises(InvalidBearing, match=said):
-            replace(even, **given)

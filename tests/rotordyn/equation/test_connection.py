@@ -43,3 +43,13 @@ def test_a_sleeve_that_moves_with_the_shaft_does_not_strain_its_bearings() -> No
             assert shaft[row].sum() == 1.0
     alone = replace(mfw2310(), sleeves=())
     assert all(len(link.dofs) == 6 for link in Scene(alone, conditions(), np.zeros(1)).rotor.seats)
+
+
+def test_strained_motions_are_those_of_large_stiffness_the_largest_first() -> None:
+    """By the coordinates, k times the square of a row; at the speed where it is largest."""
+    values = np.array([np.diag([1.0, 50.0, 3.0, 8.0]), np.diag([1.0, 20.0, 9.0, 8.0])])
+    matrices = LinkMatrices(values, np.zeros((1, 4, 4)))
+    rows = np.array([[9.0, 0.0], [0.0, 1.0], [1.0, 3.0], [0.5, 0.5]])
+    link = Link("link", np.arange(4), np.eye(4), lambda _: matrices)
+    found = Connection(link, rows, matrices).strained(50.0)  # 81, 50, 90 and 4
+    assert found.tolist() == rows[[2, 0, 1]].tolist()

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rotordyn.numerics import modes as module
-from rotordyn.numerics.conservative import conservative_modes
+from rotordyn.numerics.conservative import _root, conservative_modes
 from rotordyn.numerics.modes import modes, residual
 
 KINDS = st.sampled_from(["plain", "two planes", "one complex plane", "coupled complex"])
@@ -82,3 +82,12 @@ def test_other_systems_are_left_to_the_general_form(
     stiffness: np.ndarray, damping: np.ndarray
 ) -> None:
     assert conservative_modes(stiffness, damping) is None
+
+
+@pytest.mark.parametrize("unit", [1e-8, 1.0, 1e8])
+@pytest.mark.parametrize(("left", "clear"), [(1e-5, True), (1e-7, False)])
+def test_stiffness_is_clearly_held_in_any_unit(unit: float, left: float, *, clear: bool) -> None:
+    """Of two coordinates whose coupling leaves the second a share of its stiffness."""
+    coupled = np.sqrt(1.0 - left)
+    root = _root(unit * np.array([[[1.0, coupled], [coupled, 1.0]]]))
+    assert (root is not None) == clear
