@@ -491,6 +491,13 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "signs of values of a matrix of any scale",
         ),
     ],
+    "rotordyn/numerics/correct.py": [
+        (
+            "2.0 -> 2.2",
+            "swapaxes",
+            "the start of an iteration to a left vector",
+        ),
+    ],
 }
 ROOMS = {  # tests of a folder, beside those named like the module
     "bearings/ball": ("tests/verification/test_bearing_", "tests/literature/test_bearing_"),
