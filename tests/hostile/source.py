@@ -171,6 +171,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/reactions.py": [
         (
+            "np.eye(n) / give -> np.eye(n) * give",
+            "answer",
+            "rows that are brought to one size",
+        ),
+        (
             "1.0 -> 1.1",
             "give",
             "a scale that is taken back",
@@ -496,6 +501,20 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "2.0 -> 2.2",
             "swapaxes",
             "the start of an iteration to a left vector",
+        ),
+    ],
+    "rotordyn/numerics/modes.py": [
+        (
+            "1.0 -> 1.1",
+            "balances",
+            "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/equation/elements/beam.py": [
+        (
+            "leaning * wide -> leaning / wide",
+            "rise / half",
+            "a factor of ones",
         ),
     ],
 }
