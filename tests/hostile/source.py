@@ -478,6 +478,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "rotordyn/equation/shaft.py": [
         (
             "1.0 -> 1.1",
+            "return resolved",
+            "where a search starts",
+        ),
+        (
+            "1.0 -> 1.1",
             "element, np.clip",
             "what lies beyond an element is rounding",
         ),
