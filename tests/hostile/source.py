@@ -437,6 +437,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/state.py": [
         (
+            "1.0 -> 1.1",
+            "likely",
+            "where an iteration starts",
+        ),
+        (
             "0.05 * largest + 1.0 -> 0.05 * largest - 1.0",
             "likely",
             "where an iteration starts",
@@ -520,6 +525,13 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "leaning * wide -> leaning / wide",
             "rise / half",
             "a factor of ones",
+        ),
+    ],
+    "rotordyn/preload/heat_balance.py": [
+        (
+            "0.5 -> 0.55",
+            "damping = ",
+            "the step of an iteration",
         ),
     ],
 }
