@@ -171,6 +171,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/equation/reactions.py": [
         (
+            "np.eye(n) / give -> np.eye(n) * give",
+            "answer",
+            "rows that are brought to one size",
+        ),
+        (
             "1.0 -> 1.1",
             "give",
             "a scale that is taken back",
@@ -432,6 +437,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/state.py": [
         (
+            "1.0 -> 1.1",
+            "likely",
+            "where an iteration starts",
+        ),
+        (
             "0.05 * largest + 1.0 -> 0.05 * largest - 1.0",
             "likely",
             "where an iteration starts",
@@ -473,6 +483,11 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "rotordyn/equation/shaft.py": [
         (
             "1.0 -> 1.1",
+            "return resolved",
+            "where a search starts",
+        ),
+        (
+            "1.0 -> 1.1",
             "element, np.clip",
             "what lies beyond an element is rounding",
         ),
@@ -489,6 +504,34 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "0.5 -> 0.55",
             "swapaxes",
             "signs of values of a matrix of any scale",
+        ),
+    ],
+    "rotordyn/numerics/correct.py": [
+        (
+            "2.0 -> 2.2",
+            "swapaxes",
+            "the start of an iteration to a left vector",
+        ),
+    ],
+    "rotordyn/numerics/modes.py": [
+        (
+            "1.0 -> 1.1",
+            "balances",
+            "a scale that is taken back",
+        ),
+    ],
+    "rotordyn/equation/elements/beam.py": [
+        (
+            "leaning * wide -> leaning / wide",
+            "rise / half",
+            "a factor of ones",
+        ),
+    ],
+    "rotordyn/preload/heat_balance.py": [
+        (
+            "0.5 -> 0.55",
+            "damping = ",
+            "the step of an iteration",
         ),
     ],
 }
