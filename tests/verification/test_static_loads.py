@@ -371,9 +371,8 @@ def test_deep_groove_bearings_without_thrust(load: float) -> None:
 
 @pytest.mark.parametrize("number", range(8))
 def test_shafts_lie_in_bearings_within_their_play(number: int) -> None:
-    """Random light and heavy shafts in two or three such bearings, under their weight and a force
-    that is a thousandth to a thousand times as large: there is a balance, of all forces and of the
-    moments about both axes."""
+    """Random shafts of 1 to 190 kg in two or three such bearings, under their weight and a force of
+    0.3 to 500 N: there is a balance, of all forces and of the moments about both axes."""
     chance = np.random.default_rng(number)
     length, share = chance.uniform(0.15, 1.0), 10.0 ** chance.uniform(-3.0, 3.0)
     diameter = length * 10.0 ** chance.uniform(-1.7, -0.7)
