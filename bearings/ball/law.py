@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -83,10 +83,6 @@ class Law:
     def take(self, index: Iterable[Any]) -> Law:
         """The law of some states of a batch: this one."""
         return self
-
-    def each(self, change: Callable[[Law], Law]) -> Law:
-        """Another law instead."""
-        return change(self)
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -48,6 +48,17 @@ class Laws:
         place = tuple(self.place[k] for k in index)
         return self.known[place[0]] if len({*place}) == 1 else Laws(self.known, place)
 
-    def each(self, change: Callable[[Law], Law]) -> Law | Laws:
-        """Other laws instead."""
-        return Laws(tuple(map(change, self.known)), self.place)
+
+def laws_of(parts: Sequence[Law | Laws], count: Sequence[int]) -> Law | Laws:
+    """The law of every state of batches one after the other, so many states in each; alike in
+    friction and dynamics."""
+    first = parts[0]
+    if isinstance(first, Law) and all(law == first for law in parts):
+        return first
+    each = [
+        [law] * states if isinstance(law, Law) else [law.known[k] for k in law.place]
+        for law, states in zip(parts, count, strict=True)
+    ]
+    every = [law for one in each for law in one]
+    known = tuple(dict.fromkeys(every))
+    return Laws(known, tuple(known.index(law) for law in every))

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.arrays import Array, Complex, Indices, Matrix
 from rotordyn.numerics.threads import in_threads
 
 ROUNDING = 1e-14  # of the largest entry of a coordinate's row
@@ -31,19 +31,30 @@ def conservative_modes(stiffness: Matrix, damping: Matrix) -> tuple[Complex, ...
     """
     if not (_hermitian(stiffness) and _hermitian(1j * damping)):
         return None
+    found = whirls(stiffness, damping)
+    if found is None:
+        return None
+    order, upper, rate, both = found
+    vector = np.linalg.solve(upper, both[..., len(order) :, :])[..., order.argsort(), :]
+    pole = np.asarray(1j * rate, dtype=complex)
+    left = pole.conj()[..., None] * np.swapaxes(vector.conj(), -1, -2)
+    return pole, np.asarray(vector, dtype=complex), left
+
+
+def whirls(stiffness: Matrix, damping: Matrix) -> tuple[Indices, Matrix, Array, Matrix] | None:
+    """Order (n,) of the coordinates, Lᴴ (…, n, n), ν (…, 2n), ascending, and the vectors (v, u)
+    (…, 2n, 2n), all in that order, of Hermitian K and anti-Hermitian D; None where digits would be
+    lost."""
     order = np.argsort(-_largest(stiffness))
     swapped = order[:, None], order
     root = _root(_real_if_so(stiffness[..., *swapped]))
     if root is None:
         return None
     upper = np.swapaxes(root.conj(), -1, -2)
-    rate, strain = _whirls(_real_if_so(1j * damping[..., *swapped]), upper)
+    rate, both = _solved(_real_if_so(1j * damping[..., *swapped]), upper)
     if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
         return None
-    vector = np.linalg.solve(upper, strain)[..., order.argsort(), :]
-    pole = np.asarray(1j * rate, dtype=complex)
-    left = pole.conj()[..., None] * np.swapaxes(vector.conj(), -1, -2)
-    return pole, np.asarray(vector, dtype=complex), left
+    return order, upper, rate, both
 
 
 def _root(stiffness: Matrix) -> Matrix | None:
@@ -56,8 +67,8 @@ def _root(stiffness: Matrix) -> Matrix | None:
     return root if (pivots**2 > HELD * size).all() else None
 
 
-def _whirls(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
-    """ν (…, 2n), ascending, and u (…, n, 2n)."""
+def _solved(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
+    """ν (…, 2n), ascending, and (v, u) (…, 2n, 2n)."""
     n = upper.shape[-1]
     shape = np.broadcast_shapes(upper.shape, turning.shape)[:-2]
     matrix = np.zeros((*shape, 2 * n, 2 * n), dtype=np.result_type(upper, turning))
@@ -66,8 +77,8 @@ def _whirls(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
     flat = matrix.reshape(-1, 2 * n, 2 * n)
     parts = in_threads(lambda part: np.linalg.eigh(flat[part]), len(flat), LEAST)
     rate = np.concatenate([values for values, _ in parts])
-    strain = np.concatenate([vectors[:, n:] for _, vectors in parts])
-    return rate.reshape(*shape, 2 * n), strain.reshape(*shape, n, 2 * n)
+    both = np.concatenate([vectors for _, vectors in parts])
+    return rate.reshape(*shape, 2 * n), both.reshape(*shape, 2 * n, 2 * n)
 
 
 def _largest(stiffness: Matrix) -> Array:

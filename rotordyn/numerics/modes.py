@@ -8,6 +8,7 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.numerics.conservative import conservative_modes
+from rotordyn.numerics.lightly_damped import lightly_damped_modes
 from rotordyn.numerics.products import times
 from rotordyn.numerics.threads import in_threads
 
@@ -196,7 +197,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     stiffness = _of_weight(stiffness)
     known = conservative_modes(stiffness, damping)
     if known is None:
-        pole, vector, participation, condition = _general(stiffness, damping, shape)
+        pole, vector, participation, condition = _damped(stiffness, damping, shape)
     else:
         pole, vector, participation = known
         condition = np.ones(pole.shape[:-1])
@@ -209,6 +210,24 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
         participation=participation,
         condition=condition,
     )
+
+
+def _damped(
+    stiffness: Matrix, damping: Matrix, shape: tuple[int, ...]
+) -> tuple[Complex, Complex, Complex, Array]:
+    """As ``_general``, sooner where both planes of a lightly damped system are one."""
+    if len(shape) == 3 and np.iscomplexobj(damping):
+        stiffness, damping = (np.broadcast_to(part, shape) for part in (stiffness, damping))
+        light = lightly_damped_modes(stiffness, damping)
+        if light is not None:
+            *parts, found = light
+            left = np.flatnonzero(~found)
+            if left.size:
+                others = _general(stiffness[left], damping[left], (left.size, *shape[1:]))
+                for part, other in zip(parts, others, strict=True):
+                    part[left] = other
+            return parts[0], parts[1], parts[2], parts[3]
+    return _general(stiffness, damping, shape)
 
 
 def _general(

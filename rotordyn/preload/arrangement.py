@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import STANDARD, Law
-from bearings.ball.laws import Laws
+from bearings.ball.laws import Laws, laws_of
 from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -29,7 +31,7 @@ class AxialBearing:
 
     ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
     what is assumed of its balls, at every speed or at each; ``thrust`` ±1;
-    ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
+    ``outer``: body of the outer ring; ``static_growth``, ``growth`` and ``shortening`` of the
     shaft there (speeds,) [m], what films seem to add included.
     """
 
@@ -38,7 +40,7 @@ class AxialBearing:
     law: Law | Laws
     thrust: int
     outer: int
-    static_growth: float
+    static_growth: Array
     growth: Array
     shortening: Array
 
@@ -58,7 +60,11 @@ class Push:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Arrangement:
-    """Bodies (shaft first, then sleeves), bearings and springs; ``force`` [N] on the shaft."""
+    """Bodies (shaft first, then sleeves), bearings and springs; ``force`` [N] on the shaft.
+
+    Of several machines ``side_by_side`` the ``pushes`` are those of the first, of which only the
+    directions hold for all.
+    """
 
     bodies: tuple[str, ...]
     bearings: tuple[AxialBearing, ...]
@@ -73,6 +79,16 @@ class Arrangement:
         return [owner[seat] for seat in sorted(owner)]
 
     @property
+    def structure(self) -> tuple[Any, ...]:
+        """What machines that are solved ``side_by_side`` have in common."""
+        bearings = [
+            (b.seats, b.model, b.thrust, b.outer, b.law.friction, b.law.dynamics)
+            for b in self.bearings
+        ]
+        pushes = [(push.direction, rigid(push)) for push in self.pushes]
+        return (self.bodies, self.force, *bearings, *pushes)
+
+    @property
     def direction(self) -> Array:
         """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
         return np.array([0.0, *(push.direction for push in self.pushes)])
@@ -83,6 +99,7 @@ class Arrangement:
             replace(
                 bearing,
                 law=bearing.law.take(index),
+                static_growth=bearing.static_growth[index],
                 growth=bearing.growth[index],
                 shortening=bearing.shortening[index],
             )
@@ -95,7 +112,7 @@ def arrangement(
     spindle: Spindle,
     speed: Array,
     force: float = 0.0,
-    law: Law | Laws = STANDARD,
+    law: Law = STANDARD,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
 ) -> Arrangement:
@@ -116,10 +133,10 @@ def arrangement(
         bearing = AxialBearing(
             seats=(k,),
             model=seat.bearing,
-            law=law.each(seat.law),
+            law=seat.law(law),
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
-            static_growth=static_growth(spindle, seat),
+            static_growth=np.full(len(speed), static_growth(spindle, seat)),
             growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
             shortening=shifts[:, k] + seat.thrust * along[:, k],
         )
@@ -139,9 +156,10 @@ def arrangement(
 
 def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     """True where the two bearings must carry the same load at every speed."""
-    same = (a.model, a.law, a.thrust, a.outer, a.static_growth)
-    return same == (b.model, b.law, b.thrust, b.outer, b.static_growth) and bool(
-        np.array_equal(a.growth, b.growth) and np.array_equal(a.shortening, b.shortening)
+    same = (a.model, a.law, a.thrust, a.outer) == (b.model, b.law, b.thrust, b.outer)
+    return same and all(
+        np.array_equal(getattr(a, name), getattr(b, name))
+        for name in ("static_growth", "growth", "shortening")
     )
 
 
@@ -167,7 +185,35 @@ def has_stop(push: Push) -> bool:
 def as_mounted(joined: Arrangement) -> Arrangement:
     """The arrangement at rest without external force, as the stated preloads are meant."""
     bearings = tuple(
-        replace(b, law=b.law.take([0]), growth=np.array([b.static_growth]), shortening=np.zeros(1))
+        replace(
+            b,
+            law=b.law.take([0]),
+            static_growth=b.static_growth[:1],
+            growth=b.static_growth[:1],
+            shortening=np.zeros(1),
+        )
         for b in joined.bearings
     )
     return replace(joined, bearings=bearings, speed=np.zeros(1), force=0.0)
+
+
+def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
+    """Machines of one ``structure`` as one arrangement, the speeds of one after those of the
+    other."""
+    first, count = machines[0], [len(each.speed) for each in machines]
+    if len(machines) == 1:
+        return first
+    bearings = []
+    for k, bearing in enumerate(first.bearings):
+        every = [each.bearings[k] for each in machines]
+        bearings.append(
+            replace(
+                bearing,
+                law=laws_of([each.law for each in every], count),
+                static_growth=np.concatenate([each.static_growth for each in every]),
+                growth=np.concatenate([each.growth for each in every]),
+                shortening=np.concatenate([each.shortening for each in every]),
+            )
+        )
+    speed = np.concatenate([each.speed for each in machines])
+    return replace(first, bearings=tuple(bearings), speed=speed)

@@ -220,7 +220,7 @@ class Balance:
         p, springs = len(self.rotor.point), self.network.springs
         k = np.einsum("kiu,skij,kjv->suv", self.rows, here.tangent, self.rows, optimize=True)
         k[:, :p, :p] += self.rotor.stiffness
-        bodies = p + np.arange(len(springs.stiffness))
+        bodies = p + np.arange(springs.stiffness.shape[1])
         k[:, bodies, bodies] += springs.stiffness
         fixed = self._fixed
         k = np.where(fixed[:, :, None] | fixed[:, None, :], 0.0, k)
@@ -263,7 +263,7 @@ class Balance:
         miss = self._unbalanced(here, force)
         acting = np.abs(force)
         size = np.maximum(np.abs(here.load[..., self._forces]).max(axis=(1, 2)), acting)
-        size = size + np.abs(self.network.springs.force).max() + LEAST
+        size = size + np.abs(self.network.springs.force).max(axis=1) + LEAST
         size = np.minimum(size, np.maximum(SMALL * acting, size / SMALL))
         shaft = np.abs(miss).max(axis=1) / size
         return miss, np.maximum(shaft, here.imbalance)

@@ -19,7 +19,8 @@ from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.on_films import Films
-from rotordyn.preload.state import PreloadState, dynamic_preload, settled
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload, settled
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -58,7 +59,8 @@ def with_friction(state: PreloadState) -> PreloadState:
             continue
         force[row] = there.friction @ path.network.frictions.row
         position[row] = state.rest + there.x
-    found = settled(state, replace(state.network, friction=force), position)
+    rubbed = replace(state, network=replace(state.network, friction=force))
+    (found,) = settled([rubbed], [position])
     outcome = tuple(word or other for word, other in zip(words, found.outcome, strict=True))
     return replace(found, outcome=outcome)
 

@@ -312,7 +312,7 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
     joined, springs, rubs = preload.network.arrangement, preload.network.springs, preload.rubs
     rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]
-    stiffness = [springs.stiffness[SHAFT], *(push.stiffness for push in joined.pushes)]
+    stiffness = [springs.stiffness[0, SHAFT], *(push.stiffness for push in joined.pushes)]
     stops = [push for push in joined.pushes if has_stop(push)]
     rubbing = np.flatnonzero(rubs)
     return Network(
@@ -323,7 +323,7 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
             count=preload.network.tandem,
             rest=deflection,
         ),
-        springs=Springs(rows, springs.force, np.array(stiffness)),
+        springs=Springs(rows, springs.force[0], np.array(stiffness)),
         stops=Stops(
             rows[[push.body for push in stops]],
             np.array([float(push.direction) for push in stops]),
@@ -338,7 +338,7 @@ def _table(bearing: AxialBearing, speed: float, most: float) -> AxialLaw:
 
     The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
     """
-    growth = bearing.static_growth, float(bearing.growth[0])
+    growth = float(bearing.static_growth[0]), float(bearing.growth[0])
     high = 0.25 * REACH
     while True:
         law, load, whole = _solved(bearing.model, bearing.law, growth, speed, high)

@@ -7,7 +7,7 @@ springs at their stated preload, fixes where each spring and stop is.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
+from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement, side_by_side
 from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, States
 
 if TYPE_CHECKING:
@@ -36,15 +36,22 @@ LEVEL = 1e-6  # by which the balance may seem worse where it does not change
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all (bodies,).
+    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all
+    (speeds, bodies), or (1, bodies) where they are the same at all speeds.
 
-    ``fixed`` bodies cannot move from ``rest``.
+    ``fixed`` bodies (bodies,) cannot move from ``rest``.
     """
 
     force: Array
     stiffness: Array
     rest: Array
     fixed: Flags
+
+    def at(self, index: NDArray[np.intp]) -> Springs:
+        """Those at some of the speeds."""
+        if len(self.force) == 1:
+            return self
+        return Springs(self.force[index], self.stiffness[index], self.rest[index], self.fixed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,10 +91,33 @@ class Network:
     springs: Springs
     friction: Array = field(default_factory=lambda: np.zeros((1, 1)))
 
+    @classmethod
+    def side_by_side(cls, machines: Sequence[Network]) -> Network:
+        """Machines of one structure as one network, the speeds of one after those of the other."""
+        if len(machines) == 1:
+            return machines[0]
+
+        def over_speed(values: Iterable[Array]) -> Array:
+            rows = [len(each.arrangement.speed) for each in machines]
+            one = zip(values, rows, strict=True)
+            return np.concatenate([np.broadcast_to(v, (n, v.shape[1])) for v, n in one])
+
+        springs = [each.springs for each in machines]
+        return cls(
+            side_by_side([each.arrangement for each in machines]),
+            Springs(
+                over_speed(each.force for each in springs),
+                over_speed(each.stiffness for each in springs),
+                over_speed(each.rest for each in springs),
+                springs[0].fixed,
+            ),
+            over_speed(each.friction for each in machines),
+        )
+
     def at(self, index: NDArray[np.intp]) -> Network:
         """The network at some of its speeds."""
         friction = self.friction if len(self.friction) == 1 else self.friction[index]
-        return replace(self, arrangement=self.arrangement.at(index), friction=friction)
+        return Network(self.arrangement.at(index), self.springs.at(index), friction)
 
     @property
     def one_branch(self) -> bool:
@@ -216,7 +246,7 @@ class Network:
                     load=None if load is None else load[:, where],
                     displacement=None if displacement is None else displacement[:, where],
                     speed=self.arrangement.speed[:, None],
-                    static_growth=[at[p].static_growth for p in where],
+                    static_growth=np.stack([at[p].static_growth for p in where], axis=1),
                     growth=np.stack([at[p].growth for p in where], axis=1),
                 ),
             )
@@ -235,7 +265,7 @@ class Network:
         """Unbalanced forces of the free bodies, and the largest over the largest force."""
         miss = np.where(fixed, 0.0, self.forces(x, response))
         size = (self.tandem * np.abs(response.load)).max(axis=1)
-        size = size + np.abs(self.springs.force).max() + 1e-9
+        size = size + np.abs(self.springs.force).max(axis=1) + 1e-9
         return miss, np.abs(miss).max(axis=1) / size
 
 
@@ -264,7 +294,7 @@ class NetworkState:
 def solve(
     network: Network, position: Array, held: Flags, limit: Array, near: Response | None = None
 ) -> NetworkState:
-    """Newton from ``position``; bodies ``held`` stay at ``limit``.
+    """Newton from ``position``; bodies ``held`` stay at ``limit`` (speeds or 1, bodies).
 
     Bodies and balls together; where that fails in shortened steps with every bearing solved by
     itself, and so at the end where balls know two branches. ``near``: bearings close to those

@@ -86,7 +86,7 @@ class BearingCurves:
         """The curve of every bearing at every speed."""
         asked = [
             [
-                Inputs(b.model, b.law, b.static_growth, float(b.growth[k]), float(omega))
+                Inputs(b.model, b.law, *map(float, (b.static_growth[k], b.growth[k], omega)))
                 for b in joined.bearings
             ]
             for k, omega in enumerate(joined.speed)

@@ -11,35 +11,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from bearings.ball.laws import Laws
 from bearings.ring.state import BearingState
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.arrangement import (
-    SHAFT,
-    Arrangement,
-    Push,
-    arrangement,
-    as_mounted,
-    has_stop,
-    rigid,
-)
+from rotordyn.preload.arrangement import SHAFT, as_mounted
 from rotordyn.preload.bearing_iterates import Solved
-from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.network import Network, NetworkState
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
-from rotordyn.preload.stops import meeting_speeds, with_stops
+from rotordyn.preload.stops import with_stops
 
 if TYPE_CHECKING:
-    from rotordyn.preload.family import Family
+    from rotordyn.preload.together import Place
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 FAR = 1e-3  # m: no gap of a stop is that large
 LEAST = 1e-9  # N, of a closed stop
 SOFT = 1e8  # N/m
-NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -51,13 +41,13 @@ class PreloadState:
     ends the travel (NaN without one) [m]; ``net``: the network at every speed; ``outcome`` per
     speed: empty, or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor
     under loads across the axis, None without any; ``temperatures``: None where all are those of
-    assembly; ``films``: those that balls ride on, or None; ``past``: what came before; ``family``:
-    states under other laws that it was solved with.
+    assembly; ``films``: those that balls ride on, or None; ``past``: what came before; ``place``:
+    its own among states that are solved together, or None.
     """
 
     spindle: Spindle
     force: float
-    law: Law | Laws
+    law: Law
     network: Network
     mounted: NetworkState
     limit: Array
@@ -67,7 +57,7 @@ class PreloadState:
     temperatures: Temperatures | None = None
     films: Films | None = None
     past: Past = ASSEMBLED
-    family: Family | None = None
+    place: Place | None = None
 
     def coordinates(self, count: int) -> Array:
         """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
@@ -201,167 +191,31 @@ class PreloadState:
         net = self.mounted
         if self.force:
             still = replace(as_mounted(self.network.arrangement), force=self.force)
-            net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
+            net = with_stops(
+                replace(self.network, arrangement=still), self.limit[None], self.rest[None]
+            )
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
     def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
         """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
-        if self.family is not None and isinstance(self.law, Law):
-            return self.family.with_travels(self.law, travel, index)
-        sleeves = tuple(
-            replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
-            for sleeve in self.spindle.sleeves
-        )
-        part = self.network.at(index)
-        pushes = tuple(
-            replace(push, travel=sleeve.stop_travel)
-            for push, sleeve in zip(part.arrangement.pushes, sleeves, strict=True)
-        )
-        network = replace(part, arrangement=replace(part.arrangement, pushes=pushes))
-        spindle = replace(self.spindle, sleeves=sleeves)
-        law = self.law.take(index)
-        other = replace(self, spindle=spindle, law=law, lateral=None)
-        return settled(other, network, self.net.position[index])
+        return self._solved.with_travels(travel, index)
 
-    def under_axial(self, bearings: Sequence[int], load: Array) -> list[Solved]:
-        """Some bearings of the arrangement, each under its axial ``load`` (bearings,) [N]."""
-        if self.family is not None and isinstance(self.law, Law):
-            return self.family.under_axial(self.law, bearings, load)
-        asked = np.zeros((len(self.speed), len(bearings), 5))
-        asked[..., 0] = load
-        whole = len(bearings) == len(self.network.arrangement.bearings)
-        near = self.net.response.states if whole else None
-        return [*self.network.solve_bearings(bearings, near, load=asked).values()]
-
-    def rows(self, index: NDArray[np.intp]) -> PreloadState:
-        """The state at some of its speeds, without loads across the axis."""
-        law = self.law.take(index)
-        network, net = self.network.at(index), self.net.rows(index)
-        warm = self.temperatures is not None
-        words = outcomes(self.spindle, network, self.mounted, net, warm=warm)
-        return replace(self, law=law, network=network, net=net, outcome=words)
+    def under_rest_loads(self, bearings: Sequence[int]) -> list[Solved]:
+        """Some bearings of the arrangement at every speed, each under its axial load at rest."""
+        return self._solved.under_rest_loads(bearings)
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
-        if self.family is not None and isinstance(self.law, Law):
-            return self.family.stop_speeds(self.law)
-        return self.each_stop_speeds(1)[0]
+        return self._solved.stop_speeds()
 
-    def each_stop_speeds(self, parts: int) -> Array:
-        """The same of speeds that are repeated, once for each of several laws (parts, sleeves)."""
-        pushes = self.network.arrangement.pushes
-        each = [self._stop_speeds(push, parts) for push in pushes]
-        return np.stack(each, axis=1) if each else np.empty((parts, 0))
+    @property
+    def _solved(self) -> Place:
+        assert self.place is not None, "a state that is being solved"
+        return self.place
 
-    def _stop_speeds(self, push: Push, parts: int) -> Array:
-        held = self.net.held[:, push.body].reshape(parts, -1)
-        met, first = np.flatnonzero(held.any(axis=1)), held.argmax(axis=1)
-        found = np.full(parts, np.nan)
-        if not met.size:
-            return found
-        row = met * held.shape[1] + first[met]
-        inner = first[met] > 0
-        known = np.where(self.net.converged[:, None], self.net.position, self.rest)
-        between = np.stack([np.where(inner, self.speed[row - 1], 0.0), self.speed[row]], axis=1)
-        near = np.stack([np.where(inner[:, None], known[row - 1], self.rest), known[row]], axis=1)
-
-        def at(speed: Array, which: NDArray[np.intp]) -> Network:
-            law = self.law.take(row[which])
-            acting = self.force, law, self.temperatures, self.films
-            return replace(self.network, arrangement=arrangement(self.spindle, speed, *acting))
-
-        found[met] = meeting_speeds(at, self.rest, self.limit, push, between, near)
-        return found
-
-
-def dynamic_preload(
-    spindle: Spindle,
-    speed: Array,
-    law: Law | Laws,
-    axial_force: float = 0.0,
-    temperatures: Temperatures | None = None,
-    films: Films | None = None,
-) -> PreloadState:
-    """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s].
-
-    The convention at rest: each spring carries exactly its stated preload, without external force;
-    from there springs act with their stiffness and stops stand at their travel.
-    """
-    joined = arrangement(spindle, speed, axial_force, law, temperatures, films)
-    mounted = _mounted(joined)
-    rest = mounted.position[0]
-    network = Network(joined, _springs(spindle, joined, rest))
-    start = PreloadState(
-        spindle,
-        axial_force,
-        law,
-        network,
-        mounted,
-        limit=_limits(joined, rest),
-        net=mounted,  # until it is settled
-        outcome=(),
-        temperatures=temperatures,
-        films=films,
-    )
-    return settled(start, network)
-
-
-def settled(state: PreloadState, network: Network, start: Array | None = None) -> PreloadState:
-    """Another ``network`` of the same spindle at its speeds, sought from rest or from ``start``
-    (speeds, bodies)."""
-    limit = _limits(network.arrangement, state.rest)
-    net = confirmed(network, with_stops(network, state.rest, limit, start))
-    warm = state.temperatures is not None
-    words = outcomes(state.spindle, network, state.mounted, net, warm=warm)
-    return replace(state, network=network, limit=limit, net=net, outcome=words, family=None)
-
-
-def _mounted(joined: Arrangement) -> NetworkState:
-    """Equilibrium at rest under the stated preloads alone (one speed)."""
-    still = as_mounted(joined)
-    count = len(still.bodies)
-    nothing = np.zeros(count)
-    none = np.zeros(count, dtype=bool)
-    springs = Springs(_preloads(still), nothing, nothing, none)
-    network = Network(still, springs)
-    start = _seated(network)
-    return solve(network, start[None], none[None], start[None])
-
-
-def _preloads(joined: Arrangement) -> Array:
-    """Forces of the springs at rest, towards +x (bodies,) [N]."""
-    return joined.direction * [0.0, *(push.preload for push in joined.pushes)]
-
-
-def _seated(network: Network) -> Array:
-    """A start at rest (bodies,): each bearing under its likely load, fitted by positions."""
-    b, tandem, force = network.incidence, network.tandem, network.springs.force
-    share = np.linalg.lstsq((tandem[:, None] * b).T, force, rcond=None)[0]
-    largest = np.abs(force).max()
-    # a bearing that takes thrust one way begins pressed, however the springs may share their force
-    likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
-    likely = np.where(network.both_ways, np.copysign(likely, share), likely)
-    carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
-    load = np.zeros((1, len(likely), 5))
-    load[0, :, 0] = likely
-    deflection = np.empty(len(likely))
-    for alike in network.solve_bearings(range(len(likely)), None, load=load).values():
-        deflection[alike.places] = alike.state.displacement[0, :, 0]
-    return np.linalg.lstsq(b[carries], deflection[carries], rcond=None)[0]
-
-
-def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
-    """Springs acting about the place at rest.
-
-    Linear supports hold the shaft along the axis without force at rest.
-    """
-    fixed = np.array([False, *map(rigid, joined.pushes)])
-    along = sum(support.along for support in spindle.supports)
-    stiffness = np.array([along, *(push.stiffness for push in joined.pushes)])
-    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
-
-
-def _limits(joined: Arrangement, rest: Array) -> Array:
-    """Where each stop ends the travel (bodies,); NaN without one."""
-    travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
-    return rest - joined.direction * [np.nan, *travel]
+    def rows(self, index: NDArray[np.intp]) -> PreloadState:
+        """The state at some of its speeds, without loads across the axis."""
+        network, net = self.network.at(index), self.net.rows(index)
+        warm = self.temperatures is not None
+        words = outcomes(self.spindle, network, self.mounted, net, warm=warm)
+        return replace(self, network=network, net=net, outcome=words, place=None)

@@ -24,20 +24,16 @@ CLOSER = 1e-4  # share of the bracket that is searched next around the zero of t
 EPS = 1e-12
 
 
-def with_stops(
-    network: Network, rest: Array, limit: Array, start: Array | None = None
-) -> NetworkState:
-    """Equilibrium with unilateral stops at ``limit`` (bodies,), NaN where there is none.
+def with_stops(network: Network, limit: Array, start: Array) -> NetworkState:
+    """Equilibrium with unilateral stops at ``limit`` (speeds or 1, bodies), NaN where there is
+    none, sought from ``start`` (speeds, bodies).
 
-    Sought from ``rest`` (bodies,), or from ``start`` (speeds, bodies), places likely to be near.
     Stops that would be overrun are closed and those that would have to pull are opened, until
     neither happens; a speed where that never ends is not ``converged``.
     """
-    if start is None:
-        start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
     held = np.zeros(start.shape, dtype=bool)
     net = solve(network, start, held, limit)
-    for _ in range(2 * len(limit) + 2):
+    for _ in range(2 * limit.shape[1] + 2):
         force = network.forces(net.position, net.response)
         wanted = stops_wanted(network, net.position, force, held, limit)
         if (wanted == held).all():
@@ -59,14 +55,13 @@ def stops_wanted(
     """
     direction = network.arrangement.direction
     overrun = direction * (position - limit) < -OVERRUN
-    slack = PULL * np.abs(network.springs.force).max()
+    slack = PULL * np.abs(network.springs.force).max(axis=1, keepdims=True)
     pulls = held & (direction * force > slack)
     return (held | overrun) & ~pulls
 
 
 def meeting_speeds(
     at: Callable[[Array, NDArray[np.intp]], Network],
-    rest: Array,
     limit: Array,
     push: Push,
     between: Array,
@@ -75,12 +70,12 @@ def meeting_speeds(
     """First speed within each of ``between`` (k, 2) at which the sleeve of ``push`` meets its stop.
 
     Several are sought together, (k,) [rad/s]. ``at`` gives the network at any speeds, and which of
-    the k they are for. The sleeve's own stop is taken away, all other stops acting. A speed that
-    has no equilibrium without the stop counts as overrun. ``near`` (k, 2, bodies): places at the
-    two speeds, to start from.
+    the k they are for, ascending; ``limit`` (k, bodies) as of ``with_stops``. The sleeve's own stop
+    is taken away, all other stops acting. A speed that has no equilibrium without the stop counts
+    as overrun. ``near`` (k, 2, bodies): places at the two speeds, to start from.
     """
     released = limit.copy()
-    released[push.body] = np.nan
+    released[:, push.body] = np.nan
     known = dict(enumerate(zip(between**2, near, strict=True)))
     searches = {k: _search(*ends) for k, ends in enumerate(between**2)}
     asked = {k: next(search) for k, search in searches.items()}
@@ -88,8 +83,8 @@ def meeting_speeds(
     while asked:
         start = np.concatenate([_between(x, *known[k]) for k, x in asked.items()])
         squares, which = np.concatenate([*asked.values()]), np.repeat([*asked], SAMPLES)
-        net = with_stops(at(np.sqrt(squares), which), rest, released, start)
-        gap = push.direction * (net.position[:, push.body] - limit[push.body])
+        net = with_stops(at(np.sqrt(squares), which), released[which], start)
+        gap = push.direction * (net.position[:, push.body] - limit[which, push.body])
         gap = np.where(net.converged, gap, -np.inf)
         for k, x in [*asked.items()]:
             mine = which == k

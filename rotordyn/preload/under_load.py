@@ -23,6 +23,7 @@ from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import Together
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -186,8 +187,8 @@ def _as_state(
     net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
     mounted = _by_seat(state.mounted, balance.bearings)
-    state = replace(state, network=network, mounted=mounted, net=net, family=None)
-    return replace(state, outcome=words, lateral=lateral)
+    state = replace(state, network=network, mounted=mounted, net=net)
+    return Together.of([replace(state, outcome=words, lateral=lateral)])[0]
 
 
 def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:

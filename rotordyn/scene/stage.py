@@ -19,10 +19,12 @@ class Memo:
     """Values of stages by name, each with the inputs that it follows from.
 
     Machines that differ little (variants, other speeds, a finer model) share one memo. ``laws``:
-    hypotheses under which its machines will be solved.
+    hypotheses under which its machines will be solved; ``ahead``: preload states of machines to
+    come, which were solved together, with the inputs that each follows from.
     """
 
     laws: tuple[Any, ...] = ()
+    ahead: list[tuple[Inputs, Any]] = field(default_factory=list)
     values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:

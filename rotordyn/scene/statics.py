@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from bearings.ball.laws import Laws
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
@@ -23,7 +22,8 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.preload.friction import operating_state, with_friction
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import Asked, dynamic_preloads
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -32,7 +32,6 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
-    from rotordyn.preload.family import Family
     from rotordyn.preload.heat_balance import HeatBalance
 
 ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
@@ -189,18 +188,29 @@ class Statics(Staged):
 
         return under_load(self.unloaded, *self.static_rotor)
 
-    @stage_of(lambda self: self._seated)
+    @stage_of(lambda self: self.seated)
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
         acting = self.axial_force, self.temperatures, self.past
         if len(self._laws) > 1:
-            return with_friction(self.family.state(self.law))
+            return with_friction(self.under_all_laws[self._laws.index(self.law)])
+        inputs = self.seated if self.memo.ahead else ()
+        for other, state in self.memo.ahead:
+            if other == inputs:
+                return with_friction(replace(state, past=self.past))
         given = self.grounded, self.bearing_speed, self.law, *acting
         if (oiled := self.conditions.films) is None:
             return operating_state(*given)
         from rotordyn.preload.on_films import on_films
 
         return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
+
+    @property
+    def alone(self) -> bool:
+        """Its state without loads across the axis is not solved together with other machines."""
+        conditions = self.conditions
+        iterated = conditions.heat_flow or conditions.films
+        return not self.spindle.seats or bool(iterated) or len(self._laws) > 1
 
     @property
     def _laws(self) -> tuple[Law, ...]:
@@ -212,18 +222,14 @@ class Statics(Staged):
         return tuple(a for a in every if (a.friction, a.dynamics) == (own.friction, own.dynamics))
 
     @property
-    def family(self) -> Family:
-        """The same under all laws of which states will be asked for."""
-        return self.shared("family", (self._laws, *self._standing), self._under_all_laws)
+    def under_all_laws(self) -> list[PreloadState]:
+        """States under all laws of which states will be asked for, solved together."""
+        return self.shared("all laws", (self._laws, *self._standing), self._solved_together)
 
-    def _under_all_laws(self) -> Family:
-        from rotordyn.preload.family import Family
-
-        def solve(speed: Array, law: Laws) -> PreloadState:
-            acting = self.axial_force, self.temperatures
-            return replace(dynamic_preload(self.grounded, speed, law, *acting), past=self.past)
-
-        return Family.solved(self._laws, self.bearing_speed, solve)
+    def _solved_together(self) -> list[PreloadState]:
+        machine, acting = (self.grounded, self.bearing_speed), (self.axial_force, self.temperatures)
+        states = dynamic_preloads([Asked(*machine, law, *acting) for law in self._laws])
+        return [replace(state, past=self.past) for state in states]
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -317,7 +323,7 @@ class Statics(Staged):
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
     @property
-    def _seated(self) -> tuple[Any, ...]:
+    def seated(self) -> tuple[Any, ...]:
         """What the preload state without loads across the axis follows from."""
         return (self.law, *self._standing)
 

@@ -1,7 +1,8 @@
 """Machines that differ little, solved one after another in one process.
 
-Stages that the next machine has in common with the last ones are not solved again, and where many
-are to come the compiled solver of bearings is loaded for them.
+Stages that the next machine has in common with the last ones are not solved again, preload states
+of those that come next are solved together, and where many are to come the compiled solver of
+bearings is loaded for them.
 
 A check by a finer model, which takes the place of the first one where the error of that is too
 large, takes time. Machines that differ little have nearly the same error, so that one check serves
@@ -16,15 +17,21 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+
+import numpy as np
 
 from bearings.geometry import geometry
 from bearings.ring.compiled.states import expect
 from rotordyn.analyses.solving import Answers
 from rotordyn.case.case import Case
 from rotordyn.job.solving import solve
+from rotordyn.numerics.threads import linear_algebra_alone
+from rotordyn.scene.ahead import solve_ahead
 from rotordyn.scene.checks import Checks
 from rotordyn.scene.stage import Memo
+from rotordyn.scene.statics import Statics
 
 LATEST = 2  # values of a stage kept, beside the first: that of the nominal machine, if any
 PER_CHECK = 10  # machines, the checked one included, for which the error of one stands
@@ -45,6 +52,16 @@ class Neighbours:
     def empty(self) -> bool:
         """Whether no stage of a machine has been solved yet."""
         return not self.memo.values
+
+    def solve_ahead(self, cases: Sequence[Case]) -> None:
+        """Solve together what can be of machines that come next."""
+        machines = [
+            Statics(case.spindle, case.conditions, np.array(case.speeds), self.memo)
+            for case in cases
+            if case.spindle is not None
+        ]
+        with linear_algebra_alone():
+            solve_ahead(machines, self.memo)
 
     def solve(
         self, case: Case, *, checked: bool = False, further: int = 0

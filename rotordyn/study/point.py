@@ -48,33 +48,53 @@ class Outcome:
     results: dict[str, Any] = field(default_factory=dict)
 
 
-def solve_point(packed: bytes, number: int, points: int = 1) -> Outcome:
-    """Solve a point of a pickled study in whatever process this is, of so many that it will solve.
+def solve_points(packed: bytes, numbers: Sequence[int], points: int = 1) -> list[Outcome]:
+    """Solve some points of a pickled study in whatever process this is, of so many that it will
+    solve.
 
-    What the last points of the process have in common with this one is not solved again; where they
-    are many, the compiled solver of bearings is loaded for them.
+    What the last points of the process have in common with these is not solved again, and what can
+    be solved of several together is; where there are many, the compiled solver of bearings is
+    loaded for them.
     """
     study, neighbours = _unpacked(packed)
     begin = time.perf_counter()
+    cases = [_case(study, number) for number in numbers]
+    neighbours.solve_ahead([case for case in cases if isinstance(case, Case)])
+    each = (time.perf_counter() - begin) / len(numbers)
+    return [
+        _solved(study, number, case, neighbours, points, each)
+        for number, case in zip(numbers, cases, strict=True)
+    ]
+
+
+def _case(study: Study, number: int) -> Case | Exception:
+    """The case of a point, or why its values contradict one another."""
     try:
-        found = outcome(study, number, neighbours, points)
+        return _numbers_alone(changed(study.case, study.design.point(number)), study.results)
+    except (InvalidInput, BearingError) as error:
+        return error
+
+
+def _solved(
+    study: Study,
+    number: int,
+    case: Case | Exception,
+    neighbours: Neighbours,
+    points: int,
+    spent: float,
+) -> Outcome:
+    """What a case comes to after its neighbours, of so many; ``spent``: seconds before."""
+    begin = time.perf_counter()
+    try:
+        if isinstance(case, Exception):
+            raise case
+        found = _outcome(study, number, case, neighbours, points)
     except (InvalidInput, BearingError, NoSolution) as error:
         found = Outcome(number, sentence=str(error))
-    return replace(found, seconds=time.perf_counter() - begin)
+    return replace(found, seconds=spent + time.perf_counter() - begin)
 
 
-def outcome(
-    study: Study, number: int, neighbours: Neighbours | None = None, points: int = 0
-) -> Outcome:
-    """A point solved, after its neighbours; so many will be.
-
-    Raises
-    ------
-    InvalidInput : its values contradict one another
-    NoSolution : no speed has a solution
-    """
-    case = _numbers_alone(changed(study.case, study.design.point(number)), study.results)
-    neighbours = neighbours or Neighbours()
+def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, points: int) -> Outcome:
     answers, error = neighbours.solve(case, checked=bool(study.results), further=points)
     return Outcome(
         number,

@@ -25,7 +25,7 @@ from rotordyn.study.dataset import gathered
 from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
 from rotordyn.study.parameter import require_whole
-from rotordyn.study.point import Outcome, Study, solve_point
+from rotordyn.study.point import Outcome, Study, solve_points
 from rotordyn.study.workers import solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 HOUR, DAY, YEAR = 3600.0, 86400.0, 365.25 * 86400.0  # s
 KEPT, HELD = 1.5, 4.0  # bytes on disk and in memory at the end, over those of points as they come
 LONG = HOUR  # that a study may take unasked
+TOGETHER, BLOCK = 16, 1.0  # points solved together, and seconds that they may take
 LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
 Progress = Callable[[int, int], None]
 
@@ -164,7 +165,7 @@ def _outcomes(
     packed, least = pickle.dumps(study), math.inf
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)
     for number in islice(left, LOOKED):
-        found = solve_point(packed, number)
+        (found,) = solve_points(packed, (number,))
         yield found
         total -= 1
         least = min(least, found.seconds)
@@ -181,8 +182,19 @@ def _outcomes(
         )
     if cluster is not None:
         yield from solved_on_cluster(packed, left, cluster, total)
-    else:
-        yield from solved_here(packed, left, workers, total=total)
+        return
+
+    def blocks() -> Iterator[tuple[int, ...]]:
+        room = total
+        while room:
+            most = min(TOGETHER, room // (2 * workers), int(BLOCK / least))
+            block = tuple(islice(left, max(1, most)))
+            yield block
+            room -= len(block)
+
+    for block in solved_here(packed, blocks(), workers, solve_points, total=total):
+        least = min(least, *(outcome.seconds for outcome in block))
+        yield from block
 
 
 def _long(seconds: float) -> str:

@@ -4,39 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.study.point import Outcome, solve_point
+from rotordyn.study.point import Outcome, solve_points
 from rotordyn.study.processes import ATTEMPTS, side_by_side
 
 PATIENCE = "10s"  # for a scheduler to answer
 AHEAD = 10_000  # points that it is given at once
 
 
-class Numbered(Protocol):
-    """What a point came to, which knows its ``number``."""
-
-    @property
-    def number(self) -> Any: ...
-
-
-N = TypeVar("N", bound=Numbered)
+T = TypeVar("T")
 
 
 def solved_here(
     packed: bytes,
     points: Iterable[Any],
     workers: int,
-    task: Callable[[bytes, Any, int], N] = solve_point,  # type: ignore[assignment]
+    task: Callable[[bytes, Any, int], T],
     *,
     total: int | None = None,
-) -> Iterator[N]:
+) -> Iterator[T]:
     """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
 
-    ``task`` solves one of the points of what is ``packed``, of so many that a process will solve.
-    ``total``: how many points, which are taken one by one; listed ones are counted.
+    ``task`` solves a point of what is ``packed``, or several that are one item, of so many that a
+    process will solve. ``total``: how many points, which are taken one by one; listed ones are
+    counted.
 
     Raises
     ------
@@ -93,4 +87,4 @@ def solved_on_cluster(
 
 
 def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:
-    return solve_point(packed, number, points)
+    return solve_points(packed, (number,), points)[0]

@@ -28,7 +28,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.figures.panels import Shown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.history import history
-from rotordyn.preload.state import dynamic_preload
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.spec import Setting
 from tests.oracles.spindles import CASES, RPM, conditions, mfw2310, scene, with_sleeve

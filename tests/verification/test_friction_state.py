@@ -25,7 +25,8 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, _solved, history, moments, most_moments
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.known_grooves import deep_groove, drawn_6210

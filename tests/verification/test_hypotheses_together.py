@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bearings.ball.law import Law
-from rotordyn.preload.state import dynamic_preload
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.stage import Memo
@@ -22,7 +22,7 @@ def test_each_is_as_alone(law: Law) -> None:
     alone = dynamic_preload(spindle, SPEED, law)
     scene = Scene(spindle, Conditions(kinematics=law.kinematics), SPEED, memo=Memo(laws=LAWS))
     together = scene.preload
-    assert scene.family.laws == LAWS
+    assert [state.law for state in scene.under_all_laws] == [*LAWS]
     assert together.outcome == alone.outcome
     assert together.seat_load() == pytest.approx(alone.seat_load(), rel=1e-9)
     assert together.net.position == pytest.approx(alone.net.position, abs=1e-13)

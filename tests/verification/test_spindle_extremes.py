@@ -16,7 +16,8 @@ from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import HYPOTHESES
 from tests.oracles.random_spindles import spindles

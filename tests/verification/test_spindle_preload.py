@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from bearings.ball.law import Law
-from rotordyn.preload.state import dynamic_preload
+from rotordyn.preload.together import dynamic_preload
 from tests.oracles.axial_arrangement import Arrangement2310, Found
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.spindles import RPM, mfw2310, with_sleeve

@@ -17,7 +17,8 @@ from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import (

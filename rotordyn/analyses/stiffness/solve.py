@@ -219,7 +219,7 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             "force"
         )
     carrying = [int(k) for k in np.flatnonzero(carries)]
-    for held in state.under_axial(carrying, rest[carrying]):
+    for held in state.under_rest_loads(carrying):
         tangents = tangent_of(held.state, scene.conditions.tangent)
         for column, place in enumerate(held.places):
             k = carrying[place]

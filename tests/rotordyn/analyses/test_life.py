@@ -17,7 +17,7 @@ from rotordyn.analyses.life.spec import RELIABILITIES
 from rotordyn.analyses.life.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.state import dynamic_preload
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import SUPPLIES

@@ -16,7 +16,7 @@ from bearings.ring.operation import Operation
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
 from rotordyn.preload.on_films import Films
-from rotordyn.preload.state import dynamic_preload
+from rotordyn.preload.together import dynamic_preload
 from tests.oracles.spindles import TOP, mfw2310, with_springs
 
 SPEED = np.array([0.0, 0.5, 1.0]) * TOP

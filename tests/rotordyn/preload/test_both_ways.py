@@ -14,7 +14,8 @@ from bearings.ball.law import Law
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from tests.oracles.known_bearings import VEX70
 from tests.oracles.spindles import RPM, mfw2310
 

@@ -14,7 +14,8 @@ from bearings.ball.law import Law
 from bearings.geometry import geometry
 from bearings.ring.compiled import states
 from rotordyn.preload import network
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.spindles import RPM, mfw2310
 

@@ -17,7 +17,8 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.sleeve import Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.network import Network
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import dynamic_preload
 from tests.oracles.spindles import RPM, TOP, mfw2310, with_sleeve, with_springs
 
 LAW = Law("outer", "equal")

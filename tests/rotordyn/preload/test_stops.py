@@ -46,9 +46,9 @@ def test_a_sleeve_meets_its_stop_or_the_last_speed_that_balances(
     """It comes 4 µm at 200 rad/s, with the square of speed, to a stop 9 µm off: at 300 rad/s; where
     nothing balances from 60 rad/s on, there."""
 
-    def stand(speed: np.ndarray, _rest: Any, limit: np.ndarray, _start: Any) -> Any:
-        assert np.isnan(limit[1])
-        assert limit[2] == 1.0
+    def stand(speed: np.ndarray, limit: np.ndarray, _start: Any) -> Any:
+        assert np.isnan(limit[:, 1]).all()
+        assert (limit[:, 2] == 1.0).all()
         place = np.zeros((len(speed), 3))
         place[:, 1] = -direction * 4e-6 * (speed / 200.0) ** 2
         return SimpleNamespace(position=place, converged=speed < last)
@@ -58,8 +58,7 @@ def test_a_sleeve_meets_its_stop_or_the_last_speed_that_balances(
     push = Push(1, direction, 100.0, 1e6, 9e-6)
     found = meeting_speeds(
         lambda speed, _: speed,  # type: ignore[arg-type,return-value]
-        np.zeros(3),
-        limit,
+        np.array([limit, limit]),
         push,
         np.array([[50.0, 500.0], [0.0, 700.0]]),
         np.zeros((2, 2, 3)),

@@ -1,0 +1,305 @@
+"""Preload states of machines that are alike, solved together: each is some rows of one batch.
+
+To solve sixteen machines, or one under four laws, takes hardly longer than to solve one. What is
+asked of a state afterwards is solved for all it was solved with, and kept. A machine by itself is a
+batch of one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.law import Law
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.arrangement import Arrangement, Push, arrangement, as_mounted, has_stop, rigid
+from rotordyn.preload.bearing_iterates import Solved
+from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.on_films import Films
+from rotordyn.preload.outcome import outcomes
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.stops import meeting_speeds, with_stops
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+T = TypeVar("T")
+UNASKED = 1.0  # N, on a bearing without load at rest, under which its machine does not ask
+NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
+
+
+class Asked(NamedTuple):
+    """A machine at ``speed`` (speeds,) [rad/s]: ``law`` of balls where a seat says nothing else,
+    external ``force`` along the axis [N]."""
+
+    spindle: Spindle
+    speed: Array
+    law: Law
+    force: float = 0.0
+    temperatures: Temperatures | None = None
+    films: Films | None = None
+
+    def arrangement(self, speed: Array | None = None) -> Arrangement:
+        """Its axial arrangement, also at other speeds."""
+        at = self.speed if speed is None else speed
+        acting = self.force, self.law, self.temperatures, self.films
+        return arrangement(self.spindle, at, *acting)
+
+
+def dynamic_preload(
+    spindle: Spindle,
+    speed: Array,
+    law: Law,
+    axial_force: float = 0.0,
+    temperatures: Temperatures | None = None,
+    films: Films | None = None,
+) -> PreloadState:
+    """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s]; as
+    ``dynamic_preloads``."""
+    return dynamic_preloads([Asked(spindle, speed, law, axial_force, temperatures, films)])[0]
+
+
+def dynamic_preloads(machines: Sequence[Asked]) -> list[PreloadState]:
+    """Solve the axial arrangements of machines, those of one structure together.
+
+    The convention at rest: each spring carries exactly its stated preload, without external force;
+    from there springs act with their stiffness and stops stand at their travel.
+    """
+    joined = [each.arrangement() for each in machines]
+    groups: dict[tuple[Any, ...], list[int]] = {}
+    for k, each in enumerate(joined):
+        groups.setdefault(each.structure, []).append(k)
+    found: dict[int, PreloadState] = {}
+    for group in groups.values():
+        states = _solved([machines[k] for k in group], [joined[k] for k in group])
+        found.update(zip(group, states, strict=True))
+    return [found[k] for k in range(len(machines))]
+
+
+def _solved(machines: Sequence[Asked], joined: Sequence[Arrangement]) -> list[PreloadState]:
+    """The same of machines of one structure."""
+    begun = [
+        PreloadState(
+            spindle=asked.spindle,
+            force=asked.force,
+            law=asked.law,
+            network=Network(each, _springs(asked.spindle, each, mounted.position)),
+            mounted=mounted,
+            limit=_limits(each, mounted.position[0]),
+            net=mounted,  # until it is settled
+            outcome=(),
+            temperatures=asked.temperatures,
+            films=asked.films,
+        )
+        for asked, each, mounted in zip(machines, joined, _mounted(joined), strict=True)
+    ]
+    return settled(begun)
+
+
+def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[PreloadState]:
+    """States in balance under their networks, sought from rest or from ``start`` (speeds, bodies)
+    of each; the stops end the travel of these networks."""
+    limit = [_limits(each.network.arrangement, each.rest) for each in begun]
+    rows = [len(each.speed) for each in begun]
+    start = start or [np.tile(each.rest, (n, 1)) for each, n in zip(begun, rows, strict=True)]
+    network = Network.side_by_side([each.network for each in begun])
+    ends = np.stack(limit) if len(begun) == 1 else np.repeat(limit, rows, axis=0)
+    net = confirmed(network, with_stops(network, ends, np.concatenate(start)))
+    states = []
+    for each, end, part in zip(begun, limit, _parts(net, rows), strict=True):
+        warm = each.temperatures is not None
+        words = outcomes(each.spindle, each.network, each.mounted, part, warm=warm)
+        states.append(replace(each, limit=end, net=part, outcome=words))
+    return Together.of(states)
+
+
+def _parts(net: NetworkState, rows: Sequence[int]) -> Iterator[NetworkState]:
+    """States of several machines, so many ``rows`` each."""
+    if len(rows) == 1:
+        yield net
+        return
+    end = np.cumsum(rows)
+    for last, count in zip(end, rows, strict=True):
+        yield net.rows(np.arange(last - count, last))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Together:
+    """States that are solved together, without their places here."""
+
+    states: tuple[PreloadState, ...]
+    _kept: dict[Any, Any] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, states: Sequence[PreloadState]) -> list[PreloadState]:
+        """The states, each of which knows its place."""
+        plain = tuple(replace(each, place=None) for each in states)
+        whole = cls(plain)
+        return [replace(each, place=Place(whole, k)) for k, each in enumerate(plain)]
+
+    def once(self, key: Any, work: Callable[[], T]) -> T:
+        """What ``work`` gives, which is the same for one key."""
+        if key not in self._kept:
+            self._kept[key] = work()
+        found: T = self._kept[key]
+        return found
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Place:
+    """The place of a state among those it is solved ``among``."""
+
+    among: Together
+    number: int
+
+    def stop_speeds(self) -> Array:
+        """As of ``PreloadState``."""
+        return self.among.once("stops", lambda: _stop_speeds(self.among.states))[self.number]
+
+    def with_travels(self, travel: Mapping[str, float], index: Index) -> PreloadState:
+        """As of ``PreloadState``."""
+        states = self.among.states
+        if len(states) == 1:
+            return _with_travels(states, travel, index)[0]
+        every = np.arange(len(states[0].speed))
+        key = "travels", *sorted(travel.items())
+        found = self.among.once(key, lambda: _with_travels(states, travel, every))
+        return found[self.number].rows(index)
+
+    def under_rest_loads(self, bearings: Sequence[int]) -> list[Solved]:
+        """As of ``PreloadState``."""
+        key = "rest loads", *bearings
+        found = self.among.once(key, lambda: _under_rest_loads(self.among.states, bearings))
+        return found[self.number]
+
+
+def _with_travels(
+    states: Sequence[PreloadState], travel: Mapping[str, float], index: Index
+) -> list[PreloadState]:
+    begun = []
+    for state in states:
+        sleeves = tuple(
+            replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
+            for sleeve in state.spindle.sleeves
+        )
+        network = state.network.at(index)
+        pushes = tuple(
+            replace(push, travel=sleeve.stop_travel)
+            for push, sleeve in zip(network.arrangement.pushes, sleeves, strict=True)
+        )
+        network = replace(network, arrangement=replace(network.arrangement, pushes=pushes))
+        spindle = replace(state.spindle, sleeves=sleeves)
+        begun.append(replace(state, spindle=spindle, network=network, lateral=None))
+    return settled(begun, [state.net.position[index] for state in states])
+
+
+def _under_rest_loads(
+    states: Sequence[PreloadState], bearings: Sequence[int]
+) -> list[list[Solved]]:
+    network = Network.side_by_side([state.network for state in states])
+    rows = [len(state.speed) for state in states]
+    load = np.zeros((sum(rows), len(bearings), 5))
+    rest = [state.rest_loads()[list(bearings)] for state in states]
+    carry = np.isfinite(rest) & ((np.array(rest) > 0.0) | network.both_ways[list(bearings)])
+    load[..., 0] = np.repeat(np.where(carry, rest, UNASKED), rows, axis=0)
+    whole = len(states) == 1 and len(bearings) == len(network.arrangement.bearings)
+    near = states[0].net.response.states if whole else None
+    solved = network.solve_bearings(bearings, near, load=load).values()
+    end = np.cumsum(rows)
+    every = [np.arange(last - count, last) for last, count in zip(end, rows, strict=True)]
+    return [[Solved(one.places, one.state.rows(part)) for one in solved] for part in every]
+
+
+def _stop_speeds(states: Sequence[PreloadState]) -> Array:
+    """Of every state, for every sleeve (states, sleeves)."""
+    found = [_meeting(states, push) for push in states[0].network.arrangement.pushes]
+    return np.stack(found, axis=1) if found else np.empty((len(states), 0))
+
+
+def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
+    """Speed at which a sleeve meets its stop, of every state (states,); NaN where it does not."""
+    found = np.full(len(states), np.nan)
+    held = [state.net.held[:, push.body] for state in states]
+    met = [k for k, each in enumerate(held) if each.any()]
+    if not met:
+        return found
+    between, near = [], []
+    for k in met:
+        state, row = states[k], int(held[k].argmax())
+        known = np.where(state.net.converged[:, None], state.net.position, state.rest)
+        before = (state.speed[row - 1], known[row - 1]) if row else (0.0, state.rest)
+        between.append([before[0], state.speed[row]])
+        near.append([before[1], known[row]])
+
+    def at(speed: Array, which: Index) -> Network:
+        parts = []
+        for k in np.unique(which):
+            state = states[met[k]]
+            acting = state.force, state.law, state.temperatures, state.films
+            joined = arrangement(state.spindle, speed[which == k], *acting)
+            parts.append(replace(state.network, arrangement=joined))
+        return Network.side_by_side(parts)
+
+    limit = np.stack([states[k].limit for k in met])
+    found[met] = meeting_speeds(at, limit, push, np.array(between), np.array(near))
+    return found
+
+
+def _mounted(joined: Sequence[Arrangement]) -> Iterator[NetworkState]:
+    """Equilibria at rest under the stated preloads alone, each of one speed."""
+    parts = []
+    for each in joined:
+        still, nothing = as_mounted(each), np.zeros((1, len(each.bodies)))
+        parts.append(Network(still, Springs(_preloads(still), nothing, nothing, nothing[0] > 0.0)))
+    network = Network.side_by_side(parts)
+    start = _seated(network)
+    return _parts(solve(network, start, np.zeros(start.shape, dtype=bool), start), [1] * len(parts))
+
+
+def _preloads(joined: Arrangement) -> Array:
+    """Forces of the springs at rest, towards +x (1, bodies) [N]."""
+    return joined.direction[None] * [0.0, *(push.preload for push in joined.pushes)]
+
+
+def _seated(network: Network) -> Array:
+    """A start at rest (machines, bodies): each bearing under its likely load, fitted by
+    positions."""
+    b, tandem, force = network.incidence, network.tandem, network.springs.force
+    share = np.linalg.lstsq((tandem[:, None] * b).T, force.T, rcond=None)[0].T
+    largest = np.abs(force).max(axis=1, keepdims=True)
+    # a bearing that takes thrust one way begins pressed, however the springs may share their force
+    likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
+    likely = np.where(network.both_ways, np.copysign(likely, share), likely)
+    load = np.zeros((*likely.shape, 5))
+    load[..., 0] = likely
+    deflection = np.empty(likely.shape)
+    for alike in network.solve_bearings(range(likely.shape[1]), None, load=load).values():
+        deflection[:, alike.places] = alike.state.displacement[..., 0]
+    carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
+    return np.stack(
+        [
+            np.linalg.lstsq(b[held], each[held], rcond=None)[0]
+            for held, each in zip(carries, deflection, strict=True)
+        ]
+    )
+
+
+def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
+    """Springs acting about the place at rest (1, bodies).
+
+    Linear supports hold the shaft along the axis without force at rest.
+    """
+    fixed = np.array([False, *map(rigid, joined.pushes)])
+    along = sum(support.along for support in spindle.supports)
+    stiffness = np.array([[along, *(push.stiffness for push in joined.pushes)]])
+    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
+
+
+def _limits(joined: Arrangement, rest: Array) -> Array:
+    """Where each stop ends the travel (bodies,); NaN without one."""
+    travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
+    return rest - joined.direction * [np.nan, *travel]
