@@ -37,9 +37,15 @@ def follow(
     each is like all that this space holds.
     """
     last, at = np.zeros((vectors[0].shape[0], 0), dtype=complex), np.zeros(0)
-    before, rows = np.zeros(0), []
-    for fresh, value, expected in zip(vectors, values, ahead or values, strict=True):
-        column = _partners(last, at, before, fresh, value)
+    before, rows, known = np.zeros(0), list[Indices](), _consecutive(vectors, values)[1]
+    for k, (fresh, value, expected) in enumerate(
+        zip(vectors, values, ahead or values, strict=True)
+    ):
+        if k and (rows[-1] >= 0).all():
+            alike = known[k - 1, rows[-1], : len(value)]
+        else:
+            alike = _shared(last, before, fresh, value)
+        column = _partners(alike, at, value)
         matched = column >= 0
         new = np.ones(fresh.shape[1], dtype=bool)
         new[column[matched]] = False
@@ -59,16 +65,37 @@ def follow(
     return path
 
 
-def _partners(last: Complex, at: Array, before: Array, fresh: Complex, value: Array) -> Indices:
-    """Which of ``fresh`` (n, l) each of ``last`` (n, k) has become (k,), −1 for none.
+def _partners(alike: Array, at: Array, value: Array) -> Indices:
+    """Which of the fresh ones of ``value`` (l,) each of the last has become (k,), −1 for none.
 
-    ``before`` (k,): values of the last ones; ``at`` (k,): what these are expected to be now.
+    ``alike`` (k, l): their MAC; ``at`` (k,): what values of the last are expected to be now.
     """
-    if not (last.shape[1] and fresh.shape[1]):
-        return np.full(last.shape[1], -1, dtype=np.intp)
+    if not alike.size:
+        return np.full(len(at), -1, dtype=np.intp)
     distance = np.abs(value - at[:, None])
     apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return _matched(_shared(last, before, fresh, value) - NEARNESS * apart)
+    return _matched(alike - NEARNESS * apart)
+
+
+def _consecutive(vectors: list[Complex], values: list[Array]) -> tuple[Array, Array]:
+    """Values (steps, k) filled up with NaN, and MAC of every step with the next (steps − 1, k, k),
+    filled up with zeros."""
+    most, steps = max(len(value) for value in values), len(values)
+    whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
+    every = np.full((steps, most), np.nan)
+    for k, (vector, value) in enumerate(zip(vectors, values, strict=True)):
+        whole[k, :, : len(value)], every[k, : len(value)] = vector, value
+    size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
+    whole /= np.where(size > 0.0, size, 1.0)
+    inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
+    alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
+    pairs = np.abs(every[:, :, None] - every[:, None]) <= REPEATED * np.abs(every)[:, None]
+    repeated = pairs.sum(axis=(1, 2)) > np.isfinite(every).sum(axis=1)
+    for step in np.flatnonzero(repeated[:-1] | repeated[1:]):
+        here, there = values[step], values[step + 1]
+        shared = _shared(vectors[step], here, vectors[step + 1], there)
+        alike[step, : len(here), : len(there)] = shared
+    return every, alike
 
 
 def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
@@ -109,18 +136,9 @@ def doubts(
 
 def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> Flags:
     """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
-    most, steps = max(len(frequency) for frequency in values), len(values)
-    if not most:
-        return np.zeros(steps - 1, dtype=bool)
-    whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
-    value = np.full((steps, most), np.nan)
-    for k, (vector, frequency) in enumerate(zip(vectors, values, strict=True)):
-        whole[k, :, : len(frequency)], value[k, : len(frequency)] = vector, frequency
-    size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
-    whole /= np.where(size > 0.0, size, 1.0)
-    assurance = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
-    repeated = np.abs(value[:, :, None] - value[:, None]) <= REPEATED * np.abs(value)[:, None]
-    shared = np.minimum(repeated[:-1] @ assurance @ repeated[1:], 1.0)
+    value, shared = _consecutive(vectors, values)
+    if not value.size:
+        return np.zeros(len(values) - 1, dtype=bool)
     doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
     doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
     after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)

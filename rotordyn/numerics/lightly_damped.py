@@ -9,78 +9,106 @@ lost and none comes twice. It takes half the time of the QR method.
 
 from __future__ import annotations
 
-import numpy as np
+from dataclasses import dataclass, replace
 
-from rotordyn.arrays import Array, Complex, Flags, Matrix
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.arrays import Array, Complex, Indices, Matrix
 from rotordyn.numerics.conservative import whirls
 from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
 CLOSE = 1e-7  # its square is rounding
-LEAST = 4  # systems to a thread
+CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
 
 
 def lightly_damped_modes(
     stiffness: Matrix, damping: Matrix
-) -> tuple[Complex, Complex, Complex, Array, Flags] | None:
+) -> tuple[Complex, Complex, Complex, Array]:
     """Poles (s, 2n), vectors (s, n, 2n), participations (s, 2n, n) and conditions (s,) of
-    ``numerics.modes``, and where they were found (s,).
+    ``numerics.modes``; an infinite condition where they were not found.
 
-    Stiffness and damping (s, n, n). None where nothing is a start: see ``whirls``.
+    Stiffness and damping (s, n, n) of systems that change little from one to the next: the vectors
+    of one are the start for the next.
     """
-    known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
-    if known is None:
-        return None
-    order, upper, _, both = known
-    n = len(order)
-    back, swapped = order.argsort(), (order[:, None], order)
-    matrix = np.zeros(both.shape, dtype=complex)
-    matrix[:, :n, :n] = 1j * damping[:, *swapped]
-    matrix[:, :n, n:] = stiffness[:, *swapped] @ np.linalg.inv(upper)
-    matrix[:, n:, :n] = upper
-    pole = np.ones(both.shape[:2], dtype=complex)
-    vector, left = np.ones((len(both), n, 2 * n), complex), np.ones((len(both), 2 * n, n), complex)
-    condition, found = np.full(len(both), np.inf), np.zeros(len(both), dtype=bool)
+    count, n = stiffness.shape[:2]
+    pole, condition = np.ones((count, 2 * n), dtype=complex), np.full(count, np.inf)
+    vector, left = np.ones((count, n, 2 * n), complex), np.ones((count, 2 * n, n), complex)
 
     def refine(part: slice) -> None:
-        for k in range(len(both))[part]:
-            refined = _refined(matrix[k], both[k])
-            if refined is None:
-                continue
-            rate, right, inverse = refined
-            pole[k], found[k] = 1j * rate, True
-            vector[k], left[k] = right[back], inverse[:, back] / pole[k][:, None]
-            condition[k] = np.abs(inverse).sum(axis=-1).max()
+        near: _Near | None = None
+        for k in range(count)[CHAIN * part.start : CHAIN * part.stop]:
+            system = stiffness[k], damping[k]
+            found = None if near is None or k % CHAIN == 0 else near.refined(*system)
+            if found is None and (near := _Near.conservative(*system)) is not None:
+                found = near.refined(*system)
+            near = found
+            if found is not None:
+                pole[k], vector[k], left[k] = found.modes
+                condition[k] = np.abs(found.inverse).sum(axis=-1).max()
 
-    in_threads(refine, len(both), LEAST)
-    return pole, vector, left, condition, found
+    in_threads(refine, -(-count // CHAIN), 1)
+    return pole, vector, left, condition
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Near:
+    """Eigenvalues iν, ``rate`` (2n,), vectors and their inverse (2n, 2n), of a matrix
+
+        [[i D, K L⁻ᴴ], [Lᴴ, 0]],   (v, u), v = ν q, u = Lᴴ q,
+
+    coordinates in the ``order`` (n,) of ``whirls``, with the root ``upper`` Lᴴ of some near K."""
+
+    order: Indices
+    upper: Matrix
+    rate: NDArray[np.inexact]
+    vectors: Matrix
+    inverse: Matrix
+
+    @classmethod
+    def conservative(cls, stiffness: Matrix, damping: Matrix) -> _Near | None:
+        """Of the conservative part of a system; None where that is no start."""
+        known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
+        if known is None:
+            return None
+        return cls(*known, known[-1].conj().T)
+
+    def refined(self, stiffness: Matrix, damping: Matrix) -> _Near | None:
+        """Of a system near by; None where the vectors are too far, or two eigenvalues too close."""
+        n, swapped = len(self.order), np.ix_(self.order, self.order)
+        matrix = np.zeros((2 * n, 2 * n), dtype=complex)
+        matrix[:n, :n] = 1j * damping[swapped]
+        matrix[:n, n:] = np.linalg.solve(self.upper.T, stiffness[swapped].T).T
+        matrix[n:, :n] = self.upper
+        vectors, one = self.vectors.astype(complex), np.eye(2 * n)
+        rest = self.inverse @ (matrix @ vectors)
+        for _ in range(STEPS):
+            rate = rest.diagonal().copy()
+            apart = rate - rate[:, None]
+            apart.flat[:: 2 * n + 1] = 1.0
+            if not apart.all():
+                return None
+            change = rest / apart
+            change.flat[:: 2 * n + 1] = 0.0
+            size = (change.real**2 + change.imag**2).max()
+            if not size < FAR**2:
+                return None
+            vectors = vectors + vectors @ change
+            if size < CLOSE**2:
+                return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
+            turn = one + change
+            rest = np.linalg.solve(turn, rest @ turn)
+        return None
+
+    @property
+    def modes(self) -> tuple[Complex, Complex, Complex]:
+        """Poles (2n,), vectors (n, 2n), participations (2n, n)."""
+        pole, back = np.asarray(1j * self.rate, dtype=complex), self.order.argsort()
+        left = np.asarray(self.inverse[:, back] / pole[:, None], dtype=complex)
+        return pole, np.asarray(self.vectors[back], dtype=complex), left
 
 
 def _hermitian(matrix: Matrix) -> Matrix:
     return 0.5 * (matrix + np.swapaxes(matrix.conj(), -1, -2))
-
-
-def _refined(matrix: Complex, near: Matrix) -> tuple[Complex, Complex, Complex] | None:
-    """Eigenvalues (k,), vectors (k, k) and their inverse, from unitary vectors ``near`` them; None
-    where these are too far, or two eigenvalues too close."""
-    k = len(matrix)
-    vectors, one = near.astype(complex), np.eye(k)
-    rest = near.conj().T @ (matrix @ near)
-    for _ in range(STEPS):
-        value = rest.diagonal().copy()
-        apart = value - value[:, None]
-        apart.flat[:: k + 1] = 1.0
-        if not apart.all():
-            return None
-        change = rest / apart
-        change.flat[:: k + 1] = 0.0
-        size = (change.real**2 + change.imag**2).max()
-        if not size < FAR**2:
-            return None
-        vectors = vectors + vectors @ change
-        if size < CLOSE**2:
-            return value, vectors, np.linalg.inv(vectors)
-        turn = one + change
-        rest = np.linalg.solve(turn, rest @ turn)
-    return None

@@ -219,14 +219,12 @@ def _damped(
     if len(shape) == 3 and np.iscomplexobj(damping):
         stiffness, damping = (np.broadcast_to(part, shape) for part in (stiffness, damping))
         light = lightly_damped_modes(stiffness, damping)
-        if light is not None:
-            *parts, found = light
-            left = np.flatnonzero(~found)
-            if left.size:
-                others = _general(stiffness[left], damping[left], (left.size, *shape[1:]))
-                for part, other in zip(parts, others, strict=True):
-                    part[left] = other
-            return parts[0], parts[1], parts[2], parts[3]
+        left = np.flatnonzero(~np.isfinite(light[-1]))
+        if left.size:
+            others = _general(stiffness[left], damping[left], (left.size, *shape[1:]))
+            for part, other in zip(light, others, strict=True):
+                part[left] = other
+        return light
     return _general(stiffness, damping, shape)
 
 

@@ -7,8 +7,9 @@ bearings is loaded for them.
 A check by a finer model, which takes the place of the first one where the error of that is too
 large, takes time. Machines that differ little have nearly the same error, so that one check serves
 several: the first machine of a process is checked, and if its error is at most half of what the
-accuracy allows, the nine that follow are not; if it is more, the very next one is. A machine that
-is not checked keeps its first model, and its own error is not known.
+accuracy allows, the nine that follow are not, or more of them the smaller it is; if it is more, the
+very next one is. A machine that is not checked keeps its first model, and its own error is not
+known.
 
 Theory: docs/theory/refinement.md.
 """
@@ -34,8 +35,9 @@ from rotordyn.scene.stage import Memo
 from rotordyn.scene.statics import Statics
 
 LATEST = 2  # values of a stage kept, beside the first: that of the nominal machine, if any
-PER_CHECK = 10  # machines, the checked one included, for which the error of one stands
+PER_CHECK, MOST = 10, 40  # machines for which an error of ``SMALL``, and any, stands, its own too
 SMALL = 0.5  # share of the error allowed up to which it stands for others
+TINY = 1e-9  # an error that is none
 SAVED = 0.25  # of the time of a machine, by the compiled solver of bearings
 
 
@@ -87,7 +89,9 @@ class Neighbours:
         if not checks.wanted:
             self.unchecked -= 1
             return answers, None
-        self.unchecked = PER_CHECK - 1 if checks.worst <= SMALL else 0
+        self.unchecked = 0
+        if checks.worst <= SMALL:
+            self.unchecked = min(MOST, int(PER_CHECK * SMALL / max(checks.worst, TINY))) - 1
         return answers, checks.worst
 
     def _expect(self, case: Case, further: int) -> None:

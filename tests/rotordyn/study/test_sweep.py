@@ -6,6 +6,7 @@ import gc
 import json
 import math
 import os
+import pickle
 import signal
 import struct
 import subprocess
@@ -90,19 +91,35 @@ def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
             assert np.array_equal(whole, alone["campbell"]["frequency"].values, equal_nan=True)
 
 
-@pytest.mark.parametrize(("small", "checked"), [(0.5, [0, 3]), (0.0, [0, 1, 2, 3, 4])])
+@pytest.mark.parametrize(
+    ("small", "most", "checked"),
+    [
+        (0.5, 3, [0, 3]),
+        (1e-9, 3, [0, 1, 2, 3, 4]),
+        ("twice", 9, [0, 4]),
+        ("a little", 9, [0, 2, 4]),
+    ],
+)
 def test_some_points_are_checked_and_all_where_errors_are_large(
-    case: Case, monkeypatch: pytest.MonkeyPatch, small: float, checked: list[int]
+    case: Case, monkeypatch: pytest.MonkeyPatch, small: float | str, most: int, checked: list[int]
 ) -> None:
-    """And numbers are those of single runs."""
-    monkeypatch.setattr(neighbours, "SMALL", small)
-    monkeypatch.setattr(neighbours, "PER_CHECK", 3)
+    """And numbers are those of single runs. An error of twice or a little below the share that
+    stands for two machines: it stands for four or for two."""
     asked = {SPRING: Span(800.0, 1600.0, 5)}
-    study, held = study_of(case, asked, analyses=["preload", "campbell"]), neighbours.Neighbours()
-    found = [point.outcome(study, k, held) for k in range(5)]
+    study = study_of(case, asked, analyses=["preload", "campbell"])
+    packed = pickle.dumps(study)
+    point._unpacked.cache_clear()
+    (first,) = point.solve_points(packed, (4,))
+    assert first.error is not None
+    shares = {"twice": 2.02 * first.error, "a little": 1.3 * first.error}
+    monkeypatch.setattr(neighbours, "SMALL", shares[small] if isinstance(small, str) else small)
+    monkeypatch.setattr(neighbours, "PER_CHECK", 2)
+    monkeypatch.setattr(neighbours, "MOST", most)
+    point._unpacked.cache_clear()
+    found = point.solve_points(packed, range(5))
     assert [each.number for each in found if each.error is not None] == checked
     assert all(0.0 < each.error < 1.0 for each in found if each.error is not None)
-    alone = {name: value for name, (value, _) in point.outcome(study, 4).numbers.items()}
+    alone = {name: value for name, (value, _) in first.numbers.items()}
     here = {name: value for name, (value, _) in found[4].numbers.items()}
     assert here == pytest.approx(alone, rel=1e-12, nan_ok=True)
     said = summary(study, {each.number: each for each in found})
