@@ -285,7 +285,7 @@ class Structure:
 
     def slopes(self, component: Component) -> Slopes:
         """Weighted slopes of a bending plane of the spindle's shaft."""
-        key = id(component)
+        key = id(component.vectors)  # one of both planes where they have one reduction
         if key not in self._slopes:
             rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
             self._slopes[key] = Slopes(component.displaced(len(element), rows), element)

@@ -65,6 +65,12 @@ class Process:
 _idle: list[Process] = []
 
 
+def start(count: int) -> None:
+    """Have so many processes ready to solve points; none where one is enough."""
+    if count > 1:
+        _idle.extend(Process() for _ in range(count - len(_idle)))
+
+
 def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
     """Results of ``calls`` as they come, from ``count`` processes; those killed are replaced.
 
@@ -118,6 +124,9 @@ def _ready() -> Process:
 
 def _serve(pipe: Connection) -> None:
     """Make calls and answer them, until the other end is closed or none has come for a while."""
+    import rotordyn.scene.scene  # what solves points, while the first call is prepared
+    import rotordyn.study.point  # noqa: F401
+
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever asked ends this process
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with suppress(EOFError, OSError):

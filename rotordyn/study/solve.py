@@ -26,6 +26,7 @@ from rotordyn.study.design import design
 from rotordyn.study.journal import Journal
 from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_points
+from rotordyn.study.processes import start
 from rotordyn.study.workers import solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 HOUR, DAY, YEAR = 3600.0, 86400.0, 365.25 * 86400.0  # s
 KEPT, HELD = 1.5, 4.0  # bytes on disk and in memory at the end, over those of points as they come
 LONG = HOUR  # that a study may take unasked
-TOGETHER, BLOCK = 16, 1.0  # points solved together, and seconds that they may take
+TOGETHER, BLOCK = 32, 2.0  # points solved together, and seconds that they may take
 LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
 Progress = Callable[[int, int], None]
 
@@ -117,6 +118,8 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
     InvalidInput : a path, value or number that cannot be, before anything is solved; a folder of
         another study; more than an hour without ``yes``; no scheduler
     """
+    if samples and cluster is None:  # what draws them takes as long to load as processes do
+        start(min(samples, workers or processors()))
     study = study_of(
         case,
         varied,
