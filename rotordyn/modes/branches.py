@@ -10,8 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.equation.free_motion import FreeMotions
@@ -101,27 +103,30 @@ def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
         sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
-    sides = (-1.0, 1.0) if sweep.steps[0].whirl.any() else (0.0,)
+    sides = (-1.0, 1.0) if sweep.whirl[0].any() else (0.0,)
     for _ in range(0 if sweep.constant else ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(band, side)]
-        if not wanted or len(sweep.steps) > MOST_STEPS:
+        if not wanted or len(sweep.speed) > MOST_STEPS:
             break
         finer = sweep.refined(scene, subsystem, band, wanted)
-        if len(finer.steps) == len(sweep.steps):
+        if len(finer.speed) == len(sweep.speed):
             break
         sweep = finer
-    expected = [] if sweep.constant else _ahead(sweep.steps, MARGIN * band.highest)
-    linear = scene.system(subsystem).linear
-    return [b for side in sides for b in sweep.branches(linear, subsystem, side, expected)]
+    linear, ceiling = scene.system(subsystem).linear, MARGIN * band.highest
+    return [b for side in sides for b in sweep.branches(linear, subsystem, side, ceiling)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Step:
-    """All modes of a subsystem at one ``speed``: ``pole`` (k,), ``vector`` (n, k), ``left`` (k, n),
-    which are ``followed`` (k,), and ``whirl`` (k,) where planes are one; ``stiffness`` and
-    ``damping`` (n, n); ``given``: the case names the speed."""
+class _Sweep:
+    """All modes of a subsystem at every ``speed`` (s,), ascending.
 
-    speed: float
+    ``pole`` (s, k), ``vector`` (s, n, k), ``left`` (s, k, n), those that are ``followed`` (s, k),
+    ``whirl`` (s, k) where planes are one; NaN where a speed has fewer. ``stiffness`` and
+    ``damping`` (s, n, n). ``given`` (s,): the case names the speed. ``constant``: all speeds are
+    the same.
+    """
+
+    speed: Array
     pole: Complex
     vector: Complex
     left: Complex
@@ -129,123 +134,123 @@ class _Step:
     whirl: Array
     stiffness: Array
     damping: Array
-    given: bool
-
-    def chosen(self, side: float) -> Indices:
-        """Columns of followed modes that whirl to ``side``, ascending."""
-        columns = np.flatnonzero(self.followed & (self.whirl == side))
-        return columns[np.argsort(self.pole.imag[columns])]
-
-
-def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
-    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔC + ΔK) v. Those beyond
-    ``ceiling`` [rad/s], and all of the last step, are expected where they are."""
-    expected = [step.pole.copy() for step in steps]
-    for step, after, pole in zip(steps[:-1], steps[1:], expected[:-1], strict=True):
-        below = np.flatnonzero(np.abs(step.pole.imag) < ceiling)
-        vector, left, here = step.vector[:, below], step.left[below], step.pole[below]
-        damped = times(after.damping - step.damping, vector)
-        change = here * damped + times(after.stiffness - step.stiffness, vector)
-        with np.errstate(invalid="ignore", over="ignore"):
-            move = (left * change.T).sum(axis=1)
-            known = np.abs(move) < FARTHEST * np.abs(here)
-        pole[below] = np.where(known, here - move, here)
-    return expected
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Sweep:
-    """The steps of one subsystem, ascending in speed; ``constant``: all are the same."""
-
-    steps: tuple[_Step, ...]
+    given: Flags
     constant: bool
 
     @classmethod
     def of(cls, scene: Scene, subsystem: int, band: Band, *, given: bool = True) -> _Sweep:
         """At the usable speeds of a scene."""
-        motions = scene.system(subsystem)
-        linear, followed = motions.linear, found_in(motions, MARGIN * band.highest)
+        motions, speed = scene.system(subsystem), scene.speed[scene.usable]
         return cls(
-            tuple(
-                _Step(
-                    float(speed),
-                    motions.pole[row],
-                    motions.vector[row],
-                    motions.left[row],
-                    followed[row],
-                    motions.whirl[row],
-                    linear.stiffness[row],
-                    linear.damping[row],
-                    given,
-                )
-                for row, speed in enumerate(scene.speed[scene.usable])
-            ),
+            speed,
+            motions.pole,
+            motions.vector,
+            motions.left,
+            found_in(motions, MARGIN * band.highest),
+            motions.whirl,
+            motions.linear.stiffness,
+            motions.linear.damping,
+            np.full(len(speed), given),
             motions.solved_once,
         )
 
     def refined(self, scene: Scene, subsystem: int, band: Band, speed: list[float]) -> _Sweep:
         """With more speeds, where they have a solution."""
-        other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
+        other = scene.at(np.setdiff1d(speed, self.speed))
         if not len(other.speed) or all(other.outcome):
             return self
         more = _Sweep.of(other, subsystem, band, given=False)
-        steps = sorted((*self.steps, *more.steps), key=lambda step: step.speed)
-        return _Sweep(tuple(steps), constant=False)
+        order = np.argsort(np.concatenate([self.speed, more.speed]), kind="stable")
+        columns = max(self.pole.shape[1], more.pole.shape[1])
+
+        def joined(name: str, axis: int | None = None) -> Any:
+            parts = [getattr(each, name) for each in (self, more)]
+            if axis is not None:
+                parts = [_filled(part, columns, axis) for part in parts]
+            return np.concatenate(parts)[order]
+
+        return _Sweep(
+            joined("speed"),
+            joined("pole", 1),
+            joined("vector", 2),
+            joined("left", 1),
+            joined("followed", 1),
+            joined("whirl", 1),
+            joined("stiffness"),
+            joined("damping"),
+            joined("given"),
+            constant=False,
+        )
 
     def doubts(self, band: Band, side: float) -> list[float]:
         """Speeds that would tell who is who."""
-        speed = np.array([step.speed for step in self.steps])
-        columns = [step.chosen(side) for step in self.steps]
-        narrowest = NARROWEST * float(np.ptp(speed))
-        return doubts(speed, *self._followable(columns), WITHIN * band.highest, narrowest)
+        narrowest = NARROWEST * float(np.ptp(self.speed))
+        followable = self._followable(self._chosen(side))
+        return doubts(self.speed, *followable, WITHIN * band.highest, narrowest)
 
-    def branches(
-        self, linear: Linear, subsystem: int, side: float, expected: list[Complex]
-    ) -> list[Branch]:
-        """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` at the next
-        step."""
+    def branches(self, linear: Linear, subsystem: int, side: float, ceiling: float) -> list[Branch]:
+        """Those that whirl to ``side``, at the speeds of the case; poles are expected as
+        ``_ahead``."""
+        chosen = self._chosen(side)
         if self.constant:
-            columns = [self.steps[0].chosen(side)] * len(self.steps)
-            path = np.tile(np.arange(len(columns[0])), (len(columns), 1))
+            path = np.tile(np.arange(len(chosen[0])), (len(chosen), 1))
         else:
-            columns = [step.chosen(side) for step in self.steps]
-            ahead = [pole.imag[chosen] for pole, chosen in zip(expected, columns, strict=True)]
-            path = follow(*self._followable(columns), ahead)
-        given = [k for k, step in enumerate(self.steps) if step.given]
+            expected = self._ahead(ceiling)
+            ahead = [pole.imag[known] for pole, known in zip(expected, chosen, strict=True)]
+            path = follow(*self._followable(chosen), ahead)
+        column = np.full(path.shape, -1, dtype=np.intp)
+        for row, known, places in zip(column, chosen, path, strict=True):
+            row[places >= 0] = known[places[places >= 0]]
         return [
-            self._branch(linear, subsystem, side, given, columns, path[:, k])
-            for k in np.flatnonzero((path[given] >= 0).any(axis=0))
+            self._branch(linear, subsystem, side, column[:, k])
+            for k in np.flatnonzero((path[self.given] >= 0).any(axis=0))
         ]
+
+    def _chosen(self, side: float) -> list[Indices]:
+        """Columns of followed modes that whirl to ``side``, ascending, at every speed."""
+        wanted = self.followed & (self.whirl == side)
+        order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
+        return [row[:many] for row, many in zip(order, wanted.sum(axis=1), strict=True)]
 
     def _followable(self, columns: list[Indices]) -> tuple[list[Complex], list[Array]]:
         """Vectors and frequencies of some columns of every step."""
-        both = list(zip(self.steps, columns, strict=True))
-        return [s.vector[:, known] for s, known in both], [s.pole.imag[known] for s, known in both]
+        vectors = [one[:, known] for one, known in zip(self.vector, columns, strict=True)]
+        return vectors, [one.imag[known] for one, known in zip(self.pole, columns, strict=True)]
 
-    def _branch(
-        self,
-        linear: Linear,
-        subsystem: int,
-        side: float,
-        given: list[int],
-        columns: list[Indices],
-        place: Indices,
-    ) -> Branch:
-        """One path: its ``place`` among the ``columns`` of every step; −1 where it is lost."""
-        column = np.array([c[p] if p >= 0 else -1 for c, p in zip(columns, place, strict=True)])
-        both = list(zip(self.steps, column, strict=True))
-        pole = np.array([step.pole[c] for step, c in both])
-        vector = np.array([step.vector[:, c] for step, c in both])
+    def _ahead(self, ceiling: float) -> Complex:
+        """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Those beyond
+        ``ceiling`` [rad/s], and all of the last speed, are expected where they are."""
+        expected, here = self.pole.copy(), self.pole[:-1]
+        vector, left = self.vector[:-1], self.left[:-1]
+        damped = times(np.diff(self.damping, axis=0), vector)
+        with np.errstate(invalid="ignore", over="ignore"):
+            change = here[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
+            move = np.einsum("skn,snk->sk", left, change)
+            known = (np.abs(here.imag) < ceiling) & (np.abs(move) < FARTHEST * np.abs(here))
+        expected[:-1] = np.where(known, here - move, here)
+        return expected
+
+    def _branch(self, linear: Linear, subsystem: int, side: float, column: Indices) -> Branch:
+        """One path by its ``column`` at every speed (s,); −1 where it is lost."""
+        every = np.arange(len(column))
+        pole, vector = self.pole[every, column], self.vector[every, :, column]
         pole[column < 0] = complex(np.nan, np.nan)
-        track = Track(np.array([step.speed for step in self.steps]), pole, vector)
-        kind = _kind(linear, vector[column >= 0])
-        columns_given = column[given]
-        degree = np.where(columns_given < 0, np.nan, 0.0)
+        kind, there = _kind(linear, vector[column >= 0]), column[self.given]
+        degree = np.where(there < 0, np.nan, 0.0)
         if kind == "bending":
-            degree = np.where(columns_given < 0, np.nan, whirl_degree(linear, vector[given]))
-        return Branch(
-            kind, subsystem, pole[given], degree, columns_given, vector[given], track, side
-        )
+            degree = np.where(there < 0, np.nan, whirl_degree(linear, vector[self.given]))
+        track = Track(self.speed, pole, vector)
+        given = pole[self.given], degree, there, vector[self.given]
+        return Branch(kind, subsystem, *given, track, side)
+
+
+def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
+    """Values with so many columns along an axis: of modes that are none."""
+    short = [(0, columns - values.shape[k] if k == axis else 0) for k in range(values.ndim)]
+    if not short[axis][1]:
+        return values
+    none = False if values.dtype == bool else np.nan
+    return np.pad(values, short, constant_values=none)
 
 
 def _kind(linear: Linear, vector: Complex) -> str:

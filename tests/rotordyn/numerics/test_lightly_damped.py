@@ -1,0 +1,107 @@
+"""Poles refined from those of the conservative part, against the general form."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rotordyn.numerics import lightly_damped, threads
+from rotordyn.numerics import modes as module
+from rotordyn.numerics.lightly_damped import lightly_damped_modes
+from rotordyn.numerics.modes import modes, residual
+
+
+def system(
+    seed: int, size: int, damped: float, count: int = 5, uneven: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Isotropic rotors at ascending speeds: whirl of one complex plane."""
+    draw = np.random.default_rng(seed)
+    root, half, loss, skew = draw.normal(size=(4, size, size))
+    step = np.linspace(0.0, 1.0, count)[:, None, None]
+    stiffness = root @ root.T + size * np.eye(size) + 0.3 * step * (half + half.T)
+    stiffness = stiffness + uneven * skew
+    rate = np.sqrt(np.abs(stiffness).max())
+    damping = damped * rate * (loss @ loss.T / size + np.eye(size))
+    return stiffness, damping - 1j * step * rate * (half + half.T) / size
+
+
+@given(
+    st.integers(0, 10**6), st.integers(1, 9), st.floats(1e-4, 0.02), st.sampled_from([0.0, 0.02])
+)
+def test_poles_and_receptances_are_those_of_the_general_form(
+    seed: int, size: int, damped: float, uneven: float
+) -> None:
+    stiffness, damping = system(seed, size, damped, uneven=uneven)
+    found = modes(stiffness, damping)
+    assert residual(found, stiffness, damping) < 1e-12
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "lightly_damped_modes", _nothing)
+        general = modes(stiffness, damping)
+    for ours, theirs in zip(found.pole, general.pole, strict=True):
+        nearest = np.abs(ours[:, None] - theirs).argmin(axis=1)
+        assert sorted(nearest.tolist()) == list(range(2 * size))
+        assert np.abs(ours - theirs[nearest]).max() < 1e-11 * np.abs(ours).max()
+    omega = np.linspace(-2.0, 2.0, 7) * np.abs(found.pole).max()
+    ends = np.random.default_rng(seed).normal(size=(2, 4, size))
+    here, there = found.receptance(omega, *ends), general.receptance(omega, *ends)
+    assert np.abs(here - there).max() < 1e-9 * np.abs(there).max()
+
+
+def _nothing(stiffness: np.ndarray, damping: np.ndarray) -> tuple[np.ndarray, ...]:
+    """All left to the general form."""
+    count, n = stiffness.shape[:2]
+    pole = np.zeros((count, 2 * n), dtype=complex)
+    vector = np.zeros((count, n, 2 * n), dtype=complex)
+    return pole, vector, vector.swapaxes(1, 2).copy(), np.full(count, np.inf)
+
+
+def test_most_lightly_damped_systems_are_found_so() -> None:
+    found = [np.isfinite(lightly_damped_modes(*system(k, 8, 5e-3))[-1]).mean() for k in range(40)]
+    assert np.mean(found) > 0.9
+
+
+def test_what_is_damped_heavily_or_not_held_is_left_to_the_general_form() -> None:
+    heavy = system(1, 6, 2.0)
+    assert not np.isfinite(lightly_damped_modes(*heavy)[-1]).all()
+    assert residual(modes(*heavy), *heavy) < 1e-12
+    stiffness, damping = system(1, 6, 5e-3)
+    free = stiffness.copy()
+    free[2, 0], free[2, :, 0] = 0.0, 0.0
+    condition = lightly_damped_modes(free, damping)[-1]
+    assert np.isfinite(condition).tolist() == [True, True, False, True, True]
+    assert residual(modes(free, damping), free, damping) < 1e-12
+
+
+def test_two_equal_poles_are_found() -> None:
+    """Two coordinates alike that nothing couples: any two vectors are theirs."""
+    stiffness = np.tile(np.diag([4.0, 4.0, 9.0]), (2, 1, 1))
+    damping = np.tile(0.01 * np.eye(3), (2, 1, 1)) - 1j * np.diag([0.1, 0.1, 0.2])
+    found = modes(stiffness, damping)
+    assert residual(found, stiffness, damping) < 1e-13
+    omega = np.array([1.0, 2.1])
+    ends = np.eye(3)
+    dynamic = stiffness[0] + 1j * omega[:, None, None] * damping[0]
+    dynamic = dynamic - omega[:, None, None] ** 2 * np.eye(3)
+    expected = np.diagonal(np.linalg.inv(dynamic), axis1=1, axis2=2).T
+    assert found.receptance(omega, ends, ends)[0] == pytest.approx(expected, rel=1e-10)
+
+
+def test_threads_do_not_change_a_digit(monkeypatch: pytest.MonkeyPatch) -> None:
+    many = system(3, 7, 5e-3, count=4 * lightly_damped.CHAIN + 3)
+    monkeypatch.setattr(threads, "processors", lambda: 1)
+    alone = lightly_damped_modes(*many)
+    monkeypatch.setattr(threads, "processors", lambda: 4)
+    for one, other in zip(alone, lightly_damped_modes(*many), strict=True):
+        assert np.array_equal(one, other)
+
+
+def test_each_chain_begins_anew() -> None:
+    """A system that cannot be refined in between changes nothing of those of other chains."""
+    stiffness, damping = system(4, 6, 5e-3, count=2 * lightly_damped.CHAIN)
+    other = damping.copy()
+    other[lightly_damped.CHAIN - 1] = 50.0
+    one, two = (lightly_damped_modes(stiffness, each) for each in (damping, other))
+    for ours, theirs in zip(one, two, strict=True):
+        assert np.array_equal(ours[lightly_damped.CHAIN :], theirs[lightly_damped.CHAIN :])

@@ -1,0 +1,109 @@
+"""Machines solved together, against each solved alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bearings.ball.law import Law
+from rotordyn.case.vary import changed
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import Asked, dynamic_preload, dynamic_preloads
+from tests.oracles.spindles import RPM, case, mfw2310, with_sleeve, with_springs
+
+LAW = Law("outer", "equal")
+SPEED = np.array([0.0, 6000.0, 12000.0, 18000.0, 24000.0]) * RPM
+LOST = with_sleeve(mfw2310(), "rear", spring=replace(mfw2310().sleeves[1].spring, preload=0.0))
+
+
+def asked(spindles: Sequence[Spindle], **how: object) -> list[Asked]:
+    return [Asked(spindle, SPEED, LAW, **how) for spindle in spindles]
+
+
+def varied(count: int, seed: int) -> list[Spindle]:
+    """Springs, stops and the shaft between the bearings of the flagship at random."""
+    draw, whole = np.random.default_rng(seed), case()
+    widest = max(whole.spindle.shaft.sections, key=lambda section: section.length)
+    diameter = f"spindle.shaft.sections.{widest.name}.outer_diameter"
+    machines = []
+    for _ in range(count):
+        values = {diameter: widest.outer_diameter * draw.uniform(0.9, 1.02)}
+        for sleeve in whole.spindle.sleeves:
+            way = f"spindle.sleeves.{sleeve.name}"
+            values[f"{way}.spring.preload"] = sleeve.spring.preload * draw.uniform(0.3, 2.0)
+            values[f"{way}.spring.stiffness"] = sleeve.spring.stiffness * draw.uniform(0.5, 2.0)
+        values["spindle.sleeves.front.stop_travel"] = draw.uniform(20e-6, 90e-6)
+        machines.append(changed(whole, values).spindle)
+    return machines
+
+
+def same(one: PreloadState, other: PreloadState) -> None:
+    assert one.outcome == other.outcome
+    assert np.array_equal(one.net.held, other.net.held)
+    assert np.array_equal(one.net.converged, other.net.converged)
+    assert one.net.position == pytest.approx(other.net.position, abs=1e-17, nan_ok=True)
+    for name in ("seat_load", "seat_stiffness", "rest_loads", "stop_speeds"):
+        here, there = getattr(one, name)(), getattr(other, name)()
+        assert here == pytest.approx(there, rel=1e-10, abs=1e-3, nan_ok=True)
+    assert one.limit == pytest.approx(other.limit, rel=1e-12, nan_ok=True)
+
+
+@pytest.mark.parametrize("force", [0.0, 150.0])
+def test_many_are_as_each_alone(force: float) -> None:
+    machines = asked(varied(7, 1), force=force)
+    found = dynamic_preloads(machines)
+    assert len({state.net.held.sum() for state in found}) > 1
+    assert np.isfinite([state.stop_speeds() for state in found]).any()
+    for state, machine in zip(found, machines, strict=True):
+        same(state, dynamic_preload(machine.spindle, SPEED, LAW, force))
+
+
+def test_one_without_a_state_at_rest_leaves_the_others_theirs() -> None:
+    one, other = varied(2, 2)
+    found = dynamic_preloads(asked([one, LOST, other]))
+    assert found[1].outcome[0].startswith("bearing d, e is unloaded at 0 rpm")
+    for state, spindle in zip(found, (one, LOST, other), strict=True):
+        same(state, dynamic_preload(spindle, SPEED, LAW))
+
+
+def test_machines_that_are_built_otherwise_are_groups_of_their_own() -> None:
+    """In the order asked for: rigid preload, no sleeves, another bearing, other speeds."""
+    fewer = replace(mfw2310().seats[0].bearing, balls=15)
+    seats = tuple(replace(seat, bearing=fewer) for seat in mfw2310().seats[:2])
+    others = [
+        with_springs(mfw2310(), math.inf),
+        mfw2310(sleeves=()),
+        mfw2310(seats=(*seats, *mfw2310().seats[2:])),
+    ]
+    machines = asked([*varied(2, 3), *others])
+    machines.insert(1, Asked(mfw2310(), SPEED[:2], LAW))
+    for state, machine in zip(dynamic_preloads(machines), machines, strict=True):
+        same(state, dynamic_preload(machine.spindle, machine.speed, LAW))
+
+
+def test_what_is_asked_afterwards_is_solved_for_all_and_is_that_of_each() -> None:
+    machines, index = varied(3, 4), np.array([1, 4])
+    for state, spindle in zip(dynamic_preloads(asked(machines)), machines, strict=True):
+        alone = dynamic_preload(spindle, SPEED, LAW)
+        short, expected = (each.with_travels({"front": 15e-6}, index) for each in (state, alone))
+        assert short.net.held.any()
+        assert short.seat_load() == pytest.approx(expected.seat_load(), rel=1e-10)
+        assert short.outcome == expected.outcome
+        for one, other in zip(
+            state.under_rest_loads([0, 2]), alone.under_rest_loads([0, 2]), strict=True
+        ):
+            assert one.places == other.places
+            assert one.state.displacement == pytest.approx(other.state.displacement, rel=1e-9)
+
+
+def test_rest_loads_of_a_machine_without_a_state_do_not_disturb() -> None:
+    one = varied(1, 5)[0]
+    found = dynamic_preloads(asked([LOST, one]))
+    alone = dynamic_preload(one, SPEED, LAW).under_rest_loads([0, 1, 2])
+    for held, other in zip(found[1].under_rest_loads([0, 1, 2]), alone, strict=True):
+        assert held.state.displacement == pytest.approx(other.state.displacement, rel=1e-9)
