@@ -112,8 +112,9 @@ def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
         if len(finer.speed) == len(sweep.speed):
             break
         sweep = finer
-    linear, ceiling = scene.system(subsystem).linear, MARGIN * band.highest
-    return [b for side in sides for b in sweep.branches(linear, subsystem, side, ceiling)]
+    linear = scene.system(subsystem).linear
+    expected = sweep.pole if sweep.constant else sweep.ahead(MARGIN * band.highest)
+    return [b for side in sides for b in sweep.branches(linear, subsystem, side, expected)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -188,14 +189,15 @@ class _Sweep:
         followable = self._followable(self._chosen(side))
         return doubts(self.speed, *followable, WITHIN * band.highest, narrowest)
 
-    def branches(self, linear: Linear, subsystem: int, side: float, ceiling: float) -> list[Branch]:
-        """Those that whirl to ``side``, at the speeds of the case; poles are expected as
-        ``_ahead``."""
+    def branches(
+        self, linear: Linear, subsystem: int, side: float, expected: Complex
+    ) -> list[Branch]:
+        """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` (s, k) at the
+        next speed."""
         chosen = self._chosen(side)
         if self.constant:
             path = np.tile(np.arange(len(chosen[0])), (len(chosen), 1))
         else:
-            expected = self._ahead(ceiling)
             ahead = [pole.imag[known] for pole, known in zip(expected, chosen, strict=True)]
             path = follow(*self._followable(chosen), ahead)
         column = np.full(path.shape, -1, dtype=np.intp)
@@ -217,7 +219,7 @@ class _Sweep:
         vectors = [one[:, known] for one, known in zip(self.vector, columns, strict=True)]
         return vectors, [one.imag[known] for one, known in zip(self.pole, columns, strict=True)]
 
-    def _ahead(self, ceiling: float) -> Complex:
+    def ahead(self, ceiling: float) -> Complex:
         """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Those beyond
         ``ceiling`` [rad/s], and all of the last speed, are expected where they are."""
         expected, here = self.pole.copy(), self.pole[:-1]

@@ -88,9 +88,8 @@ class _Near:
             rate = rest.diagonal().copy()
             apart = rate - rate[:, None]
             apart.flat[:: 2 * n + 1] = 1.0
-            if not apart.all():
-                return None
-            change = rest / apart
+            with np.errstate(divide="ignore", invalid="ignore"):  # of equal ones, not below FAR
+                change = rest / apart
             change.flat[:: 2 * n + 1] = 0.0
             size = (change.real**2 + change.imag**2).max()
             if not size < FAR**2:

@@ -101,7 +101,7 @@ def test_the_expected_pole_is_that_of_the_derivative() -> None:
     for end in (902.0, 904.0):
         scene = Scene(disc_at(0.32), Conditions(), np.array([900.0, end]), 400.0)
         sweep = branches._Sweep.of(scene, scene.with_motions(("bending",))[0], Band(400.0))
-        (first, other), expected = sweep.pole, sweep._ahead(math.inf)[0]
+        (first, other), expected = sweep.pole, sweep.ahead(math.inf)[0]
         nearest = [other[np.nanargmin(np.abs(other - p))] for p in expected]
         errors.append(np.abs(np.array(nearest) - expected))
         moved = np.abs(expected - first)
