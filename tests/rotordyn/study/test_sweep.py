@@ -29,7 +29,7 @@ from rotordyn.case.library import models_root
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job import restricted
-from rotordyn.study import deliver, neighbours, point, solve, workers
+from rotordyn.study import deliver, neighbours, point, processes, solve, workers
 from rotordyn.study.journal import Journal
 from rotordyn.study.point import Outcome
 from rotordyn.study.read import read_study
@@ -409,3 +409,19 @@ def test_a_scheduler_that_is_not_there(case: Case, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(workers, "PATIENCE", "200ms")
     with pytest.raises(InvalidInput, match=r"no scheduler answers at 'tcp://127\.0\.0\.1:9'"):
         sweep(case, {SPRING: [800.0, 900.0]}, analyses=["preload"], cluster="tcp://127.0.0.1:9")
+
+
+def test_processes_that_were_started_before_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And no more of them than are asked for; one process is none."""
+    monkeypatch.setattr(processes, "_idle", [])
+    processes.start(1)
+    assert processes._idle == []
+    processes.start(2)
+    processes.start(2)
+    begun = [*processes._idle]
+    assert len(begun) == 2
+    monkeypatch.setattr(processes, "Process", None)
+    found = [*processes.side_by_side(2, iter([(math.sqrt, (4.0,)), (math.sqrt, (9.0,))]))]
+    assert sorted(found) == [2.0, 3.0]
+    for each in begun:
+        each.end()
