@@ -90,10 +90,13 @@ def test_what_is_asked_afterwards_is_solved_for_all_and_is_that_of_each() -> Non
     machines, index = varied(3, 4), np.array([1, 4])
     for state, spindle in zip(dynamic_preloads(asked(machines)), machines, strict=True):
         alone = dynamic_preload(spindle, SPEED, LAW)
-        short, expected = (each.with_travels({"front": 15e-6}, index) for each in (state, alone))
-        assert short.net.held.any()
-        assert short.seat_load() == pytest.approx(expected.seat_load(), rel=1e-10)
-        assert short.outcome == expected.outcome
+        for travel in (15e-6, 30e-6):
+            short, expected = (
+                each.with_travels({"front": travel}, index) for each in (state, alone)
+            )
+            assert short.net.held.any()
+            assert short.seat_load() == pytest.approx(expected.seat_load(), rel=1e-10)
+            assert short.outcome == expected.outcome
         for one, other in zip(
             state.under_rest_loads([0, 2]), alone.under_rest_loads([0, 2]), strict=True
         ):
@@ -101,9 +104,13 @@ def test_what_is_asked_afterwards_is_solved_for_all_and_is_that_of_each() -> Non
             assert one.state.displacement == pytest.approx(other.state.displacement, rel=1e-9)
 
 
-def test_rest_loads_of_a_machine_without_a_state_do_not_disturb() -> None:
-    one = varied(1, 5)[0]
-    found = dynamic_preloads(asked([LOST, one]))
+def test_a_machine_without_any_preload_does_not_disturb() -> None:
+    """Its bearings have no load at rest."""
+    one, none = varied(1, 5)[0], LOST
+    none = with_sleeve(none, "front", spring=replace(none.sleeves[0].spring, preload=0.0))
+    found = dynamic_preloads(asked([none, one]))
+    assert np.isnan(found[0].rest_loads()).all()
+    same(found[1], dynamic_preload(one, SPEED, LAW))
     alone = dynamic_preload(one, SPEED, LAW).under_rest_loads([0, 1, 2])
     for held, other in zip(found[1].under_rest_loads([0, 1, 2]), alone, strict=True):
         assert held.state.displacement == pytest.approx(other.state.displacement, rel=1e-9)
