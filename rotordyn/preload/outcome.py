@@ -37,8 +37,9 @@ def outcomes(
             "bearings that sit in the housing"
         )
         return (sentence,) * len(net.converged)
+    sound = _sound(network, net)
     words = tuple(
-        _outcome(spindle, network, net, row, warm=warm)
+        (not sound[row] and _outcome(spindle, network, net, row, warm=warm))
         or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )
@@ -63,6 +64,26 @@ def _sideways(
     )
 
 
+def _sound(network: Network, net: NetworkState) -> Flags:
+    """Speeds at which ``_outcome`` has nothing to say, most of them, all at once: in balance, all
+    bearings pressed and none too hard."""
+    load, pushed = net.response.load, _pushed(network)
+    size = np.fmax(pushed, np.abs(load).max(axis=1, initial=0.0))
+    pressed = np.where(
+        network.both_ways, net.response.slope > 0.0, load > LEAST_LOAD * size[:, None]
+    )
+    sound = net.converged & pressed.all(axis=1) & (size >= LEAST_PRELOAD)
+    for solved in net.response.states.values():
+        peak = np.fmax(solved.state.inner_pressure, solved.state.outer_pressure)
+        sound &= peak.max(axis=(1, 2)) <= HIGHEST_PRESSURE
+    return np.asarray(sound & np.isfinite(load).all(axis=1))
+
+
+def _pushed(network: Network) -> float:
+    """Largest force of a spring and the one from outside [N]."""
+    return float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
+
+
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
     """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
@@ -71,7 +92,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
         ", ".join(spindle.seats[k].name for k in bearing.seats)
         for bearing in network.arrangement.bearings
     ]
-    pushed = float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
+    pushed = _pushed(network)
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
     light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):

@@ -101,12 +101,6 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "return",
             "which place between two steps is looked at next",
         ),
-        (
-            "np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2 -> "
-            "(np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:])) ** ((2) * 1.1)",
-            "assurance",
-            "a likeness beside a threshold",
-        ),
         ("1e+300 -> 1.1000000000000002e+300", "initial", "larger than any gap, both"),
         ("1.0 -> 1.1", "swapped", "a divisor of places that are not asked for"),
     ],
@@ -435,7 +429,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "a wider bracket of the same zero",
         ),
     ],
-    "rotordyn/preload/state.py": [
+    "rotordyn/preload/together.py": [
         (
             "1.0 -> 1.1",
             "likely",
