@@ -119,7 +119,7 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
         another study; more than an hour without ``yes``; no scheduler
     """
     if samples and cluster is None:  # what draws them takes as long to load as processes do
-        start(min(samples, workers or processors()))
+        start(min(samples, workers or processors(), processors()))
     study = study_of(
         case,
         varied,
