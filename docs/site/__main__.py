@@ -1,4 +1,4 @@
-"""``python -m docs.site [-o DIR] [--runs DIR]``: see ``scripts/site``."""
+"""``python -m docs.site [-o DIR] [--runs DIR | --draft DIR]``: see ``scripts/site``."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ from pathlib import Path
 from docs.generate.places import ROOT
 from docs.site.reports import EXTRA
 from docs.site.tree import lay_out
+from rotordyn.figures import style
 
 OURS = ".buildinfo"  # Sphinx leaves it in what it has built
+DRAFT = 60  # dots per inch
 
 
 def main() -> int:
@@ -20,13 +22,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="scripts/site", description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "site")
     parser.add_argument("--runs", type=Path, default=ROOT / "out" / "gallery")
+    parser.add_argument("--draft", type=Path, help="figures of few dots, of runs kept here")
     asked = parser.parse_args()
     output = asked.output.resolve()
     if output.exists() and any(output.iterdir()) and not (output / OURS).exists():
         parser.error(f"{asked.output} holds something that is not a site; name another folder")
+    if asked.draft:
+        style.DPI = DRAFT
     with tempfile.TemporaryDirectory() as made:
         tree = Path(made) / "pages"
-        lay_out(tree, asked.runs.resolve())
+        lay_out(tree, (asked.draft or asked.runs).resolve())
         return _build(tree, Path(made) / "built", output)
 
 

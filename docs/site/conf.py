@@ -19,6 +19,7 @@ extensions = [
     "docs.site.links",
     "docs.site.docstrings",
     "docs.site.mathml",
+    "docs.site.navigation",
 ]
 
 # Documents: formulas between dollars, headings that can be linked as on a code host.

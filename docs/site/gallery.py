@@ -16,6 +16,7 @@ from docs.generate.places import DOCS, ROOT
 from docs.site.reports import EXTRA, REPORTS, write_case_report
 from docs.site.runs import case_run, example_run
 from rotordyn.case.library import models_root
+from rotordyn.figures import style
 
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
@@ -51,10 +52,15 @@ class Exhibit:
 def show_all(tree: Path, runs: Path) -> tuple[list[Exhibit], list[Exhibit]]:
     """Run, or find, all cases and examples and write their pages into ``tree``."""
     cases, scripts = sorted(CASES.glob("*.yaml")), sorted(EXAMPLES.glob("*.py"))
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
+    with ProcessPoolExecutor(os.cpu_count(), initializer=_dots, initargs=(style.DPI,)) as pool:
         shown = pool.map(partial(_case, tree=tree, runs=runs), cases)
         tried = pool.map(partial(_example, tree=tree, runs=runs), scripts)
         return list(shown), list(tried)
+
+
+def _dots(per_inch: float) -> None:
+    """A process draws with as many dots as the one that began it."""
+    style.DPI = per_inch
 
 
 def grid(exhibits: list[Exhibit], tree: Path) -> str:

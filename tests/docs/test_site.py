@@ -10,6 +10,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
+from PIL import Image
 
 from docs.site.runs import locked
 
@@ -43,11 +44,15 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def site(shared: Path, runs: Path) -> Path:
-    """The site, built once in a run of the tests; a warning of Sphinx fails the build."""
+    """The site, built once in a run of the tests; a warning of Sphinx fails the build.
+
+    As a draft: all is run and drawn, with few dots; their size in print has its own test
+    (``figures/test_catalogue``).
+    """
     folder = shared / "site"
     with locked(folder):
         if not folder.exists():
-            done = build("-o", str(folder), "--runs", str(runs))
+            done = build("-o", str(folder), "--draft", str(runs))
             assert done.returncode == 0, done.stdout + done.stderr
             assert not done.stderr, done.stderr
     return folder
@@ -87,6 +92,12 @@ def test_case_has_a_page_with_pictures(case: Path, site: Path, pages: dict[Path,
     index = pages[site / "cases" / "README.html"]
     assert f"{case.stem}.html" in index.links
     assert any(case.stem in picture for picture in index.pictures)
+
+
+def test_figures_of_a_draft_have_few_dots(site: Path, runs: Path) -> None:
+    (picture,) = (runs / "vex70_control").glob("*.png")
+    with Image.open(picture) as drawn:
+        assert drawn.width == int(168.0 / 25.4 * 60.0)
 
 
 def test_examples_have_pages_with_pictures(site: Path, pages: dict[Path, Page]) -> None:
