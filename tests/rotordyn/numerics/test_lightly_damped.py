@@ -74,6 +74,17 @@ def test_what_is_damped_heavily_or_not_held_is_left_to_the_general_form() -> Non
     assert residual(modes(free, damping), free, damping) < 1e-12
 
 
+@pytest.mark.parametrize("weak", [0.0, 1e-22, 1e-18])
+def test_a_coordinate_that_next_to_nothing_holds_is_left_to_the_general_form(weak: float) -> None:
+    """Within a chain as well, whose other systems are held: its poles have no digits here."""
+    stiffness, damping = system(2, 5, 5e-3, count=3)
+    stiffness[:, 4], stiffness[:, :, 4] = 0.0, 0.0
+    damping[:, 4], damping[:, :, 4] = 0.0, 0.0
+    stiffness[:, 4, 4] = [1.0, weak, 1.0]
+    condition = lightly_damped_modes(stiffness, damping)[-1]
+    assert np.isfinite(condition).tolist() == [True, False, True]
+
+
 def test_two_equal_poles_are_found() -> None:
     """Two coordinates alike that nothing couples: any two vectors are theirs."""
     stiffness = np.tile(np.diag([4.0, 4.0, 9.0]), (2, 1, 1))
