@@ -103,7 +103,7 @@ def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
         sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
-    sides = (-1.0, 1.0) if sweep.whirl[0].any() else (0.0,)
+    sides = (-1.0, 1.0) if (sweep.whirl > 0.0).any() else (0.0,)
     for _ in range(0 if sweep.constant else ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(band, side)]
         if not wanted or len(sweep.speed) > MOST_STEPS:
@@ -251,7 +251,9 @@ def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
     short = [(0, columns - values.shape[k] if k == axis else 0) for k in range(values.ndim)]
     if not short[axis][1]:
         return values
-    none = False if values.dtype == bool else np.nan
+    none: Any = np.nan
+    if values.dtype == bool or np.iscomplexobj(values):
+        none = False if values.dtype == bool else complex(np.nan, np.nan)
     return np.pad(values, short, constant_values=none)
 
 

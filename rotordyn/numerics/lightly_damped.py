@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.arrays import Array, Complex, Indices, Matrix
-from rotordyn.numerics.conservative import whirls
+from rotordyn.arrays import Complex, Flags, Indices, Matrix
+from rotordyn.numerics.conservative import SLOWEST, whirls
 from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
@@ -26,15 +26,15 @@ CHAIN = 8  # systems, the first of which begins anew: so threads do not change a
 
 def lightly_damped_modes(
     stiffness: Matrix, damping: Matrix
-) -> tuple[Complex, Complex, Complex, Array]:
-    """Poles (s, 2n), vectors (s, n, 2n), participations (s, 2n, n) and conditions (s,) of
-    ``numerics.modes``; an infinite condition where they were not found.
+) -> tuple[Complex, Complex, Complex, Flags]:
+    """Poles (s, 2n), vectors (s, n, 2n), participations (s, 2n, n) of ``numerics.modes``, and
+    where they were found (s,).
 
     Stiffness and damping (s, n, n) of systems that change little from one to the next: the vectors
     of one are the start for the next.
     """
     count, n = stiffness.shape[:2]
-    pole, condition = np.ones((count, 2 * n), dtype=complex), np.full(count, np.inf)
+    pole, known = np.ones((count, 2 * n), dtype=complex), np.zeros(count, dtype=bool)
     vector, left = np.ones((count, n, 2 * n), complex), np.ones((count, 2 * n, n), complex)
 
     def refine(part: slice) -> None:
@@ -47,10 +47,10 @@ def lightly_damped_modes(
             near = found
             if found is not None:
                 pole[k], vector[k], left[k] = found.modes
-                condition[k] = np.abs(found.inverse).sum(axis=-1).max()
+                known[k] = True
 
     in_threads(refine, -(-count // CHAIN), 1)
-    return pole, vector, left, condition
+    return pole, vector, left, known
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -73,7 +73,7 @@ class _Near:
         known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
         if known is None:
             return None
-        return cls(*known, known[-1].conj().T)
+        return cls(*known, known[-1].conj().T)  # its vectors are orthonormal
 
     def refined(self, stiffness: Matrix, damping: Matrix) -> _Near | None:
         """Of a system near by; None where the vectors are too far, or two eigenvalues too close."""
@@ -96,6 +96,8 @@ class _Near:
                 return None
             vectors = vectors + vectors @ change
             if size < CLOSE**2:
+                if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
+                    return None  # as of ``whirls``
                 return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
             turn = one + change
             rest = np.linalg.solve(turn, rest @ turn)

@@ -216,16 +216,29 @@ def _damped(
     stiffness: Matrix, damping: Matrix, shape: tuple[int, ...]
 ) -> tuple[Complex, Complex, Complex, Array]:
     """As ``_general``, sooner where both planes of a lightly damped system are one."""
-    if len(shape) == 3 and np.iscomplexobj(damping):
-        stiffness, damping = (np.broadcast_to(part, shape) for part in (stiffness, damping))
-        light = lightly_damped_modes(stiffness, damping)
-        left = np.flatnonzero(~np.isfinite(light[-1]))
-        if left.size:
-            others = _general(stiffness[left], damping[left], (left.size, *shape[1:]))
-            for part, other in zip(light, others, strict=True):
-                part[left] = other
-        return light
-    return _general(stiffness, damping, shape)
+    if len(shape) != 3 or not np.iscomplexobj(damping) or not np.isfinite(stiffness).all():
+        return _general(stiffness, damping, shape)
+    stiffness, damping = (np.broadcast_to(part, shape) for part in (stiffness, damping))
+    pole, vector, left, found = lightly_damped_modes(stiffness, damping)
+    solved = pole, *_of_unit_length(stiffness, pole, vector, left)
+    rest = np.flatnonzero(~found)
+    if rest.size:
+        others = _general(stiffness[rest], damping[rest], (rest.size, *shape[1:]))
+        for part, other in zip(solved, others, strict=True):
+            part[rest] = other
+    return solved
+
+
+def _of_unit_length(
+    stiffness: Matrix, pole: Complex, vector: Complex, left: Complex
+) -> tuple[Complex, Complex, Array]:
+    """Vectors, participations and conditions as of ``_general``."""
+    scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0
+    size = np.sqrt((np.abs(vector) ** 2).sum(axis=1) * (1.0 + np.abs(pole / scale) ** 2))
+    vector, left = vector / size[:, None], left * size[..., None]
+    displaced = np.abs(left @ stiffness).sum(axis=-1) / np.abs(pole)
+    condition = (displaced + scale * np.abs(left).sum(axis=-1)).max(axis=-1)
+    return vector, left, condition
 
 
 def _general(

@@ -115,11 +115,14 @@ def arrangement(
     law: Law = STANDARD,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
+    groups: Sequence[tuple[int, ...]] | None = None,
 ) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
     by ``temperatures``, balls on ``films``.
 
-    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
+    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else;
+    ``groups``: seats that share a bearing, those of the same machine at other speeds; all that are
+    alike at these speeds by default.
     """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
@@ -140,7 +143,11 @@ def arrangement(
             growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
             shortening=shifts[:, k] + seat.thrust * along[:, k],
         )
-        same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
+        if groups is None:
+            same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
+        else:
+            (mine,) = (group for group in groups if k in group)
+            same = next((i for i, other in enumerate(bearings) if other.seats[0] in mine), None)
         if same is None:
             bearings.append(bearing)
         else:
@@ -203,6 +210,7 @@ def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
     first, count = machines[0], [len(each.speed) for each in machines]
     if len(machines) == 1:
         return first
+    assert all(each.structure == first.structure for each in machines), "machines built otherwise"
     bearings = []
     for k, bearing in enumerate(first.bearings):
         every = [each.bearings[k] for each in machines]

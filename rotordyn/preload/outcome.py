@@ -39,7 +39,7 @@ def outcomes(
         return (sentence,) * len(net.converged)
     sound = _sound(network, net)
     words = tuple(
-        (not sound[row] and _outcome(spindle, network, net, row, warm=warm))
+        ("" if sound[row] else _outcome(spindle, network, net, row, warm=warm))
         or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )

@@ -191,9 +191,8 @@ class PreloadState:
         net = self.mounted
         if self.force:
             still = replace(as_mounted(self.network.arrangement), force=self.force)
-            net = with_stops(
-                replace(self.network, arrangement=still), self.limit[None], self.rest[None]
-            )
+            frictionless = Network(still, self.network.springs)
+            net = with_stops(frictionless, self.limit[None], self.rest[None])
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
     def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:

@@ -28,7 +28,7 @@ from rotordyn.preload.stops import meeting_speeds, with_stops
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 T = TypeVar("T")
-UNASKED = 1.0  # N, on a bearing without load at rest, under which its machine does not ask
+UNASKED = 1.0  # N, on bearings that another machine asks for and that carry nothing in this one
 NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
@@ -164,8 +164,8 @@ class Place:
         """As of ``PreloadState``."""
         states = self.among.states
         if len(states) == 1:
-            return _with_travels(states, travel, index)[0]
-        every = np.arange(len(states[0].speed))
+            return _with_travels(states, travel, [index])[0]
+        every = [np.arange(len(state.speed)) for state in states]
         key = "travels", *sorted(travel.items())
         found = self.among.once(key, lambda: _with_travels(states, travel, every))
         return found[self.number].rows(index)
@@ -178,10 +178,10 @@ class Place:
 
 
 def _with_travels(
-    states: Sequence[PreloadState], travel: Mapping[str, float], index: Index
+    states: Sequence[PreloadState], travel: Mapping[str, float], rows: Sequence[Index]
 ) -> list[PreloadState]:
     begun = []
-    for state in states:
+    for state, index in zip(states, rows, strict=True):
         sleeves = tuple(
             replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
             for sleeve in state.spindle.sleeves
@@ -194,7 +194,8 @@ def _with_travels(
         network = replace(network, arrangement=replace(network.arrangement, pushes=pushes))
         spindle = replace(state.spindle, sleeves=sleeves)
         begun.append(replace(state, spindle=spindle, network=network, lateral=None))
-    return settled(begun, [state.net.position[index] for state in states])
+    near = [state.net.position[index] for state, index in zip(states, rows, strict=True)]
+    return settled(begun, near)
 
 
 def _under_rest_loads(
@@ -240,7 +241,8 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
         for k in np.unique(which):
             state = states[met[k]]
             acting = state.force, state.law, state.temperatures, state.films
-            joined = arrangement(state.spindle, speed[which == k], *acting)
+            groups = [bearing.seats for bearing in state.network.arrangement.bearings]
+            joined = arrangement(state.spindle, speed[which == k], *acting, groups)
             parts.append(replace(state.network, arrangement=joined))
         return Network.side_by_side(parts)
 

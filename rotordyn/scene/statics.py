@@ -341,7 +341,7 @@ class Statics(Staged):
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
         conditions = self.conditions
-        oiled = conditions.temperatures, conditions.films
+        oiled = conditions.temperatures, conditions.heat_flow, conditions.films
         acting = self.axial_force, self.past, *oiled
         return (*machine, *acting, self.bearing_speed.tobytes())
 

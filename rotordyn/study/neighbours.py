@@ -20,6 +20,7 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -35,19 +36,23 @@ from rotordyn.scene.stage import Memo
 from rotordyn.scene.statics import Statics
 
 LATEST = 2  # values of a stage kept, beside the first: that of the nominal machine, if any
-PER_CHECK, MOST = 10, 40  # machines for which an error of ``SMALL``, and any, stands, its own too
-SMALL = 0.5  # share of the error allowed up to which it stands for others
-TINY = 1e-9  # an error that is none
+SMALL = 0.5  # share of the error allowed up to which the error of a machine stands for others
+PER_CHECK = (
+    10  # so many, itself among them, where it is ``SMALL``; more in proportion to SMALL/error
+)
+MOST = 40  # of them, however small it is
 SAVED = 0.25  # of the time of a machine, by the compiled solver of bearings
 
 
 @dataclass
 class Neighbours:
     """``memo``: stages of machines solved so far; ``unchecked``: how many machines are left until
-    one is checked; ``quickest``: seconds of the quickest after the first, which imports."""
+    one is checked; ``fineness``: what the model of the last was made for; ``quickest``: seconds of
+    the quickest after the first, which imports."""
 
     memo: Memo = field(default_factory=Memo)
     unchecked: int = 0
+    fineness: tuple[Any, ...] = ()
     quickest: float = math.inf
 
     @property
@@ -76,7 +81,9 @@ class Neighbours:
         ------
         NoSolution : no speed has one
         """
-        checks = Checks(wanted=checked or not self.unchecked)
+        fineness = _fineness(case)
+        checks = Checks(wanted=checked or not self.unchecked or fineness != self.fineness)
+        self.fineness = fineness
         first, begin = self.empty, time.perf_counter()
         try:
             answers = solve(case, memo=self.memo, checks=checks)
@@ -91,10 +98,19 @@ class Neighbours:
             return answers, None
         self.unchecked = 0
         if checks.worst <= SMALL:
-            self.unchecked = min(MOST, int(PER_CHECK * SMALL / max(checks.worst, TINY))) - 1
+            most = PER_CHECK * SMALL / checks.worst if checks.worst else math.inf
+            self.unchecked = int(min(MOST, most)) - 1
         return answers, checks.worst
 
     def _expect(self, case: Case, further: int) -> None:
         seats = case.spindle.seats if case.spindle else ()
         for grooves in {seat.bearing.grooves for seat in seats}:
             expect(SAVED * self.quickest * further, geometry(grooves))
+
+
+def _fineness(case: Case) -> tuple[Any, ...]:
+    """What is asked of the model of a case: another one is checked again."""
+    conditions = case.conditions
+    bands = [getattr(spec, "max_frequency", None) for spec in case.analyses.values()]
+    asked = conditions.accuracy, conditions.element_length, conditions.rotor
+    return (*asked, conditions.formulation, case.speeds, *bands)

@@ -70,7 +70,7 @@ def solve_points(packed: bytes, numbers: Sequence[int], points: int = 1) -> list
 def _case(study: Study, number: int) -> Case | Exception:
     """The case of a point, or why its values contradict one another."""
     try:
-        return changed(study.case, study.design.point(number))
+        return _numbers_alone(changed(study.case, study.design.point(number)), study.results)
     except (InvalidInput, BearingError) as error:
         return error
 
@@ -125,5 +125,4 @@ def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]
 
 @lru_cache(maxsize=1)
 def _unpacked(packed: bytes) -> tuple[Study, Neighbours]:
-    study: Study = pickle.loads(packed)
-    return replace(study, case=_numbers_alone(study.case, study.results)), Neighbours()
+    return pickle.loads(packed), Neighbours()

@@ -96,7 +96,7 @@ def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
             except Killed:
                 if attempt == ATTEMPTS:
                     raise RotordynError(
-                        f"processes were killed {ATTEMPTS} times while they solved one point: is "
+                        f"processes were killed {ATTEMPTS} times at the same points: is "
                         "there enough memory? take fewer workers"
                     ) from None
                 begin(call, attempt + 1)
@@ -124,11 +124,11 @@ def _ready() -> Process:
 
 def _serve(pipe: Connection) -> None:
     """Make calls and answer them, until the other end is closed or none has come for a while."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever asked ends this process
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     import rotordyn.scene.scene  # what solves points, while the first call is prepared
     import rotordyn.study.point  # noqa: F401
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever asked ends this process
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with suppress(EOFError, OSError):
         while pipe.poll(IDLE):
             pipe.send_bytes(_answer(pipe.recv_bytes()))

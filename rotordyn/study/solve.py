@@ -118,8 +118,6 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
     InvalidInput : a path, value or number that cannot be, before anything is solved; a folder of
         another study; more than an hour without ``yes``; no scheduler
     """
-    if samples and cluster is None:  # what draws them takes as long to load as processes do
-        start(min(samples, workers or processors(), processors()))
     study = study_of(
         case,
         varied,
@@ -166,6 +164,8 @@ def _outcomes(
     total = count - len(known)
     left = (k for k in range(count) if k not in known)  # one by one: they may be any number
     packed, least = pickle.dumps(study), math.inf
+    if cluster is None:  # they load what solves while the first point is solved here
+        start(min(workers, processors(), total - 1))
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)
     for number in islice(left, LOOKED):
         (found,) = solve_points(packed, (number,))
@@ -187,16 +187,19 @@ def _outcomes(
         yield from solved_on_cluster(packed, left, cluster, total)
         return
 
+    pace, share = least, 2 * workers if workers > 1 else 1
+
     def blocks() -> Iterator[tuple[int, ...]]:
         room = total
         while room:
-            most = min(TOGETHER, room // (2 * workers), int(BLOCK / least))
+            most = min(TOGETHER, room // share, int(BLOCK / pace))
             block = tuple(islice(left, max(1, most)))
             yield block
             room -= len(block)
 
     for block in solved_here(packed, blocks(), workers, solve_points, total=total):
-        least = min(least, *(outcome.seconds for outcome in block))
+        solved = [outcome.seconds for outcome in block if outcome.numbers]
+        pace = max(pace / 2.0, *solved) if solved else pace  # a refusal tells of no other point
         yield from block
 
 

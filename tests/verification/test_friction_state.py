@@ -321,3 +321,14 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
     assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
     assert law(-d)[1] == pytest.approx(law(d)[1], rel=1e-6)
+
+
+def test_loads_at_rest_are_those_without_friction() -> None:
+    """As stated preloads are meant: at several speeds, with a force from outside."""
+    speed = np.array([0.0, 12000.0, 24000.0]) * RPM
+    rubs, slides = (operating_state(s, speed, LAW, 200.0) for s in (rubbing(), mfw2310()))
+    assert rubs.network.friction.any()
+    assert rubs.rest_loads() == pytest.approx(slides.rest_loads(), rel=1e-9)
+    held = scene(rubbing(), speed, axial_force=200.0)
+    found = stiffness_answer(held, StiffnessSpec("Oc2", 100.0, variants=("constant_preload",)))
+    assert np.isfinite(found.tangent).all()

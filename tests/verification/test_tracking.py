@@ -12,6 +12,7 @@ from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
 from rotordyn.modes import branches
 from rotordyn.modes.band import Band
 from rotordyn.numerics.follow import doubts, follow
@@ -110,3 +111,24 @@ def test_the_expected_pole_is_that_of_the_derivative() -> None:
     assert (errors[1] < 0.05 * moved)[chosen].all()
     order = math.log2(float(np.median(errors[1][chosen] / errors[0][chosen])))
     assert order == pytest.approx(2.0, abs=0.2)
+
+
+@pytest.mark.parametrize("between", [1e5, 1e7])
+def test_modes_overdamped_between_two_speeds_lose_no_others(between: float) -> None:
+    """Tables of damping with a peak between: there the planes have more poles that do not swing."""
+    damping = (10.0, 10.0, between, 10.0, 10.0)
+    held = tuple(
+        LinearSupport(
+            name,
+            x,
+            {("y", "y"): 5e7, ("z", "z"): 2e7},
+            {("y", "y"): damping, ("z", "z"): damping},
+            speeds=tuple(np.array([0.0, 1000.0, 1500.0, 2000.0, 3000.0]) * RPM),
+        )
+        for name, x in (("a", 0.0), ("b", 0.6))
+    )
+    speed = np.array([0.0, 1000.0, 2000.0, 3000.0]) * RPM
+    scene = Scene(uniform(0.6, 0.05, STEEL, supports=held), Conditions(), speed, 3000.0)
+    found = branches.branches_of(scene, Band(3000.0), ("bending",))
+    assert len(found) >= 8
+    assert all(np.isfinite(b.pole).all() for b in found if b.frequency[0] < 1000.0)

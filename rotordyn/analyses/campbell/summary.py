@@ -141,6 +141,8 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float]]]:
     has no partner."""
     chosen = [k for k in np.flatnonzero(~result.mostly_overdamped) if result.kind[k] == "bending"]
     values = result.frequency[row, chosen].tolist()
+    if not chosen:
+        return []
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
     order = np.argsort(values, kind="stable").tolist()

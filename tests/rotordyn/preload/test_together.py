@@ -12,6 +12,7 @@ import pytest
 from bearings.ball.law import Law
 from rotordyn.case.vary import changed
 from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.arrangement import side_by_side
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Asked, dynamic_preload, dynamic_preloads
 from tests.oracles.spindles import RPM, case, mfw2310, with_sleeve, with_springs
@@ -114,3 +115,35 @@ def test_a_machine_without_any_preload_does_not_disturb() -> None:
     alone = dynamic_preload(one, SPEED, LAW).under_rest_loads([0, 1, 2])
     for held, other in zip(found[1].under_rest_loads([0, 1, 2]), alone, strict=True):
         assert held.state.displacement == pytest.approx(other.state.displacement, rel=1e-9)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_machines_whose_bearings_are_alike_at_rest_alone_keep_their_own(backwards: bool) -> None:
+    """A stop that is closed at rest is looked for at rest, where the shaft is not shortened and
+    bearings are alike that are not so at speed."""
+    whole = case("grinding_spindle")
+    speed = np.array([0.0, 5000.0, 10000.0, 15000.0]) * RPM
+    travels = np.array([0.0, 1e-6, 2e-6, 5e-6, 8e-6, 15e-6])
+    machines = [
+        Asked(changed(whole, {"spindle.sleeves.rear.stop_travel": t}).spindle, speed, LAW, -500.0)
+        for t in (travels[::-1] if backwards else travels)
+    ]
+    found = [state.stop_speeds() for state in dynamic_preloads(machines)]
+    alone = [dynamic_preload(*machine).stop_speeds() for machine in machines]
+    assert np.ptp(np.array(found)[:, 0]) > 100.0
+    assert np.array(found) == pytest.approx(np.array(alone), rel=1e-9, nan_ok=True)
+
+
+def test_machines_built_otherwise_are_never_joined() -> None:
+    one, other = (Asked(s, SPEED, LAW).arrangement() for s in (mfw2310(), mfw2310(sleeves=())))
+    with pytest.raises(AssertionError, match="built otherwise"):
+        side_by_side([one, other])
+
+
+def test_other_travels_at_unlike_numbers_of_speeds() -> None:
+    machines = [Asked(s, SPEED[:n], LAW) for s, n in zip(varied(3, 6), (2, 5, 3), strict=True)]
+    last = np.array([-1])
+    for state, machine in zip(dynamic_preloads(machines), machines, strict=True):
+        found = state.with_travels({"front": 20e-6}, last)
+        alone = dynamic_preload(*machine).with_travels({"front": 20e-6}, last)
+        assert found.seat_load() == pytest.approx(alone.seat_load(), rel=1e-10)

@@ -431,3 +431,67 @@ def test_processes_that_were_started_before_are_taken(monkeypatch: pytest.Monkey
     assert sorted(found) == [2.0, 3.0]
     for each in begun:
         each.end()
+
+
+def test_what_an_analysis_is_asked_is_varied_too() -> None:
+    """Also of those that numbers alone ask less of."""
+    whole = rotordyn.load("mfw2310_radial_stiffness")
+    case = rotordyn.vary(whole, {"speeds": (0.0, 2500.0)})
+    forces = {"analyses.stiffness.max_force": [400.0, 500.0]}
+    found = sweep(case, forces, analyses=["stiffness"], workers=1)
+    assert found["sentence"].values.tolist() == ["", ""]
+
+
+def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
+    """A machine after another, and before it."""
+    whole = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))
+    asked = {"conditions.heat_flow.inner_shaft": [3.0, 1.0, 10.0]}
+    found = sweep(whole, asked, workers=1)
+    names = [name for name in found.data_vars if str(name).startswith("preload: ")]
+    assert any(len({*found[name].values.tolist()}) == 3 for name in names)
+    for k, value in enumerate(asked["conditions.heat_flow.inner_shaft"]):
+        alone = sweep(whole, {"conditions.heat_flow.inner_shaft": [value]}, workers=1)
+        for name in names:
+            expected = float(alone[name].values[0])
+            assert found[name].values[k] == pytest.approx(expected, rel=1e-9, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "workers", "most"), [(0.3, 1, 6), (0.3, 2, 6), (1e-4, 1, 32), (1e-4, 2, 32)]
+)
+def test_blocks_are_as_long_as_their_points_allow(
+    case: Case, monkeypatch: pytest.MonkeyPatch, seconds: float, workers: int, most: int
+) -> None:
+    """Points of 0.3 s, of which one is refused at once: blocks of two seconds at most; and those of
+    next to no time in blocks of the largest size."""
+    blocks: list[int] = []
+
+    def made(packed: bytes, numbers: Any, points: int = 1) -> Any:
+        blocks.append(len(numbers))
+        return [
+            Outcome(n, sentence="no", seconds=1e-6)
+            if n == 2
+            else Outcome(n, {"a": (1.0, "")}, seconds=seconds)
+            for n in numbers
+        ]
+
+    def one_by_one(packed: Any, items: Any, workers: int, task: Any, total: int) -> Any:
+        return (task(packed, item, total) for item in items)
+
+    monkeypatch.setattr(solve, "solve_points", made)
+    monkeypatch.setattr(solve, "solved_here", one_by_one)
+    monkeypatch.setattr(solve, "start", lambda count: None)
+    springs = {SPRING: Span(800.0, 1600.0, 400)}
+    sweep(case, springs, analyses=["preload"], workers=workers)
+    assert sum(blocks) == 400
+    assert max(blocks) == most
+    assert workers == 1 or blocks[-1] == 1  # the last ones are shared
+
+
+def test_a_model_for_something_else_is_checked_again(case: Case) -> None:
+    held, asked = neighbours.Neighbours(), restricted(case, ("campbell",))
+    errors = []
+    for accuracy in (1e-3, 1e-3, 1e-4, 1e-4):
+        one = rotordyn.vary(asked, {"conditions.accuracy": accuracy})
+        errors.append(held.solve(one)[1])
+    assert [error is None for error in errors] == [False, True, False, True]

@@ -11,6 +11,7 @@ import pytest
 
 from bearings import Material
 from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell import summary
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
@@ -262,3 +263,7 @@ def test_modal_damping_belongs_to_the_free_modes_in_order() -> None:
     assert found.damping_ratio[0, order[:6]] == pytest.approx(
         [0.0, 0.0, 0.01, 0.02, 0.05, 0.05], abs=2e-5
     )
+
+
+def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
+    assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []
