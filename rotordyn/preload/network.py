@@ -7,7 +7,7 @@ springs at their stated preload, fixes where each spring and stop is.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -289,6 +289,14 @@ class NetworkState:
             self.error[index],
             self.converged[index],
         )
+
+    def parts(self, rows: Sequence[int]) -> Iterator[NetworkState]:
+        """Of machines side by side each one's, so many ``rows``."""
+        if len(rows) == 1:
+            yield self
+            return
+        for last, count in zip(np.cumsum(rows), rows, strict=True):
+            yield self.rows(np.arange(last - count, last))
 
 
 def solve(

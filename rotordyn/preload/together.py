@@ -7,7 +7,7 @@ batch of one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeVar
 
@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from bearings.ball.law import Law
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.arrangement import Arrangement, Push, arrangement, as_mounted, has_stop, rigid
+from rotordyn.preload.arrangement import Arrangement, Push, arrangement
+from rotordyn.preload.as_assembled import limits, mounted, springs
 from rotordyn.preload.bearing_iterates import Solved
-from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.network import Network, confirmed
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.state import PreloadState
@@ -29,7 +30,6 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 T = TypeVar("T")
 UNASKED = 1.0  # N, on bearings that another machine asks for and that carry nothing in this one
-NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
 class Asked(NamedTuple):
@@ -87,15 +87,15 @@ def _solved(machines: Sequence[Asked], joined: Sequence[Arrangement]) -> list[Pr
             spindle=asked.spindle,
             force=asked.force,
             law=asked.law,
-            network=Network(each, _springs(asked.spindle, each, mounted.position)),
-            mounted=mounted,
-            limit=_limits(each, mounted.position[0]),
-            net=mounted,  # until it is settled
+            network=Network(each, springs(asked.spindle, each, at_rest.position)),
+            mounted=at_rest,
+            limit=limits(each, at_rest.position[0]),
+            net=at_rest,  # until it is settled
             outcome=(),
             temperatures=asked.temperatures,
             films=asked.films,
         )
-        for asked, each, mounted in zip(machines, joined, _mounted(joined), strict=True)
+        for asked, each, at_rest in zip(machines, joined, mounted(joined), strict=True)
     ]
     return settled(begun)
 
@@ -103,28 +103,18 @@ def _solved(machines: Sequence[Asked], joined: Sequence[Arrangement]) -> list[Pr
 def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[PreloadState]:
     """States in balance under their networks, sought from rest or from ``start`` (speeds, bodies)
     of each; the stops end the travel of these networks."""
-    limit = [_limits(each.network.arrangement, each.rest) for each in begun]
+    limit = [limits(each.network.arrangement, each.rest) for each in begun]
     rows = [len(each.speed) for each in begun]
     start = start or [np.tile(each.rest, (n, 1)) for each, n in zip(begun, rows, strict=True)]
     network = Network.side_by_side([each.network for each in begun])
     ends = np.stack(limit) if len(begun) == 1 else np.repeat(limit, rows, axis=0)
     net = confirmed(network, with_stops(network, ends, np.concatenate(start)))
     states = []
-    for each, end, part in zip(begun, limit, _parts(net, rows), strict=True):
+    for each, end, part in zip(begun, limit, net.parts(rows), strict=True):
         warm = each.temperatures is not None
         words = outcomes(each.spindle, each.network, each.mounted, part, warm=warm)
         states.append(replace(each, limit=end, net=part, outcome=words))
     return Together.of(states)
-
-
-def _parts(net: NetworkState, rows: Sequence[int]) -> Iterator[NetworkState]:
-    """States of several machines, so many ``rows`` each."""
-    if len(rows) == 1:
-        yield net
-        return
-    end = np.cumsum(rows)
-    for last, count in zip(end, rows, strict=True):
-        yield net.rows(np.arange(last - count, last))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -249,59 +239,3 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
     limit = np.stack([states[k].limit for k in met])
     found[met] = meeting_speeds(at, limit, push, np.array(between), np.array(near))
     return found
-
-
-def _mounted(joined: Sequence[Arrangement]) -> Iterator[NetworkState]:
-    """Equilibria at rest under the stated preloads alone, each of one speed."""
-    parts = []
-    for each in joined:
-        still, nothing = as_mounted(each), np.zeros((1, len(each.bodies)))
-        parts.append(Network(still, Springs(_preloads(still), nothing, nothing, nothing[0] > 0.0)))
-    network = Network.side_by_side(parts)
-    start = _seated(network)
-    return _parts(solve(network, start, np.zeros(start.shape, dtype=bool), start), [1] * len(parts))
-
-
-def _preloads(joined: Arrangement) -> Array:
-    """Forces of the springs at rest, towards +x (1, bodies) [N]."""
-    return joined.direction[None] * [0.0, *(push.preload for push in joined.pushes)]
-
-
-def _seated(network: Network) -> Array:
-    """A start at rest (machines, bodies): each bearing under its likely load, fitted by
-    positions."""
-    b, tandem, force = network.incidence, network.tandem, network.springs.force
-    share = np.linalg.lstsq((tandem[:, None] * b).T, force.T, rcond=None)[0].T
-    largest = np.abs(force).max(axis=1, keepdims=True)
-    # a bearing that takes thrust one way begins pressed, however the springs may share their force
-    likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
-    likely = np.where(network.both_ways, np.copysign(likely, share), likely)
-    load = np.zeros((*likely.shape, 5))
-    load[..., 0] = likely
-    deflection = np.empty(likely.shape)
-    for alike in network.solve_bearings(range(likely.shape[1]), None, load=load).values():
-        deflection[:, alike.places] = alike.state.displacement[..., 0]
-    carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
-    return np.stack(
-        [
-            np.linalg.lstsq(b[held], each[held], rcond=None)[0]
-            for held, each in zip(carries, deflection, strict=True)
-        ]
-    )
-
-
-def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
-    """Springs acting about the place at rest (1, bodies).
-
-    Linear supports hold the shaft along the axis without force at rest.
-    """
-    fixed = np.array([False, *map(rigid, joined.pushes)])
-    along = sum(support.along for support in spindle.supports)
-    stiffness = np.array([[along, *(push.stiffness for push in joined.pushes)]])
-    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
-
-
-def _limits(joined: Arrangement, rest: Array) -> Array:
-    """Where each stop ends the travel (bodies,); NaN without one."""
-    travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
-    return rest - joined.direction * [np.nan, *travel]

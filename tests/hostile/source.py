@@ -429,7 +429,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "a wider bracket of the same zero",
         ),
     ],
-    "rotordyn/preload/together.py": [
+    "rotordyn/preload/as_assembled.py": [
         (
             "1.0 -> 1.1",
             "likely",
