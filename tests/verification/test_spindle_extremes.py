@@ -83,7 +83,7 @@ def test_deflections_are_those_of_the_loads(
             alone = bearing.model.equilibrium(
                 load=[state.net.response.load[row, k], 0, 0, 0, 0],
                 speed=rpm[row] * RPM,
-                static_growth=bearing.static_growth,
+                static_growth=bearing.static_growth[row],
                 growth=bearing.growth[row],
                 kinematics=kinematics,
             )
