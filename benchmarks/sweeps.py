@@ -44,7 +44,7 @@ def preload_lines() -> list[dict[str, Any]]:
 
     def found(tolerance: float) -> tuple[float, NDArray[np.float64]]:
         small = {"TOLERANCE": tolerance, "BALLS": min(1e-2, 10.0 * tolerance**0.5)}
-        with mock.patch.multiple("rotordyn.preload.network", **small):
+        with mock.patch.multiple("rotordyn.preload.equilibrium", **small):
             scene = Scene(case.spindle, case.conditions, np.array(case.speeds))
             begin = time.perf_counter()
             state = scene.preload

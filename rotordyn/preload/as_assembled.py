@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import Arrangement, as_mounted, has_stop, rigid
-from rotordyn.preload.network import Network, NetworkState, Springs, solve
+from rotordyn.preload.equilibrium import solve
+from rotordyn.preload.network import Network, NetworkState, Springs
 
 Array = NDArray[np.float64]
 NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.preload.arrangement import Push
-from rotordyn.preload.network import Network, NetworkState, solve
+from rotordyn.preload.equilibrium import solve
+from rotordyn.preload.network import Network, NetworkState
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -20,7 +20,8 @@ from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import Arrangement, Push, arrangement
 from rotordyn.preload.as_assembled import limits, mounted, springs
 from rotordyn.preload.bearing_iterates import Solved
-from rotordyn.preload.network import Network, confirmed
+from rotordyn.preload.equilibrium import confirmed
+from rotordyn.preload.network import Network
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.state import PreloadState

@@ -373,7 +373,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "which load is tried next",
         ),
     ],
-    "rotordyn/preload/network.py": [
+    "rotordyn/preload/equilibrium.py": [
         (
             "0.5 -> 0.55",
             "length",

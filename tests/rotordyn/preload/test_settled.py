@@ -13,7 +13,7 @@ import pytest
 from bearings.ball.law import Law
 from bearings.geometry import geometry
 from bearings.ring.compiled import states
-from rotordyn.preload import network
+from rotordyn.preload import equilibrium
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
@@ -60,14 +60,14 @@ def test_where_balls_of_two_branches_were_moved_to_leaves_no_mark(
     bearing by itself does decides."""
     law, speed = Law("geometric", "inner"), SPEED[::6]
     found = dynamic_preload(mfw2310(), speed, law)
-    together = network._together
+    together = equilibrium._together
 
-    def astray(*given: Any) -> network.NetworkState:
+    def astray(*given: Any) -> equilibrium.NetworkState:
         net = together(*given)
         converged = net.converged & (move > 0.0)
         return replace(net, position=net.position + move, converged=converged)
 
-    monkeypatch.setattr(network, "_together", astray)
+    monkeypatch.setattr(equilibrium, "_together", astray)
     alone = dynamic_preload(mfw2310(), speed, law)
     assert alone.usable.all()
     assert alone.net.held.tolist() == found.net.held.tolist()
