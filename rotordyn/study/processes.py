@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import pickle
 import signal
+import threading
 from collections.abc import Callable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from itertools import islice
 from multiprocessing.connection import Connection, wait
 from typing import Any
@@ -38,7 +39,8 @@ class Process:
         self.pipe: Connection
         self.pipe, far = context.Pipe()
         self._process = context.Process(target=_serve, args=(far,), daemon=True, env=ALONE)
-        self._process.start()
+        with _uninterrupted():
+            self._process.start()
         far.close()  # no copy outlives the process
 
     def begin(self, call: Call, count: int) -> None:
@@ -122,9 +124,23 @@ def _ready() -> Process:
     return Process()
 
 
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Processes begun meanwhile ignore Ctrl-C from their first moment: whoever asked ends them."""
+    before = signal.getsignal(signal.SIGINT)
+    if before is None or threading.current_thread() is not threading.main_thread():
+        yield  # only the main thread may say so: there they do from ``_serve`` on
+        return
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _serve(pipe: Connection) -> None:
     """Make calls and answer them, until the other end is closed or none has come for a while."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever asked ends this process
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     import rotordyn.scene.scene  # what solves points, while the first call is prepared
     import rotordyn.study.point  # noqa: F401

@@ -1,0 +1,52 @@
+"""Processes that work side by side, from their first moment to their end."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+
+import pytest
+
+from rotordyn.study.processes import Process
+
+POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+
+
+@POSIX
+@pytest.mark.parametrize("wait", [0.0, 0.02, 0.3])
+def test_a_process_interrupted_as_it_loads_still_answers(
+    wait: float, capfd: pytest.CaptureFixture[str]
+) -> None:
+    process = Process()
+    pid = process._process.pid
+    assert pid is not None
+    time.sleep(wait)
+    os.kill(pid, signal.SIGINT)
+    process.begin((len, ((1, 2),)), 1)
+    assert process.result() == (True, 2)
+    process.end()
+    assert capfd.readouterr().err == ""
+
+
+def test_whoever_begins_a_process_is_interrupted_as_before() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    Process().end()
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_a_process_begun_in_a_thread_answers() -> None:
+    found: list[tuple[bool, object]] = []
+
+    def ask() -> None:
+        process = Process()
+        process.begin((len, ((1, 2),)), 1)
+        found.append(process.result())
+        process.end()
+
+    thread = threading.Thread(target=ask)
+    thread.start()
+    thread.join()
+    assert found == [(True, 2)]
