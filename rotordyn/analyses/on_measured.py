@@ -61,6 +61,7 @@ class OnMeasured:
         names = {port.point for pair in ports for port in pair}
         self._front, self._behind = sorted(names, key=lambda name: at[name])
         self._spacing = at[self._behind] - at[self._front]
+        self._beams: dict[bytes, tuple[Ends | None, Complex, Ends, Complex]] = {}
 
     @cached_property
     def omega(self) -> Array:
@@ -121,7 +122,14 @@ class OnMeasured:
         return best
 
     def _parts(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
-        """Blank with the flexibility of its joint to the nose, tool with that of its own."""
+        """Blank with the flexibility of its joint to the nose, tool with that of its own; the same
+        for both planes."""
+        key = omega.tobytes()
+        if key not in self._beams:
+            self._beams[key] = self._bodies(omega)
+        return self._beams[key]
+
+    def _bodies(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
             return None, _flexibility(omega, None), *tool

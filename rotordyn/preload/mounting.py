@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -36,11 +37,11 @@ def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
     offset = spring.offset
     if offset is None:
         offset = class_offset(spindle, sleeve, spring.preload)
-    own, against = sides(spindle, sleeve)
-    total = offset + _gained(spindle, own) + _gained(spindle, against)
+    both = sides(spindle, sleeve)
+    total = offset + sum(side.gained for side in both)
 
     def over(force: float) -> float:
-        return _approach(spindle, own, force) + _approach(spindle, against, force) - total
+        return sum(side.approach(force) for side in both) - total
 
     if over(LIGHTEST) >= 0.0:
         raise InvalidInput(
@@ -62,8 +63,7 @@ def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
 
 def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
     """Axial offset of the free rings that presses with ``force`` [N] as mounted [m]."""
-    both = sides(spindle, sleeve)
-    return sum(_approach(spindle, each, force) - _gained(spindle, each) for each in both)
+    return sum(side.approach(force) - side.gained for side in sides(spindle, sleeve))
 
 
 def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
@@ -72,11 +72,48 @@ def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
     A maker grinds it on every bearing of a class: sets of more bearings have the same.
     """
     load = [[force, 0.0, 0.0, 0.0, 0.0]]
-    pair = [side[0].bearing for side in sides(spindle, sleeve)]
+    pair = [side.seats[0].bearing for side in sides(spindle, sleeve)]
     return sum(float(b.equilibrium(load=load, compiled=False).displacement[0, 0]) for b in pair)
 
 
-def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[list[BearingSeat], list[BearingSeat]]:
+@dataclass(frozen=True, eq=False)
+class Side:
+    """Bearings that press one way, and the static growth of each [m]."""
+
+    seats: Sequence[BearingSeat]
+    growths: Sequence[float]
+
+    @property
+    def gained(self) -> float:
+        """Mean play that growth takes up [m]."""
+        return float(np.mean([_gain(*each) for each in zip(self.seats, self.growths, strict=True)]))
+
+    def approach(self, force: float) -> float:
+        """Axial displacement of the mounted bearings under ``force`` altogether, the mean of what
+        they gained being its zero [m]."""
+        first, each = self.seats[0].bearing, [*zip(self.seats, self.growths, strict=True)]
+        if len({(seat.bearing, growth) for seat, growth in each}) == 1:
+            own = [[force / len(each), 0.0, 0.0, 0.0, 0.0]]
+            state = first.equilibrium(load=own, static_growth=self.growths[0], compiled=False)
+            return float(state.displacement[0, 0])
+        gained = self.gained
+
+        def load(d: float) -> float:
+            total = 0.0
+            for seat, growth in each:
+                own = d + _gain(seat, growth) - gained
+                state = seat.bearing.equilibrium(
+                    displacement=[[own, 0.0, 0.0, 0.0, 0.0]], static_growth=growth, compiled=False
+                )
+                total += float(state.load[0, 0])
+            return total
+
+        from scipy.optimize import brentq
+
+        return float(brentq(lambda d: load(d) - force, -LONGEST, LONGEST, xtol=1e-15))
+
+
+def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
     """Bearings on the sleeve, and those in the housing that they press against.
 
     Raises
@@ -91,37 +128,10 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[list[BearingSeat], list[Bea
             f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
             "preload by offset or by class needs bearings that face them"
         )
-    return own, facing
-
-
-def _approach(spindle: Spindle, side: Sequence[BearingSeat], force: float) -> float:
-    """Axial displacement of the mounted bearings of a side under ``force`` altogether, the mean of
-    what they gained being its zero [m]."""
-    growths = [static_growth(spindle, seat) for seat in side]
-    first, gained = side[0].bearing, _gained(spindle, side)
-    if len({(seat.bearing, growth) for seat, growth in zip(side, growths, strict=True)}) == 1:
-        each = [[force / len(side), 0.0, 0.0, 0.0, 0.0]]
-        state = first.equilibrium(load=each, static_growth=growths[0], compiled=False)
-        return float(state.displacement[0, 0])
-
-    def load(d: float) -> float:
-        total = 0.0
-        for seat, growth in zip(side, growths, strict=True):
-            own = d + _gain(seat, growth) - gained
-            state = seat.bearing.equilibrium(
-                displacement=[[own, 0.0, 0.0, 0.0, 0.0]], static_growth=growth, compiled=False
-            )
-            total += float(state.load[0, 0])
-        return total
-
-    from scipy.optimize import brentq
-
-    return float(brentq(lambda d: load(d) - force, -LONGEST, LONGEST, xtol=1e-15))
-
-
-def _gained(spindle: Spindle, side: Sequence[BearingSeat]) -> float:
-    """Mean play that growth takes up in the bearings of a side [m]."""
-    return float(np.mean([_gain(seat, static_growth(spindle, seat)) for seat in side]))
+    one, other = (
+        Side(side, [static_growth(spindle, seat) for seat in side]) for side in (own, facing)
+    )
+    return one, other
 
 
 def _gain(seat: BearingSeat, growth: float) -> float:

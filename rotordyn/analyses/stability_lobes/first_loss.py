@@ -21,6 +21,7 @@ PULSING = 0.05  # of the depth, by which pulsing forces move a limit at most
 NEAR = 0.8  # a maximum of the radius below that is not refined
 DOUBTFUL = 0.02  # of 1: so near, the radius of a coarse map does not tell which side
 WITHIN = 1e-8  # of the depth
+ROUGH = 1e-3  # of the depth by a coarse map
 PEAK = 1e-3  # of the logarithm of the depth
 AROUND = 0.03  # of the depth, by which a coarse map may err
 
@@ -35,18 +36,20 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     coarse, fine = cache(coarse), cache(fine)
     if fine(low) >= 1.0:
         return 0.0
-    guess = _tried(coarse, low, high, step, DOUBTFUL)
+    guess = _tried(coarse, low, high, step, ROUGH, DOUBTFUL)
     if math.isinf(guess):
         return guess
     ends = max((1.0 - AROUND) * guess, low), min((1.0 + AROUND) * guess, high)
     if math.isfinite(guess) and fine(ends[0]) < 1.0 <= fine(ends[1]):
-        return _root(fine, *ends)
-    return _tried(fine, low, high, step)
+        return _root(fine, *ends, WITHIN)
+    return _tried(fine, low, high, step, WITHIN)
 
 
-def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float = 0.0) -> float:
-    """The least depth at which the radius is 1; NaN where a maximum is nearer to 1 than
-    ``doubtful``."""
+def _tried(
+    radius: Radius, low: float, high: float, step: float, within: float, doubtful: float = 0.0
+) -> float:
+    """The least depth at which the radius is 1, ``within`` of it; NaN where a maximum is nearer to
+    1 than ``doubtful``."""
     depth = [low]
     while radius(depth[-1]) < 1.0 and depth[-1] < high:
         depth.append(min(depth[-1] * RATIO, depth[-1] + _further(depth[-1], step), high))
@@ -57,11 +60,11 @@ def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float
         if NEAR < size[k] < 1.0 and size[k] >= max(size[k - 1], size[k + 1]):
             top = _peak(radius, depth[k - 1], depth[k + 1])
             if radius(top) >= 1.0:
-                return _root(radius, depth[k - 1], top)
+                return _root(radius, depth[k - 1], top, within)
             doubt |= radius(top) > 1.0 - doubtful
     if doubt or size[0] >= 1.0:
         return math.nan
-    return _root(radius, depth[-2], depth[-1]) if size[-1] >= 1.0 else math.inf
+    return _root(radius, depth[-2], depth[-1], within) if size[-1] >= 1.0 else math.inf
 
 
 def _further(depth: float, step: float) -> float:
@@ -91,5 +94,5 @@ def _peak(radius: Radius, low: float, high: float) -> float:
     return math.exp(float(found.x))
 
 
-def _root(radius: Radius, low: float, high: float) -> float:
-    return float(brentq(lambda own: math.log(radius(own)), low, high, rtol=WITHIN, xtol=1e-15))
+def _root(radius: Radius, low: float, high: float, within: float) -> float:
+    return float(brentq(lambda own: math.log(radius(own)), low, high, rtol=within, xtol=1e-15))

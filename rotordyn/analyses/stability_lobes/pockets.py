@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import find_peaks
 
 Array = NDArray[np.float64]
 MOST = 8  # pockets
@@ -26,11 +25,31 @@ class Pockets(NamedTuple):
 def pockets(speed: Array, depth: Array) -> Pockets:
     """Of a limit (s,) over speed (s,); where no depth is unstable there is no pocket."""
     finite = np.where(np.isfinite(depth), depth, 0.0)
-    tops, _ = find_peaks(finite, prominence=PROMINENT * finite.max(initial=0.0) or None)
-    place = np.asarray(tops[np.argsort(-finite[tops])][:MOST], dtype=np.intp)
+    least = PROMINENT * finite.max(initial=0.0)
+    tops = np.array([k for k in _tops(finite) if _prominence(finite, k) >= least], dtype=np.intp)
+    place = tops[np.argsort(-finite[tops], kind="stable")][:MOST]
     ends = [_ends(speed, finite, at) for at in place.tolist()]
     low, high = np.array(ends, dtype=float).reshape(-1, 2).T
     return Pockets(place, low, high)
+
+
+def _tops(depth: Array) -> list[int]:
+    """Places that are higher than what is before and behind them; the middle one of equal ones."""
+    first = np.flatnonzero(np.diff(depth, prepend=np.nan) != 0.0)
+    last = np.append(first[1:], len(depth)) - 1
+    level = depth[first]
+    inner = np.flatnonzero((level[1:-1] > level[:-2]) & (level[1:-1] > level[2:])) + 1
+    return [*((first[inner] + last[inner]) // 2).tolist()]
+
+
+def _prominence(depth: Array, at: int) -> float:
+    """Height of a top above the higher of the lowest places on its two sides, each as far as
+    nothing is higher."""
+    lowest = []
+    for side in (depth[at::-1], depth[at:]):
+        higher = np.flatnonzero(side > depth[at])
+        lowest.append(side[: higher[0] if higher.size else None].min())
+    return float(depth[at] - max(lowest))
 
 
 def _ends(speed: Array, depth: Array, at: int) -> tuple[float, float]:

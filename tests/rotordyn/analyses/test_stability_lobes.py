@@ -7,11 +7,12 @@ import math
 
 import numpy as np
 import pytest
+from scipy.signal import find_peaks
 
 import rotordyn
 from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
-from rotordyn.analyses.stability_lobes.pockets import pockets
+from rotordyn.analyses.stability_lobes.pockets import MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -273,6 +274,17 @@ def test_process_damping_deepens_slow_cuts(case):
         lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, 2e5)
     )
     assert (damped > 1.05 * plain).all()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_pockets_are_the_prominent_peaks(seed: int) -> None:
+    """Those of scipy.signal, which is not loaded for them; on even tops the middle counts."""
+    rng = np.random.default_rng(seed)
+    depth = rng.integers(0, 6, 40).astype(float) if seed % 2 else rng.random(40)
+    least = PROMINENT * depth.max()
+    tops, _ = find_peaks(depth, prominence=least)
+    deepest = tops[np.argsort(-depth[tops], kind="stable")][:MOST]
+    assert pockets(np.arange(40.0), depth).place.tolist() == deepest.tolist()
 
 
 def test_pockets_and_their_margins():
