@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Complex
 from rotordyn.equation.dofs import position
-
-Complex = NDArray[np.complex128]
 
 
 def scaled(shape: Complex, kind: str) -> Complex:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.campbell.passing import passing
 from rotordyn.analyses.campbell.result import CampbellResult, TurningCampbellResult
 from rotordyn.analyses.campbell.shapes import scaled
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.campbell.threshold import stability_threshold
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch, branches_of
@@ -22,9 +22,6 @@ from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.scene.formulation import ROTATING, require_isotropic
 from rotordyn.scene.scene import Scene
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:

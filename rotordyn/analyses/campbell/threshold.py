@@ -11,8 +11,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
@@ -20,7 +20,6 @@ from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in
 from rotordyn.numerics.modes import grows, swings
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
 ROUNDING = 1e-12  # of |pole|: growth that is none
@@ -56,7 +55,7 @@ def stability_threshold(
     return min(onsets)
 
 
-def _diverging(motions: FreeMotions) -> NDArray[np.bool_]:
+def _diverging(motions: FreeMotions) -> Flags:
     """Motions (s, k) that grow without swinging."""
     return np.asarray(motions.growing & ~swings(motions.pole))
 

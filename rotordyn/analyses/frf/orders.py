@@ -7,9 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.arrays import Array, Complex
 from rotordyn.machine.support import SPINDLE
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
@@ -20,8 +20,6 @@ from rotordyn.numerics.peaks import tops
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Responses = Callable[[Scene, Array], Complex]
 BEYOND = 1.2  # times the highest frequency of the lines: up to there criticals are looked for
 

@@ -12,14 +12,11 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.numerics.peaks import NARROW, spread_between, vertex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Flags = NDArray[np.bool_]
 _BESIDE = (0.35, 0.75, 1.5, 3.0, 6.0, 12.0, 30.0)
 ABOUT = np.array([-each for each in _BESIDE[::-1]] + [0.0, *_BESIDE])  # half widths from a pole
 MIDDLE = len(_BESIDE)  # of these: the pole itself

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.outer_fibre import outer_fibre
 from rotordyn.analyses.section_forces.result import SectionForcesResult
@@ -18,6 +17,7 @@ from rotordyn.analyses.section_forces.static_loads import (
     loaded_mesh,
     static_loads,
 )
+from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
@@ -26,7 +26,6 @@ from rotordyn.scene.at_rest import AtRest, at_rest
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 

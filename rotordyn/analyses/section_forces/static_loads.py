@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.arrays import Array
 from rotordyn.equation.holding import rigid_motion, unheld_motions
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.machine.spindle import Spindle
@@ -17,7 +17,6 @@ from rotordyn.scene.at_rest import on_nodes, require_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.units import STANDARD_GRAVITY
 
-Array = NDArray[np.float64]
 _WAYS = {"x": 0, "y": 1, "z": 2}
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
 from rotordyn.machine.spindle import Spindle
 from rotordyn.units import STANDARD_GRAVITY
 
-Array = NDArray[np.float64]
 WAYS = {
     "none": (0.0, 0.0),
     "+y": (1.0, 0.0),

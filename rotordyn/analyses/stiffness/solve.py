@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.balance import Balance
@@ -26,7 +27,6 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.across import across
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
 SHORT_STOP = "short_stop"
@@ -128,9 +128,7 @@ def _outcome(scene: Scene, variants: dict[str, Variant]) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _nonlinear(
-    state: PreloadState, rotor: StaticRotor, rows: NDArray[np.intp], force: Array
-) -> RadialCurve:
+def _nonlinear(state: PreloadState, rotor: StaticRotor, rows: Indices, force: Array) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
@@ -163,9 +161,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
     return Variant(deflection, tangent, outcome.astype(str))
 
 
-def _where_travels_matter(
-    scene: Scene, spec: StiffnessSpec, usual: RadialCurve
-) -> NDArray[np.intp]:
+def _where_travels_matter(scene: Scene, spec: StiffnessSpec, usual: RadialCurve) -> Indices:
     """Usable speeds at which a sleeve comes to the nearer of both its stops, or the curve ends."""
     matters = np.zeros(len(usual.outcome), dtype=bool)
     for body, sleeve in enumerate(scene.spindle.sleeves, start=SHAFT + 1):
