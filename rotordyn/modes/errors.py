@@ -19,6 +19,7 @@ from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.numerics.follow import matched
 from rotordyn.numerics.modes import swings
 from rotordyn.results.display import RPM
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
@@ -133,9 +134,11 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             pole = motions.pole[place]
             there = pole[swings(pole) & ~motions.at_rest[place] & (motions.whirl[place] == side)]
             here = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
-            partner, extra = _paired(here, there)
-            known = np.isfinite(partner)
-            errors[:2, place, chosen] = np.where(known, _change(here, partner), SAME)
+            nearness = -np.abs(here[:, None] - there) / np.abs(here)[:, None]
+            partner = matched(nearness, -SAME)
+            known, extra = partner >= 0, np.delete(there, partner[partner >= 0])
+            change = _change(here, np.append(there, np.nan)[partner])
+            errors[:2, place, chosen] = np.where(known, change, SAME)
             column = [branches[k].column[row] for k in chosen]
             errors[2, place, chosen] = scene.system(subsystem).rounding[row, column]
             for what, lost in (("vanish", here[~known]), ("appear", extra)):
@@ -164,18 +167,3 @@ def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
     hertz = np.abs(pole[0].imag) / (2.0 * math.pi)
     rpm = scene.speed[scene.usable[row]] * RPM.factor
     return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"
-
-
-def _paired(here: Complex, there: Complex) -> tuple[Complex, Complex]:
-    """The partner of each pole of ``here``, the nearest pairs first, NaN where none is near; and
-    the poles of ``there`` that are left without one."""
-    partner = np.full(len(here), complex(np.nan, np.nan))
-    taken = np.zeros(len(there), dtype=bool)
-    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
-    for _ in range(min(distance.shape)):
-        row, column = np.unravel_index(int(distance.argmin()), distance.shape)
-        if distance[row, column] > SAME:
-            break
-        partner[row], taken[column] = there[column], True
-        distance[row, :], distance[:, column] = np.inf, np.inf
-    return partner, there[~taken]

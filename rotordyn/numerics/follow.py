@@ -70,11 +70,9 @@ def _partners(alike: Array, at: Array, value: Array) -> Indices:
 
     ``alike`` (k, l): their MAC; ``at`` (k,): what values of the last are expected to be now.
     """
-    if not alike.size:
-        return np.full(len(at), -1, dtype=np.intp)
     distance = np.abs(value - at[:, None])
     apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return _matched(alike - NEARNESS * apart)
+    return matched(alike - NEARNESS * apart, LEAST_MAC)
 
 
 def _consecutive(vectors: list[Complex], values: list[Array]) -> tuple[Array, Array]:
@@ -190,16 +188,19 @@ def _crossing(one: Array, other: Array, wanted: Flags) -> float | None:
     return float(share[swapped].min())
 
 
-def _matched(score: Array) -> Indices:
-    """Greedy matching of rows to columns, best score first."""
-    partner = score.argmax(axis=1)
-    if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_MAC:
-        return partner  # each its own best
+def matched(score: Array, least: float) -> Indices:
+    """Column of each row (rows,) by greedy matching, best ``score`` (rows, columns) first; −1 where
+    none of ``least`` is left."""
     partner = np.full(score.shape[0], -1, dtype=np.intp)
+    if not score.size:
+        return partner
+    best = score.argmax(axis=1)
+    if len(set(best.tolist())) == len(best) and score.max(axis=1).min() >= least:
+        return best  # each its own
     left = score.copy()
     for _ in range(min(score.shape)):
         row, column = np.unravel_index(int(left.argmax()), left.shape)
-        if left[row, column] < LEAST_MAC:
+        if left[row, column] < least:
             break
         partner[row] = column
         left[row, :] = -np.inf
