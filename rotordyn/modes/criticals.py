@@ -13,7 +13,7 @@ it and has its frequency there.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,9 +21,17 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, Branch, breakpoints_between, whirl_degree
+from rotordyn.modes.branches import (
+    MARGIN,
+    MOTIONS,
+    Branch,
+    branches_of,
+    breakpoints_between,
+    whirl_degree,
+)
 from rotordyn.modes.character import whirl_along
 from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.modes.roots import Start, State, solved
 from rotordyn.numerics.crossing import zero_crossings
@@ -32,6 +40,8 @@ from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
+SLOWEST = 1e-9  # [rad/s]: lines so slow are not asked for crossings
+BEYOND = 1.2  # times the highest frequency of lines: up to there modes are followed
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
@@ -51,6 +61,18 @@ class Critical:
     whirl: str
     damping_ratio: float
     excited: bool
+
+
+def criticals_up_to(
+    scene: Scene, size: float, orders: Iterable[float] = (1.0,), motions: Sequence[str] = MOTIONS
+) -> list[Critical]:
+    """Of engine ``orders``, on lines of up to ``size`` times the frequency of rotation of the
+    spindle; none where it has one speed alone."""
+    top = size * float(scene.speed[-1])
+    if len(scene.usable) < 2 or top < SLOWEST:
+        return []
+    band = Band(BEYOND * top / (2.0 * math.pi), tuple(dict.fromkeys(orders)))
+    return critical_speeds(scene, band, *named(branches_of(scene, band, motions)))
 
 
 def critical_speeds(

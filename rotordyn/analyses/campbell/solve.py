@@ -52,7 +52,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     rigid = [rigid_share(scene.system(b.subsystem).linear, b) for b in branches]
     frequency = pole.imag
     if turned:
-        frequency = _table([_seen(scene, b) for b in branches], shape)
+        frequency = _table([b.seen(scene.speed[scene.usable]) for b in branches], shape)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
         off = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
@@ -102,17 +102,10 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     )
 
 
-def _seen(scene: Scene, branch: Branch) -> Array:
-    """Frequency (usable,) [rad/s] that a frame which turns with the shaft sees of a mode."""
-    turning = branch.pole.imag
-    if branch.kind != "bending":
-        return np.asarray(turning)
-    return np.abs(turning - np.sign(branch.degree) * scene.speed[scene.usable])
-
-
 def _within(scene: Scene, branch: Branch, band: Band) -> bool:
     """A mode comes into the band in some frame, at some speed."""
-    both = np.concatenate([_seen(scene, branch), np.abs(branch.track.pole.imag)])
+    seen = branch.seen(scene.speed[scene.usable])
+    both = np.concatenate([seen, np.abs(branch.track.pole.imag)])
     return bool(np.nanmin(both) <= band.highest)
 
 

@@ -65,11 +65,18 @@ class Peaks(NamedTuple):
     value: Complex
 
 
-def poles_of(motions: FreeMotions, spin: Array | None, low: float, high: float) -> Poles:
-    """Poles between ``low`` and ``high`` [Hz]; ``spin`` (s,) of a turning frame."""
-    pole = motions.pole
-    turning = pole.imag if spin is None else np.abs(motions.whirl * pole.imag - spin[:, None])
-    hertz = turning / (2.0 * math.pi)
+def frequency_of(motions: FreeMotions, *, turning: bool) -> Array:
+    """Frequencies [Hz] of the poles (s, k), as a frame that is ``turning`` with the shaft sees
+    them."""
+    omega = motions.pole.imag
+    if turning and motions.whirling:
+        omega = np.abs(motions.whirl * omega - motions.linear.speed[:, None])
+    return np.asarray(omega / (2.0 * math.pi))
+
+
+def poles_of(motions: FreeMotions, low: float, high: float, *, turning: bool) -> Poles:
+    """Poles between ``low`` and ``high`` [Hz]; ``turning``: seen from the shaft."""
+    pole, hertz = motions.pole, frequency_of(motions, turning=turning)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         inside = (hertz > low) & (hertz < high) & (pole.imag > 0.0)
         undamped = np.abs(pole.real) <= UNDAMPED * np.abs(pole)
