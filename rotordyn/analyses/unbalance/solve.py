@@ -21,6 +21,7 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
+from rotordyn.equation.shaft import PLANES
 from rotordyn.errors import NoSolution
 from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
@@ -161,21 +162,17 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
     is singular the answer is not finite.
     """
     loads = node_loads(scene.spindle, scene.mesh, spec)
-    ahead = np.where(speed < 0.0, -1.0, 1.0)
     motion = linear.motion
-    planes = [
-        np.stack([motion[:, position(a)], sign * motion[:, position(b)]], axis=1)
-        for a, b, sign in (("y", "thz", 1.0), ("z", "thy", -1.0))
-    ]
-    turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
-    force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
-    back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
+    force = sum(
+        way * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
+        for way, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
+    )
     stiffness = answering_stiffness(linear, SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])
         dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
-        load = w**2 * (force if ahead[row] > 0.0 else back)
+        load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
         try:
             within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
         except np.linalg.LinAlgError:
@@ -183,9 +180,8 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
             continue
         moved[row] = linear.basis @ within
         left[row] = load - dynamic @ moved[row]
-    return Steady(
-        *(np.where(ahead[:, None] > 0.0, linear, linear.conj()) for linear in (moved, left))
-    )
+    back = (speed < 0.0)[:, None]
+    return Steady(*(np.where(back, each.conj(), each) for each in (moved, left)))
 
 
 def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
