@@ -48,14 +48,14 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
-    variants: dict[str, Variant] = {}
+    variants: dict[str, Variant | RadialCurve] = {}
     curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
     usual = None
     if "nonlinear" in spec.variants or spec.second_stop:
         usual = scene.timed("stiffness: nonlinear", curves)
     for name in spec.variants:
         if name == "nonlinear" and usual is not None:
-            variants[name] = _as_variant(usual)
+            variants[name] = usual
         else:
             work = partial(_linear, scene, spec, rotor, name, force)
             variants[name] = scene.timed(f"stiffness: {name}", work)
@@ -117,7 +117,7 @@ def _rotor(
     return plane_rotor(scene.rotor, at, place, force)
 
 
-def _outcome(scene: Scene, variants: dict[str, Variant]) -> tuple[str, ...]:
+def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     words = list(scene.outcome)
     for place, row in enumerate(scene.usable):
@@ -135,16 +135,11 @@ def _nonlinear(state: PreloadState, rotor: StaticRotor, rows: Indices, force: Ar
     return radial_curve(problem, problem.first_point(state, distinct), force).at(place)
 
 
-def _as_variant(curve: RadialCurve) -> Variant:
-    return Variant(curve.deflection, curve.tangent, curve.outcome)
-
-
 def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
     """The nonlinear variant with other stop travels; solved anew only where they matter."""
     rows = scene.bearing_row[scene.usable]
-    other = _as_variant(usual)
-    deflection, tangent = other.deflection.copy(), other.tangent.copy()
-    outcome = other.outcome.astype(object)
+    deflection, tangent = usual.deflection.copy(), usual.tangent.copy()
+    outcome = usual.outcome.astype(object)
     anew = _where_travels_matter(scene, spec, usual)
     if anew.size:
         state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
