@@ -13,16 +13,13 @@ import numpy as np
 from rotordyn.analyses.section_forces.outer_fibre import outer_fibre
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-from rotordyn.analyses.section_forces.static_loads import (
-    loaded_mesh,
-    static_loads,
-)
+from rotordyn.analyses.section_forces.static_loads import loaded_mesh, static_loads
 from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.at_rest import AtRest, at_rest
+from rotordyn.scene.at_rest import at_rest
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
@@ -44,16 +41,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     speed = scene.speed[scene.usable]
     point = loads.point + (speed**2)[:, None, None] * loads.turning
     rest = at_rest(scene, mesh, point, loads.line)
-    return _result(scene, spec, mesh, rest)
-
-
-def _result(
-    scene: Scene,
-    spec: SectionForcesSpec,
-    mesh: Mesh,
-    rest: AtRest,
-) -> SectionForcesResult:
-    spindle, forces, moved, push = scene.spindle, rest.forces, rest.moved, rest.push
+    forces, moved, push = rest.forces, rest.moved, rest.push
     both = np.stack([forces.front, forces.rear], axis=-2)
     if spindle.seats:
         both[..., 0] += _preloaded(scene, mesh)
