@@ -13,11 +13,10 @@ import numpy as np
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import StaticSagSpec
-from rotordyn.analyses.static_sag.weight import weight
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 from rotordyn.errors import InvalidInput
-from rotordyn.scene.at_rest import at_rest
+from rotordyn.scene.at_rest import at_rest, weight
 from rotordyn.scene.scene import Scene
 
 DIRECTIONS = ("y", "z")
