@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rotordyn.arrays import Flags
+from rotordyn.arrays import Array, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
@@ -33,25 +33,24 @@ def stability_threshold(
 
     Infinite and "" where none does; the first speed where one grows from there on.
     """
+
+    def onset(subsystem: int, speed: Array, growing: Flags, known: Flags) -> float:
+        row = int(growing.argmax())
+        if row and known[row - 1]:
+            return _begin(scene, band, subsystem, float(speed[row - 1]), float(speed[row]))
+        return float(speed[row])
+
     onsets = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
-        track, speed = branch.track, branch.track.speed
+        track = branch.track
         growing = grows(track.pole, scene.system(branch.subsystem).modes.largest.max())
-        if not growing.any():
-            continue
-        row = int(growing.argmax())
-        begin = float(speed[row])
-        if row and not track.lost[row - 1]:
-            begin = _begin(scene, band, branch.subsystem, float(speed[row - 1]), begin)
-        onsets.append((begin, name))
+        if growing.any():
+            onsets.append((onset(branch.subsystem, track.speed, growing, ~track.lost), name))
     for subsystem in scene.with_motions(MOTIONS):
-        diverging = _diverging(scene.system(subsystem)).any(axis=1)
+        diverging = np.asarray(_diverging(scene.system(subsystem)).any(axis=1))
         if diverging.any():
-            row, speed = int(diverging.argmax()), scene.speed[scene.usable]
-            begin = float(speed[row])
-            if row:
-                begin = _begin(scene, band, subsystem, float(speed[row - 1]), begin)
-            onsets.append((begin, DIVERGENCE))
+            speed, known = scene.speed[scene.usable], np.ones_like(diverging)
+            onsets.append((onset(subsystem, speed, diverging, known), DIVERGENCE))
     return min(onsets)
 
 
