@@ -51,9 +51,6 @@ def follow(
         new[column[matched]] = False
         born = np.flatnonzero(new)
         rows.append(np.append(column, born))
-        if matched.all():
-            last, at, before = fresh[:, rows[-1]], expected[rows[-1]], value[rows[-1]]
-            continue
         last, at, before = last.copy(), at.copy(), before.copy()
         last[:, matched], at[matched] = fresh[:, column[matched]], expected[column[matched]]
         before[matched] = value[column[matched]]
