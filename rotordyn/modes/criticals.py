@@ -85,23 +85,22 @@ def critical_speeds(
     starts = [start for line in lines for start in _crossed(branches, line)]
     starts += [start for line in lines for k in bent for start in _direct(scene, branches, k, line)]
     starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
-    crossings: list[tuple[Start, float, State]] = []
+    crossings, criticals = list[tuple[Start, float, State]](), list[Critical]()
     for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
         known = any(_same(start, speed, state, other) for other in crossings)
-        if swings and within and not known:
-            crossings.append((start, speed, state))
-    criticals = []
-    for start, speed, state in crossings:
-        kind = branches[start.branch].kind
-        subsystem = branches[start.branch].subsystem
-        place = _owner(branches, subsystem, speed, state)
-        if place is not None and branches[place].overdamped:
+        if known or not (swings and within):
             continue
-        name = f"{kind}, not followed" if place is None else names[place]
-        kind = kind if place is None else branches[place].kind
-        criticals.append(_named(scene, subsystem, kind, name, start.line, speed, state))
+        crossings.append((start, speed, state))
+        begun = branches[start.branch]
+        place = _owner(branches, begun.subsystem, speed, state)
+        owner = None if place is None else branches[place]
+        if owner is not None and owner.overdamped:
+            continue
+        name = f"{begun.kind}, not followed" if place is None else names[place]
+        kind = (owner or begun).kind
+        criticals.append(_named(scene, begun.subsystem, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
