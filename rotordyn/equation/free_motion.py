@@ -272,7 +272,10 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
 
 
 def responding(linear: Linear) -> FreeMotions:
-    """The same without poles, for receptances at a few frequencies alone; without loss factors."""
+    """The same without poles, for receptances at a few frequencies alone; without loss factors.
+
+    Coaxial rotors with orders take three times as long with poles, spindles on bearings hardly.
+    """
     return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
 
 
