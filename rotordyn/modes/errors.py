@@ -54,14 +54,11 @@ def mode_errors(
             return computed, ModeErrors(none, none, none, "")
         return computed, _compared(one, band, computed[0])
 
-    def worst(computed: tuple[Modes, ModeErrors]) -> float:
-        (branches, _), errors = computed
-        if errors.unconverged:
-            return math.inf
-        damping = errors.damping / RESPONSES
-        return max(_largest(each, branches, band) for each in (errors.frequency, damping))
+    def error(solution: tuple[Modes, ModeErrors]) -> float:
+        (branches, _), errors = solution
+        return RESPONSES * (math.inf if errors.unconverged else _worst(errors, branches, band))
 
-    scene, (computed, errors) = solve_accurately(scene, solve, lambda each: RESPONSES * worst(each))
+    scene, (computed, errors) = solve_accurately(scene, solve, error)
     judged = scene.conditions.element_length is None and scene.checks.wanted
     unconverged = _unconverged(scene, band, computed[0], errors) if judged else ""
     frequency, damping = (
@@ -74,8 +71,7 @@ def mode_errors(
 def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
     """What of the accuracy asked for is not reached, as a sentence, or ""."""
     accuracy = scene.conditions.accuracy
-    damping = errors.damping / RESPONSES
-    most = max(_largest(each, branches, band) for each in (errors.frequency, damping))
+    most = _worst(errors, branches, band)
     rounded = _largest(errors.rounding, branches, band)
     reasons = [errors.unconverged] if errors.unconverged else []
     if not reasons and most > accuracy and most > CHANCE * rounded:
@@ -94,16 +90,19 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
     return "; ".join(reasons)
 
 
+def _worst(errors: ModeErrors, branches: list[Branch], band: Band) -> float:
+    """The largest error of a frequency, or of a damping ratio in that measure."""
+    each = errors.frequency, errors.damping / RESPONSES
+    return max(_largest(one, branches, band) for one in each)
+
+
 def _largest(
     errors: Array, branches: list[Branch], band: Band, *, overdamped: bool = False
 ) -> float:
     """The largest of errors (usable, modes) within the band, of modes that swing or of those that
     hardly do."""
-    judged = [_judged(b, band, overdamped=overdamped) for b in branches]
-    return max(
-        (float(np.nanmax(errors[rows, k], initial=0.0)) for k, rows in enumerate(judged)),
-        default=0.0,
-    )
+    judged = np.array([_judged(b, band, overdamped=overdamped) for b in branches], dtype=bool)
+    return float(np.nanmax(errors[judged.reshape(errors.shape[::-1]).T], initial=0.0))
 
 
 def _judged(branch: Branch, band: Band, *, overdamped: bool) -> Flags:
