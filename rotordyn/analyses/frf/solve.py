@@ -142,7 +142,7 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     curves = [frequency] * len(slices)
     for place, index in enumerate(slices.tolist()):
         if (row := rows.get(index)) is not None and poles:
-            tops = _finite(at, high, row)
+            tops = at[row][np.isfinite(at[row]) & np.isfinite(high[row])]  # no undamped ones
             curves[place] = curve_at([each.at(row) for each in poles], frequency, tops)
     longest = max(map(len, curves), default=0)
     axis = np.full((len(slices), longest), np.nan)
@@ -192,11 +192,6 @@ def _light_modes(
                 away = np.abs(np.nan_to_num(seen, nan=np.inf) - at[row, place, top])
                 names[place] = modes[int(away.argmin())][1]
     return tuple(names)
-
-
-def _finite(at: Array, high: Complex, row: int) -> Array:
-    """Frequencies of the peaks at a speed that are no undamped ones."""
-    return np.unique(at[row][np.isfinite(at[row]) & np.isfinite(high[row])])
 
 
 def _slices(scene: Scene, spec: FrfSpec) -> Indices:

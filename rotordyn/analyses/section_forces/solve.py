@@ -87,13 +87,9 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         reaction=scene.scattered(push),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
-        twist_between=scene.scattered(_columns(turned, len(both))),
-        required_diameter=scene.scattered(_columns(needed, len(both))),
+        twist_between=scene.scattered(np.reshape(turned, (-1, len(both))).T),
+        required_diameter=scene.scattered(np.reshape(needed, (-1, len(both))).T),
     )
-
-
-def _columns(values: list[Array], states: int) -> Array:
-    return np.stack(values, axis=1) if values else np.zeros((states, 0))
 
 
 def _preloaded(scene: Scene, mesh: Mesh) -> Array:
