@@ -20,7 +20,7 @@ from rotordyn.equation.axial_force import geometric_stiffness
 from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
-from rotordyn.equation.groups import Groups
+from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
@@ -34,29 +34,22 @@ def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tup
     """Components that links join at any of the states, or that turn with one another; ``drawbar``:
     it is one of these links."""
     every = structure.components
-    groups = Groups(len(every))
+    joined = np.zeros((len(every), len(every)), dtype=bool)
     for k, one in enumerate(every):
         for other in range(k):
             same = one.lines[0].body == every[other].lines[0].body
             planes = {one.way, every[other].way} == {"y", "z"}
             if same and planes and one.spindle is not None:
-                groups.join(k, other)
+                joined[k, other] = True
     links = [*structure.connections, *(structure.drawbar if drawbar else ())]
     for link in links:
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
         size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
-        joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
-        groups.join_where(structure.owner[link.dofs], joined)
-    order = {"y": 0, "z": 1}
-    return [
-        tuple(
-            sorted(
-                (c for k, c in enumerate(every) if groups.find(k) == root),
-                key=lambda c: order.get(c.way, 2),
-            )
-        )
-        for root in groups.roots()
-    ]
+        coupled = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
+        join(joined, structure.owner[link.dofs], coupled)
+    first = first_joined(joined)
+    ordered = sorted(range(len(every)), key=lambda k: {"y": 0, "z": 1}.get(every[k].way, 2))
+    return [tuple(every[k] for k in ordered if first[k] == root) for root in np.unique(first)]
 
 
 def assemble(
@@ -128,14 +121,11 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     rows = np.concatenate([rigid, stiff])
     if not len(rows):
         return None
-    groups = Groups(len(linear.components))
     touched = np.array([rows[:, at].any(axis=1) for at in linear.slices]).T
-    for row in touched:
-        for k in np.flatnonzero(row):
-            groups.join(int(row.argmax()), int(k))
+    first = first_joined(touched.T @ touched)
     blocks, every = [], np.arange(linear.size)
-    for root in groups.roots():
-        joined = [k for k in range(len(linear.components)) if groups.find(k) == root]
+    for root in np.unique(first):
+        joined = np.flatnonzero(first == root).tolist()
         at = np.concatenate([every[linear.slices[k]] for k in joined])
         mine, block = np.any(touched[:, joined], axis=1), np.zeros((linear.size, len(at)))
         held, strained = rigid[mine[: len(rigid)]][:, at], stiff[mine[len(rigid) :]][:, at]

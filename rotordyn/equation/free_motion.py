@@ -83,12 +83,23 @@ class FreeMotions:
     @cached_property
     def vector(self) -> Complex:
         """(s, n, k)"""
-        if self.whirling:
-            whole, back = self._expanded(self.modes.vector), self._backward[:, None, :]
-            y = 0.5 * np.where(back, whole.conj(), whole)
-            return self._each(np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1))
-        whole = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
-        return self._each(self._expanded(whole))
+        return self._given(self.modes.vector, 0.5, -1j)
+
+    @cached_property
+    def left(self) -> Complex:
+        """(s, k, n)"""
+        columns = self._given(np.swapaxes(self.modes.participation, 1, 2), 1.0, 1j)
+        return np.swapaxes(columns, 1, 2)
+
+    def _given(self, columns: Complex, size: float, turn: complex) -> Complex:
+        """Of ``columns`` of all ``modes`` (s, m, 2n) those that are given, over all coordinates
+        (s, n, k): whirl of some ``size`` in plane y and, by a quarter ``turn``, in plane z."""
+        if not self.whirling:
+            chosen = np.take_along_axis(columns, self._chosen[0][:, None, :], axis=2)
+            return self._each(self._expanded(chosen))
+        whole, back = self._expanded(columns), (self.modes.pole.imag < 0.0)[:, None]
+        y = size * np.where(back, whole.conj(), whole)
+        return self._each(np.concatenate([y, np.where(back, -turn, turn) * y], axis=1))
 
     @cached_property
     def _allowed(self) -> Array | None:
@@ -105,21 +116,6 @@ class FreeMotions:
     def _folded(self, rows: Array) -> Array:
         """Rows (pairs, n) in the coordinates of the modes."""
         return rows if self._allowed is None else np.asarray(rows @ self._allowed)
-
-    @cached_property
-    def left(self) -> Complex:
-        """(s, k, n)"""
-        if self.whirling:
-            left, back = self.modes.participation, self._backward[:, :, None]
-            whole = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
-            y = np.where(back, whole.conj(), whole)
-            return self._each(np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2))
-        left = np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
-        return self._each(np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2))
-
-    @property
-    def _backward(self) -> Flags:
-        return np.asarray(self.modes.pole.imag < 0.0)
 
     @cached_property
     def whirl(self) -> Array:
@@ -276,7 +272,10 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
 
 
 def responding(linear: Linear) -> FreeMotions:
-    """The same without poles, for receptances at a few frequencies alone; without loss factors."""
+    """The same without poles, for receptances at a few frequencies alone; without loss factors.
+
+    Coaxial rotors with orders take three times as long with poles, spindles on bearings hardly.
+    """
     return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
 
 

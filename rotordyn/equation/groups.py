@@ -4,29 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.arrays import Indices
+from rotordyn.arrays import Flags, Indices
 
 
-class Groups:
-    """Sets of numbers below ``count``, joined in pairs."""
+def first_joined(joined: Flags) -> Indices:
+    """Of each of n things the first one of its group (n,); ``joined`` (n, n): in pairs, one way or
+    the other."""
+    reached = joined | joined.T | np.eye(len(joined), dtype=bool)
+    for _ in range(len(joined).bit_length()):  # each doubles the steps that are taken
+        reached = reached @ reached
+    return reached.argmax(axis=1) if len(joined) else np.zeros(0, dtype=np.intp)
 
-    def __init__(self, count: int) -> None:
-        self._parent = list(range(count))
 
-    def find(self, k: int) -> int:
-        while self._parent[k] != k:
-            k = self._parent[k]
-        return k
-
-    def join(self, a: int, b: int) -> None:
-        low, high = sorted((self.find(int(a)), self.find(int(b))))
-        self._parent[high] = low
-
-    def join_where(self, owner: Indices, coupled: np.ndarray) -> None:
-        """The owners (n,) of what is ``coupled`` (n, n)."""
-        rows, columns = np.nonzero(coupled)
-        for a, b in set(zip(owner[rows].tolist(), owner[columns].tolist(), strict=True)):
-            self.join(a, b)
-
-    def roots(self) -> list[int]:
-        return sorted({self.find(k) for k in range(len(self._parent))})
+def join(joined: Flags, owner: Indices, coupled: Flags) -> None:
+    """Mark in ``joined`` the owners (m,) of what is ``coupled`` (m, m)."""
+    rows, columns = np.nonzero(coupled)
+    joined[owner[rows], owner[columns]] = True

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.arrays import Array, Flags
+from rotordyn.equation.assemble import assemble
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.structure import Structure
@@ -52,32 +53,18 @@ def held_stiffness(structure: Structure, state: State) -> Array:
     Sleeves and housings follow their own stiffness; sleeves do not tilt.
     """
     state = state._replace(standing=True)
-    links, count = structure.connections, len(structure.connections)
-    states = len(state.speed)
-    whole = np.zeros((states, count, 6, count, 6))
+    links, states = structure.connections, len(state.speed)
+    whole = np.zeros((states, len(links), 6, len(links), 6))
     for k, link in enumerate(links):
         whole[:, k, :, k] = link.matrices(state).stiffness
-    flat = whole.reshape(states, 6 * count, 6 * count)
-    others = np.concatenate(
-        [np.zeros(0, dtype=np.intp), *(c.dofs for c in structure.components if c.spindle is None)]
-    )
-    if not others.size:
+    flat = whole.reshape(states, 6 * len(links), 6 * len(links))
+    others = [component for component in structure.components if component.spindle is None]
+    if not others:
         return flat
-    place = {int(dof): k for k, dof in enumerate(others)}
-    rows, across = np.zeros((6 * count, len(others))), np.zeros((states, *(2 * (len(others),))))
-    for k, link in enumerate(links):
-        for column, dof in enumerate(link.dofs.tolist()):
-            if dof in place:
-                rows[6 * k : 6 * k + 6, place[dof]] = link.motions[:, column]
-    for component in structure.components:
-        if component.spindle is None:
-            at = [place[dof] for dof in component.dofs.tolist()]
-            across[:, np.array(at)[:, None], at] += component.assembled("stiffness")
-    for link in structure.sleeve_springs:
-        at = [place[dof] for dof in link.dofs.tolist()]
-        across[:, np.array(at)[:, None], at] += link.matrices(state).stiffness
-    inner = rows.T @ flat @ rows + across
-    return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, rows.T @ flat))
+    linear = assemble(structure, others, state)
+    moved = [link.motions @ linear.moved(link.dofs) for link in links]
+    rows = np.concatenate([np.zeros((0, linear.size)), *moved])
+    return np.asarray(flat - flat @ rows @ np.linalg.solve(linear.stiffness, rows.T @ flat))
 
 
 def unheld_motions(spindle: Spindle) -> Array:

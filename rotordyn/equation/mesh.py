@@ -184,13 +184,14 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
             f"things on them and the length of elements; allowed: up to {MOST_NODES}; join "
             "sections that are alike, or ask for longer elements"
         )
-    stations = _merged(shaft, placed)
-    x, station = _divided(stations, longest)
+    x = _merged(shaft, placed)
     place = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
     left, length = np.array(shaft.boundaries)[place], np.array([s.length for s in shaft.sections])
     share = np.clip((np.stack([x[:-1], x[1:]]) - left) / length[place], 0.0, 1.0)
     every = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[place].T
-    return Mesh(x, station, _along(every[:2], share), _along(every[2:4], share), *every[4:])
+    ends = _along(every[:2], share), _along(every[2:4], share)
+    parts = np.maximum(1, np.ceil(np.diff(x) / longest * (1.0 - COINCIDENT))).astype(np.intp)
+    return divided(Mesh(x, np.ones(len(x), dtype=bool), *ends, *every[4:]), parts)
 
 
 def _solid(section: Section) -> tuple[float, float, float]:
@@ -241,23 +242,12 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     return np.array(kept)
 
 
-def _divided(stations: Array, longest: float) -> tuple[Array, Flags]:
-    """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``;
-    which of them are stations."""
-    span = np.diff(stations)
-    parts = np.maximum(1, np.ceil(span / longest * (1.0 - COINCIDENT))).astype(np.intp)
-    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-    inside = number * np.repeat(span / parts, parts) + np.repeat(stations[:-1], parts)
-    return np.concatenate([inside, stations[-1:]]), np.append(number == 0, True)
-
-
 def divided(mesh: Mesh, parts: Indices) -> Mesh:
     """Every element of ``mesh`` cut into equal ``parts`` (elements,)."""
-    step, marks = np.repeat(mesh.length / parts, parts), np.concatenate([[0], np.cumsum(parts)])
-    x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
-    station = np.zeros(len(x), dtype=bool)
-    x[marks], station[marks] = mesh.x, mesh.station
-    number = np.arange(len(step)) - np.repeat(marks[:-1], parts)
+    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    inside = number * np.repeat(mesh.length / parts, parts) + np.repeat(mesh.x[:-1], parts)
+    x = np.append(inside, mesh.x[-1])
+    station = np.append((number == 0) & np.repeat(mesh.station[:-1], parts), mesh.station[-1])
     share = np.stack([number, number + 1]) / np.repeat(parts, parts)
     outer, inner = (_along(np.repeat(d, parts, axis=1), share) for d in (mesh.outer, mesh.inner))
     solid: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in SOLID}

@@ -11,10 +11,11 @@ Theory: docs/theory/shaft.md.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -142,18 +143,17 @@ class Shaft:
         inner = self.inner[way][elements][:, None] + np.arange(self._inner_dofs(way)[elements[0]])
         ends = self.node[elements][:, places], self.node[elements + 1][:, places]
         rows = np.concatenate([*ends, inner], axis=1)
-        gives = [[(e, name) in self.jump for name in names] for e in elements.tolist() if self.jump]
-        if not np.any(gives):
+        if not self.jump:
             return rows, None
-        jumps = [
-            [self.jump.get((int(e), n), row[0]) for n in names]
-            for e, row in zip(elements, rows, strict=True)
-        ]
-        moves = np.tile(np.eye(rows.shape[1]), (len(elements), 1, 1))
-        jumped = np.zeros((*rows.shape, len(names)))
-        for place in range(len(names)):
-            jumped[:, place, place] = np.array(gives)[:, place]
-        return np.hstack([rows, jumps]), np.concatenate([moves, jumped], axis=2)
+        jumps = [[self.jump.get((e, name), -1) for name in names] for e in elements.tolist()]
+        jump = np.array(jumps, dtype=np.intp)
+        gives, along = jump >= 0, np.arange(len(names))
+        if not gives.any():
+            return rows, None
+        moves = np.zeros((*rows.shape, rows.shape[1] + len(names)))
+        moves[:, :, : rows.shape[1]] = np.eye(rows.shape[1])
+        moves[:, along, rows.shape[1] + along] = gives
+        return np.hstack([rows, np.where(gives, jump, rows[:, :1])]), moves
 
     def nested(self, coarse: Shaft, way: str) -> tuple[Indices, Indices]:
         """DOF of a line, and those of the same shaft of lower degrees, of elements of the same
@@ -186,41 +186,39 @@ class Shaft:
     def bent(self, way: str, x: Array) -> list[Rows]:
         """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
         those of the part in front."""
-        parts = []
-        for at, (rows, moves), shape in self._shapes(way, x):
-            both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
-            parts.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
-        return parts
+
+        def both(_: Indices, *of: Any) -> Array:
+            shape = self._bending_shapes(*of)
+            return np.concatenate([shape.deflection, shape.rotation], axis=1)
+
+        return self._rows_at(way, x, both)
 
     def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
         """The slopes v′ there times ``weight`` (stations,), a row a station."""
-        return [
-            (at[:, None], rows, _by(shape.slope * weight[at, None, None], moves))
-            for at, (rows, moves), shape in self._shapes(way, x)
-        ]
 
-    def _shapes(
-        self, way: str, x: Array
-    ) -> Iterator[tuple[Indices, tuple[Indices, Array | None], bending.Shapes]]:
-        """Of stations in elements of one degree: which, ``rows`` of their elements, shape
-        functions."""
-        element, xi = self._place(x)
-        phi = self._phi
-        degree = self.degree[element]
-        for n in np.unique(degree):
-            at = np.flatnonzero(degree == n)
-            chosen = element[at]
-            shape = bending.shapes(self.mesh.length[chosen], phi[chosen], int(n), xi[at, None])
-            yield at, self.rows(way, chosen), shape
+        def slope(at: Indices, *of: Any) -> Array:
+            return self._bending_shapes(*of).slope * weight[at, None, None]
+
+        return self._rows_at(way, x, slope)
 
     def moved(self, way: str, x: Array) -> list[Rows]:
         """Axial displacement or twist at stations ``x``, a row a station."""
+        return self._rows_at(way, x, lambda _at, _elements, *of: rod.shapes(*of))
+
+    def _bending_shapes(self, elements: Indices, degree: int, xi: Array) -> bending.Shapes:
+        return bending.shapes(self.mesh.length[elements], self._phi[elements], degree, xi)
+
+    def _rows_at(self, way: str, x: Array, shapes: Callable[..., Array]) -> list[Rows]:
+        """Rows of stations ``x``; ``shapes``: (e, r, k) by their numbers, elements of one degree,
+        that, and ξ (e, 1)."""
         element, xi = self._place(x)
-        degree, parts = self.rod_degree[element], []
-        for n in np.unique(degree):
+        degree, parts = self._degree(way)[element], []
+        for n in np.unique(degree).tolist():
             at = np.flatnonzero(degree == n)
             rows, moves = self.rows(way, element[at])
-            parts.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
+            shape = shapes(at, element[at], n, xi[at, None])
+            places = shape.shape[1] * at[:, None] + np.arange(shape.shape[1])
+            parts.append((places, rows, shape if moves is None else shape @ moves))
         return parts
 
     def _place(self, x: Array) -> tuple[Indices, Array]:
@@ -229,11 +227,6 @@ class Shaft:
         element = np.clip(np.searchsorted(nodes, x - slack) - 1, 0, len(self.degree) - 1)
         xi = 2.0 * (x - nodes[element]) / self.mesh.length[element] - 1.0
         return element, np.clip(xi, -1.0, 1.0)
-
-
-def _by(shape: Array, moves: Array | None) -> Array:
-    """Factors (e, r, k) of motions of elements (e, r, j) by their DOF."""
-    return shape if moves is None else np.asarray(shape @ moves)
 
 
 def _between(moves: Array | None, blocks: Array) -> Array:

@@ -18,7 +18,7 @@ from rotordyn.equation.component import Coarse, Component, Solved
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.groups import Groups
+from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
@@ -108,7 +108,7 @@ class Structure:
         dofs, motions = self._against(seat.name, [(SPINDLE, seat.x, 1.0)])
         for way, number in self.sleeves.under(seat.name).items():
             dofs = np.append(dofs, number)
-            motions = np.concatenate([motions, -_unit(position(way))], axis=1)
+            motions = np.concatenate([motions, -np.eye(6)[:, [position(way)]]], axis=1)
         return Link(seat.name, dofs, motions, seat_matrices(seat, place))
 
     def _support_link(self, support: LinearSupport) -> Link:
@@ -174,14 +174,14 @@ class Structure:
     def components(self) -> list[Component]:
         """Joined by constant matrices, in the order of their first line."""
         lines, of_dof = self.dofs.lines, self.dofs.line
-        groups = Groups(len(lines))
+        joining = np.zeros((len(lines), len(lines)), dtype=bool)
         square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
         for part in square:
             joined = of_dof[part.rows[0]]
             if part.matrix in JOINING and (joined != joined[0]).any():
-                groups.join_where(joined, np.abs(part.blocks).max(axis=0) > 0.0)
-        root_of = np.array([groups.find(k) for k in range(len(lines))])
-        parts: dict[int, list[Part]] = {root: [] for root in groups.roots()}
+                join(joining, joined, np.abs(part.blocks).max(axis=0) > 0.0)
+        root_of = first_joined(joining)
+        parts: dict[int, list[Part]] = {root: [] for root in np.unique(root_of).tolist()}
         for part in square:
             roots = root_of[of_dof[part.rows[0]]]
             for root in set(roots.tolist()):
@@ -313,9 +313,3 @@ def _cut(part: Part, kept: np.ndarray) -> Part:
     return Part(
         part.matrix, part.rows[:, kept], part.rows[:, kept], part.blocks[:, kept][:, :, kept]
     )
-
-
-def _unit(place: int) -> Array:
-    column = np.zeros((6, 1))
-    column[place] = 1.0
-    return column

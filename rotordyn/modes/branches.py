@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,7 @@ ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
 MOST_BREAKPOINTS = 200  # of tables of supports, beyond which only every second (third …) is taken
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
+MODES_ALONG = {"pole": 1, "vector": 2, "left": 1, "followed": 1, "whirl": 1}  # axis of a sweep
 PLANAR = 1e-6  # whirl degree below which a motion is straight
 
 
@@ -73,6 +74,13 @@ class Branch:
     def frequency(self) -> Array:
         """|Im pole| / 2π [Hz], NaN where the mode is lost."""
         return np.abs(self.pole.imag) / (2.0 * math.pi)
+
+    def seen(self, speed: Array) -> Array:
+        """Angular frequency (speeds,) [rad/s] in a frame that turns at ``speed`` (speeds,)."""
+        omega = np.abs(self.pole.imag)
+        if self.kind != "bending":
+            return omega
+        return np.abs(omega - np.sign(self.degree) * speed)
 
     @property
     def whirl(self) -> Array:
@@ -164,24 +172,13 @@ class _Sweep:
         order = np.argsort(np.concatenate([self.speed, more.speed]), kind="stable")
         columns = max(self.pole.shape[1], more.pole.shape[1])
 
-        def joined(name: str, axis: int | None = None) -> Any:
+        joined = {}
+        for name in (field.name for field in fields(self) if field.name != "constant"):
             parts = [getattr(each, name) for each in (self, more)]
-            if axis is not None:
-                parts = [_filled(part, columns, axis) for part in parts]
-            return np.concatenate(parts)[order]
-
-        return _Sweep(
-            joined("speed"),
-            joined("pole", 1),
-            joined("vector", 2),
-            joined("left", 1),
-            joined("followed", 1),
-            joined("whirl", 1),
-            joined("stiffness"),
-            joined("damping"),
-            joined("given"),
-            constant=False,
-        )
+            if name in MODES_ALONG:
+                parts = [_filled(part, columns, MODES_ALONG[name]) for part in parts]
+            joined[name] = np.concatenate(parts)[order]
+        return _Sweep(**joined, constant=False)
 
     def doubts(self, band: Band, side: float) -> list[float]:
         """Speeds that would tell who is who."""
@@ -248,13 +245,9 @@ class _Sweep:
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
     """Values with so many columns along an axis: of modes that are none."""
-    short = [(0, columns - values.shape[k] if k == axis else 0) for k in range(values.ndim)]
-    if not short[axis][1]:
-        return values
-    none: Any = np.nan
-    if values.dtype == bool or np.iscomplexobj(values):
-        none = False if values.dtype == bool else complex(np.nan, np.nan)
-    return np.pad(values, short, constant_values=none)
+    short = [(0, 0)] * values.ndim
+    short[axis] = 0, columns - values.shape[axis]
+    return np.pad(values, short, constant_values=False if values.dtype == bool else np.nan)
 
 
 def _kind(linear: Linear, vector: Complex) -> str:

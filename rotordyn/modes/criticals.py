@@ -13,7 +13,7 @@ it and has its frequency there.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,9 +21,17 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, Branch, breakpoints_between, whirl_degree
+from rotordyn.modes.branches import (
+    MARGIN,
+    MOTIONS,
+    Branch,
+    branches_of,
+    breakpoints_between,
+    whirl_degree,
+)
 from rotordyn.modes.character import whirl_along
 from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.modes.roots import Start, State, solved
 from rotordyn.numerics.crossing import zero_crossings
@@ -32,6 +40,8 @@ from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
+SLOWEST = 1e-9  # [rad/s]: lines so slow are not asked for crossings
+BEYOND = 1.2  # times the highest frequency of lines: up to there modes are followed
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
@@ -53,6 +63,18 @@ class Critical:
     excited: bool
 
 
+def criticals_up_to(
+    scene: Scene, size: float, orders: Iterable[float] = (1.0,), motions: Sequence[str] = MOTIONS
+) -> list[Critical]:
+    """Of engine ``orders``, on lines of up to ``size`` times the frequency of rotation of the
+    spindle; none where it has one speed alone."""
+    top = size * float(scene.speed[-1])
+    if len(scene.usable) < 2 or top < SLOWEST:
+        return []
+    band = Band(BEYOND * top / (2.0 * math.pi), tuple(dict.fromkeys(orders)))
+    return critical_speeds(scene, band, *named(branches_of(scene, band, motions)))
+
+
 def critical_speeds(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
@@ -63,23 +85,22 @@ def critical_speeds(
     starts = [start for line in lines for start in _crossed(branches, line)]
     starts += [start for line in lines for k in bent for start in _direct(scene, branches, k, line)]
     starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
-    crossings: list[tuple[Start, float, State]] = []
+    crossings, criticals = list[tuple[Start, float, State]](), list[Critical]()
     for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
         known = any(_same(start, speed, state, other) for other in crossings)
-        if swings and within and not known:
-            crossings.append((start, speed, state))
-    criticals = []
-    for start, speed, state in crossings:
-        kind = branches[start.branch].kind
-        subsystem = branches[start.branch].subsystem
-        place = _owner(branches, subsystem, speed, state)
-        if place is not None and branches[place].overdamped:
+        if known or not (swings and within):
             continue
-        name = f"{kind}, not followed" if place is None else names[place]
-        kind = kind if place is None else branches[place].kind
-        criticals.append(_named(scene, subsystem, kind, name, start.line, speed, state))
+        crossings.append((start, speed, state))
+        begun = branches[start.branch]
+        place = _owner(branches, begun.subsystem, speed, state)
+        owner = None if place is None else branches[place]
+        if owner is not None and owner.overdamped:
+            continue
+        name = f"{begun.kind}, not followed" if place is None else names[place]
+        kind = (owner or begun).kind
+        criticals.append(_named(scene, begun.subsystem, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 

@@ -19,6 +19,7 @@ from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.numerics.follow import matched
 from rotordyn.numerics.modes import swings
 from rotordyn.results.display import RPM
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
@@ -53,14 +54,11 @@ def mode_errors(
             return computed, ModeErrors(none, none, none, "")
         return computed, _compared(one, band, computed[0])
 
-    def worst(computed: tuple[Modes, ModeErrors]) -> float:
-        (branches, _), errors = computed
-        if errors.unconverged:
-            return math.inf
-        damping = errors.damping / RESPONSES
-        return max(_largest(each, branches, band) for each in (errors.frequency, damping))
+    def error(solution: tuple[Modes, ModeErrors]) -> float:
+        (branches, _), errors = solution
+        return RESPONSES * (math.inf if errors.unconverged else _worst(errors, branches, band))
 
-    scene, (computed, errors) = solve_accurately(scene, solve, lambda each: RESPONSES * worst(each))
+    scene, (computed, errors) = solve_accurately(scene, solve, error)
     judged = scene.conditions.element_length is None and scene.checks.wanted
     unconverged = _unconverged(scene, band, computed[0], errors) if judged else ""
     frequency, damping = (
@@ -73,8 +71,7 @@ def mode_errors(
 def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
     """What of the accuracy asked for is not reached, as a sentence, or ""."""
     accuracy = scene.conditions.accuracy
-    damping = errors.damping / RESPONSES
-    most = max(_largest(each, branches, band) for each in (errors.frequency, damping))
+    most = _worst(errors, branches, band)
     rounded = _largest(errors.rounding, branches, band)
     reasons = [errors.unconverged] if errors.unconverged else []
     if not reasons and most > accuracy and most > CHANCE * rounded:
@@ -93,16 +90,19 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
     return "; ".join(reasons)
 
 
+def _worst(errors: ModeErrors, branches: list[Branch], band: Band) -> float:
+    """The largest error of a frequency, or of a damping ratio in that measure."""
+    each = errors.frequency, errors.damping / RESPONSES
+    return max(_largest(one, branches, band) for one in each)
+
+
 def _largest(
     errors: Array, branches: list[Branch], band: Band, *, overdamped: bool = False
 ) -> float:
     """The largest of errors (usable, modes) within the band, of modes that swing or of those that
     hardly do."""
-    judged = [_judged(b, band, overdamped=overdamped) for b in branches]
-    return max(
-        (float(np.nanmax(errors[rows, k], initial=0.0)) for k, rows in enumerate(judged)),
-        default=0.0,
-    )
+    judged = np.array([_judged(b, band, overdamped=overdamped) for b in branches], dtype=bool)
+    return float(np.nanmax(errors[judged.reshape(errors.shape[::-1]).T], initial=0.0))
 
 
 def _judged(branch: Branch, band: Band, *, overdamped: bool) -> Flags:
@@ -133,9 +133,11 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             pole = motions.pole[place]
             there = pole[swings(pole) & ~motions.at_rest[place] & (motions.whirl[place] == side)]
             here = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
-            partner, extra = _paired(here, there)
-            known = np.isfinite(partner)
-            errors[:2, place, chosen] = np.where(known, _change(here, partner), SAME)
+            nearness = -np.abs(here[:, None] - there) / np.abs(here)[:, None]
+            partner = matched(nearness, -SAME)
+            known, extra = partner >= 0, np.delete(there, partner[partner >= 0])
+            change = _change(here, np.append(there, np.nan)[partner])
+            errors[:2, place, chosen] = np.where(known, change, SAME)
             column = [branches[k].column[row] for k in chosen]
             errors[2, place, chosen] = scene.system(subsystem).rounding[row, column]
             for what, lost in (("vanish", here[~known]), ("appear", extra)):
@@ -164,18 +166,3 @@ def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
     hertz = np.abs(pole[0].imag) / (2.0 * math.pi)
     rpm = scene.speed[scene.usable[row]] * RPM.factor
     return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"
-
-
-def _paired(here: Complex, there: Complex) -> tuple[Complex, Complex]:
-    """The partner of each pole of ``here``, the nearest pairs first, NaN where none is near; and
-    the poles of ``there`` that are left without one."""
-    partner = np.full(len(here), complex(np.nan, np.nan))
-    taken = np.zeros(len(there), dtype=bool)
-    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
-    for _ in range(min(distance.shape)):
-        row, column = np.unravel_index(int(distance.argmin()), distance.shape)
-        if distance[row, column] > SAME:
-            break
-        partner[row], taken[column] = there[column], True
-        distance[row, :], distance[:, column] = np.inf, np.inf
-    return partner, there[~taken]

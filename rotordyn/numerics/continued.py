@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import fields
 
 import numpy as np
 
@@ -49,14 +50,7 @@ def _expected(before: Modes, after: Modes) -> Complex:
 
 def conjugate(modes: Modes) -> Modes:
     """Modes of the conjugate system."""
-    return Modes(
-        modes.stiffness.conj(),
-        modes.damping.conj(),
-        modes.pole.conj(),
-        modes.vector.conj(),
-        modes.participation.conj(),
-        modes.condition,
-    )
+    return Modes(*(getattr(modes, field.name).conj() for field in fields(modes)))
 
 
 def collected(base: Modes, parts: Iterable[tuple[Modes, Indices, Flags]]) -> Modes:

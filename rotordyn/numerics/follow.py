@@ -37,7 +37,7 @@ def follow(
     each is like all that this space holds.
     """
     last, at = np.zeros((vectors[0].shape[0], 0), dtype=complex), np.zeros(0)
-    before, rows, known = np.zeros(0), list[Indices](), _consecutive(vectors, values)[1]
+    before, rows, known = np.zeros(0), list[Indices](), _consecutive(vectors, values)
     for k, (fresh, value, expected) in enumerate(
         zip(vectors, values, ahead or values, strict=True)
     ):
@@ -51,9 +51,6 @@ def follow(
         new[column[matched]] = False
         born = np.flatnonzero(new)
         rows.append(np.append(column, born))
-        if matched.all():
-            last, at, before = fresh[:, rows[-1]], expected[rows[-1]], value[rows[-1]]
-            continue
         last, at, before = last.copy(), at.copy(), before.copy()
         last[:, matched], at[matched] = fresh[:, column[matched]], expected[column[matched]]
         before[matched] = value[column[matched]]
@@ -70,16 +67,13 @@ def _partners(alike: Array, at: Array, value: Array) -> Indices:
 
     ``alike`` (k, l): their MAC; ``at`` (k,): what values of the last are expected to be now.
     """
-    if not alike.size:
-        return np.full(len(at), -1, dtype=np.intp)
     distance = np.abs(value - at[:, None])
     apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return _matched(alike - NEARNESS * apart)
+    return matched(alike - NEARNESS * apart, LEAST_MAC)
 
 
-def _consecutive(vectors: list[Complex], values: list[Array]) -> tuple[Array, Array]:
-    """Values (steps, k) filled up with NaN, and MAC of every step with the next (steps − 1, k, k),
-    filled up with zeros."""
+def _consecutive(vectors: list[Complex], values: list[Array]) -> Array:
+    """MAC of every step with the next (steps − 1, k, k), filled up with zeros."""
     most, steps = max(len(value) for value in values), len(values)
     whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
     every = np.full((steps, most), np.nan)
@@ -95,7 +89,7 @@ def _consecutive(vectors: list[Complex], values: list[Array]) -> tuple[Array, Ar
         here, there = values[step], values[step + 1]
         shared = _shared(vectors[step], here, vectors[step + 1], there)
         alike[step, : len(here), : len(there)] = shared
-    return every, alike
+    return np.asarray(alike)
 
 
 def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
@@ -125,42 +119,28 @@ def doubts(
     change their order, at the crossing, until it is met so closely that a veering as narrow would
     show. No step becomes smaller than ``narrowest``.
     """
-    wanted = []
-    for k in np.flatnonzero(_may_doubt(vectors, values, within) & (np.diff(at) > 2.0 * narrowest)):
-        share = _doubt(vectors[k : k + 2], values[k : k + 2], within)
+    wanted, alike = [], _consecutive(vectors, values)
+    for k in np.flatnonzero(np.diff(at) > 2.0 * narrowest):
+        one, other = values[k : k + 2]
+        share = _doubt(alike[k, : len(one), : len(other)], one, other, within)
         if share is not None:
             room = narrowest / (at[k + 1] - at[k])
             wanted.append(float(at[k] + (at[k + 1] - at[k]) * np.clip(share, room, 1.0 - room)))
     return wanted
 
 
-def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> Flags:
-    """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
-    value, shared = _consecutive(vectors, values)
-    if not value.size:
-        return np.zeros(len(values) - 1, dtype=bool)
-    doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
-    doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
-    after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)
-    before = np.where(value[:-1] < within, value[:-1], np.nan)
-    swapped = (before[:, :, None] - before[:, None]) * (after[:, :, None] - after[:, None]) < 0.0
-    return np.asarray(doubt | swapped.any(axis=(1, 2)))
-
-
-def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float | None:
-    """Where between two steps to look, as a share of the way; None where all is clear."""
-    one, other = values
-    if not (one.size and other.size):
+def _doubt(alike: Array, one: Array, other: Array, within: float) -> float | None:
+    """Where between two steps of values (k,), (l,) and MAC (k, l) to look, as a share of the way;
+    None where all is clear."""
+    if not alike.size:
         return None
-    shared = _shared(vectors[0], one, vectors[1], other)
     unclear = [
-        np.flatnonzero((shared.max(axis=1 - side) < CLEAR) & (values[side] < within))
-        for side in (0, 1)
+        np.flatnonzero((alike.max(axis=1 - side) < CLEAR) & (value < within))
+        for side, value in enumerate((one, other))
     ]
     if unclear[0].size or unclear[1].size:
-        return _veering(values, unclear)
-    partner = shared.argmax(axis=1)
-    return _crossing(one, other[partner], one < within)
+        return _veering([one, other], unclear)
+    return _crossing(one, other[alike.argmax(axis=1)], one < within)
 
 
 def _veering(values: list[Array], unclear: list[Indices]) -> float:
@@ -190,16 +170,19 @@ def _crossing(one: Array, other: Array, wanted: Flags) -> float | None:
     return float(share[swapped].min())
 
 
-def _matched(score: Array) -> Indices:
-    """Greedy matching of rows to columns, best score first."""
-    partner = score.argmax(axis=1)
-    if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_MAC:
-        return partner  # each its own best
+def matched(score: Array, least: float) -> Indices:
+    """Column of each row (rows,) by greedy matching, best ``score`` (rows, columns) first; −1 where
+    none of ``least`` is left."""
     partner = np.full(score.shape[0], -1, dtype=np.intp)
+    if not score.size:
+        return partner
+    best = score.argmax(axis=1)
+    if len(set(best.tolist())) == len(best) and score.max(axis=1).min() >= least:
+        return best  # each its own
     left = score.copy()
     for _ in range(min(score.shape)):
         row, column = np.unravel_index(int(left.argmax()), left.shape)
-        if left[row, column] < LEAST_MAC:
+        if left[row, column] < least:
             break
         partner[row] = column
         left[row, :] = -np.inf

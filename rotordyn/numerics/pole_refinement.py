@@ -17,7 +17,14 @@ from typing import NamedTuple
 import numpy as np
 
 from rotordyn.arrays import Array, Complex
-from rotordyn.numerics.vector_fit import Fit, columns, real_unknowns, residues, stacked
+from rotordyn.numerics.vector_fit import (
+    Fit,
+    columns,
+    complex_residues,
+    real_unknowns,
+    residues,
+    stacked,
+)
 
 ROUNDS = 20
 BETTER = 1e-7  # of the sum of squares: less is no step forward
@@ -86,14 +93,11 @@ def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> 
 def _moving(omega: Array, pole: Complex, known: Array) -> Complex:
     """Derivatives (e, f, k) by the real and imaginary part of every pole over its size, the real
     part alone of real ones; ``known`` (e, k + 1): coefficients of the columns."""
-    wanted, parts = real_unknowns(pole), np.zeros((len(known), len(pole), 2))
-    parts[:, wanted] = known[:, :-1]
-    residue = (parts[..., 0] + 1j * parts[..., 1])[:, None]
+    residue = complex_residues(pole, known[:, :-1].T).T[:, None]
     s, size = 1j * omega[:, None], np.abs(pole)
     one = residue * (size / (s - pole) ** 2)
     other = residue.conj() * (size / (s - pole.conj()) ** 2)
-    first = np.where(pole.imag == 0.0, one, one + other)
-    return np.stack([first, 1j * (one - other)], axis=-1)[..., wanted]
+    return np.stack([one + other, 1j * (one - other)], axis=-1)[..., real_unknowns(pole)]
 
 
 def _moved(pole: Complex, step: Array) -> Complex:

@@ -55,8 +55,9 @@ def in_threads(work: Callable[[slice], T], count: int, least: int) -> list[T]:
     None is much larger than ``MOST``: Ctrl-C waits for those that are worked on.
     """
     threads = max(1, min(processors(), count // least))
-    parts = list(_slices(count, max(threads, min(count // MOST, count // least))))
-    return list(each_in_threads(work, parts, threads))
+    parts = max(threads, min(count // MOST, count // least))
+    ends = pairwise(count * k // parts for k in range(parts + 1))
+    return list(each_in_threads(work, [slice(*each) for each in ends], threads))
 
 
 def each_in_threads(
@@ -76,9 +77,3 @@ def each_in_threads(
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
-
-
-def _slices(count: int, parts: int) -> Iterator[slice]:
-    bounds = [count * k // parts for k in range(parts + 1)]
-    for first, last in pairwise(bounds):
-        yield slice(first, last)

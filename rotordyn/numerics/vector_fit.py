@@ -64,7 +64,7 @@ def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit
         scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
         right = stacked((own * entry)[:, None])
         found[:, k] = np.linalg.lstsq(left / scale, right, rcond=None)[0][:, 0] / scale
-    own = _complex(pole, found[:-1])
+    own = complex_residues(pole, found[:-1])
     fitted = basis @ found
     return Fit(pole, own, found[-1], values - fitted)
 
@@ -93,7 +93,7 @@ def columns(omega: Array | Complex, pole: Complex) -> Complex:
     return np.ascontiguousarray(both[:, real_unknowns(pole)])
 
 
-def _complex(pole: Complex, rows: Array) -> Complex:
+def complex_residues(pole: Complex, rows: Array) -> Complex:
     """Residues (m, e) from real coefficients; of a real pole half of it, as its conjugate adds as
     much."""
     parts = np.zeros((len(pole), 2, rows.shape[1]))

@@ -29,6 +29,7 @@ from rotordyn.equation.reactions import Held, reactions
 from rotordyn.equation.section_forces import SectionForces, section_forces
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import pull_of
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
@@ -85,6 +86,15 @@ def at_rest(
     moved = elastic_line(x, give, forces, line)
     moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
     return AtRest(forces, moved, push)
+
+
+def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:
+    """Of discs and masses on nodes (nodes, 6) [N], of the shaft along elements (elements, 2, 3)
+    [N/m]."""
+    pull, point = np.array(pull_of(gravity)), np.zeros((mesh.nodes, 6))
+    for body in spindle.lumped:
+        point[mesh.node_of(body.x), :3] += body.mass * pull
+    return point, mesh.weight_line[..., None] * pull
 
 
 def on_nodes(point: Array, line: Array, x: Array) -> Array:

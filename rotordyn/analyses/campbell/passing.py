@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.scene.scene import Scene
-
-Array = NDArray[np.float64]
 
 
 def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Array]:

@@ -5,26 +5,23 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.campbell.passing import passing
 from rotordyn.analyses.campbell.result import CampbellResult, TurningCampbellResult
-from rotordyn.analyses.campbell.shapes import scaled
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.campbell.threshold import stability_threshold
-from rotordyn.equation.dofs import DIRECTIONS
+from rotordyn.arrays import Array, Complex
+from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import Branch, branches_of
+from rotordyn.modes.branches import MOTIONS, Branch, branches_of
 from rotordyn.modes.character import character, rigid_share
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
 from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.numerics.products import times
 from rotordyn.scene.formulation import ROTATING, require_isotropic
 from rotordyn.scene.scene import Scene
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
@@ -55,10 +52,12 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     rigid = [rigid_share(scene.system(b.subsystem).linear, b) for b in branches]
     frequency = pole.imag
     if turned:
-        frequency = _table([_seen(scene, b) for b in branches], shape)
+        frequency = _table([b.seen(scene.speed[scene.usable]) for b in branches], shape)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
         off = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
+    every = [scene.system(k).free_count for k in scene.with_motions(MOTIONS)]
+    free = np.sum([np.zeros(len(scene.usable)), *every], axis=0)  # rigid-body eigenvalues
     defects, defect_frequency = passing(scene, spec.bearing_frequencies)
     kind = TurningCampbellResult if turned else CampbellResult
     return kind(
@@ -78,7 +77,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         max_frequency=spec.max_frequency,
         unconverged=errors.unconverged,
         stopped=scene.scattered(scene.stopped.sum(axis=1).astype(float)),
-        free=scene.scattered(_free(scene)),
+        free=scene.scattered(free),
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),
         damping_ratio=ratio,
@@ -105,17 +104,10 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     )
 
 
-def _seen(scene: Scene, branch: Branch) -> Array:
-    """Frequency (usable,) [rad/s] that a frame which turns with the shaft sees of a mode."""
-    turning = branch.pole.imag
-    if branch.kind != "bending":
-        return np.asarray(turning)
-    return np.abs(turning - np.sign(branch.degree) * scene.speed[scene.usable])
-
-
 def _within(scene: Scene, branch: Branch, band: Band) -> bool:
     """A mode comes into the band in some frame, at some speed."""
-    both = np.concatenate([_seen(scene, branch), np.abs(branch.track.pole.imag)])
+    seen = branch.seen(scene.speed[scene.usable])
+    both = np.concatenate([seen, np.abs(branch.track.pole.imag)])
     return bool(np.nanmin(both) <= band.highest)
 
 
@@ -124,22 +116,16 @@ def _table(rows: list[Array], shape: tuple[int, int]) -> Array:
     return np.array(rows, dtype=float).reshape(shape[::-1]).T
 
 
-def _free(scene: Scene) -> Array:
-    """Number of rigid-body (zero) eigenvalues (usable,)."""
-    count = np.zeros(len(scene.usable))
-    for k in scene.with_motions(("bending", "axial", "torsion")):
-        count += scene.system(k).free_count
-    return count
-
-
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
-    """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
+    """Node displacements (ends, modes, nodes, 6); of each the largest translation, in torsion the
+    largest twist, is 1 and real."""
     shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):
             if branch.column[row] >= 0:
-                vector, motion = branch.vector[row], scene.system(branch.subsystem).linear.motion
-                moved = motion @ np.stack([vector.real, vector.imag], axis=-1)
-                shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
+                motion = scene.system(branch.subsystem).linear.motion
+                moved = times(motion, branch.vector[row][:, None])[..., 0]
+                pool = moved[:, position("thx")] if branch.kind == "torsion" else moved[:, :3]
+                shapes[place, k] = moved / pool.flat[int(np.abs(pool).argmax())]
     return shapes

@@ -11,8 +11,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
@@ -20,7 +20,6 @@ from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in
 from rotordyn.numerics.modes import grows, swings
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
 ROUNDING = 1e-12  # of |pole|: growth that is none
@@ -34,29 +33,28 @@ def stability_threshold(
 
     Infinite and "" where none does; the first speed where one grows from there on.
     """
+
+    def onset(subsystem: int, speed: Array, growing: Flags, known: Flags) -> float:
+        row = int(growing.argmax())
+        if row and known[row - 1]:
+            return _begin(scene, band, subsystem, float(speed[row - 1]), float(speed[row]))
+        return float(speed[row])
+
     onsets = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
-        track, speed = branch.track, branch.track.speed
+        track = branch.track
         growing = grows(track.pole, scene.system(branch.subsystem).modes.largest.max())
-        if not growing.any():
-            continue
-        row = int(growing.argmax())
-        begin = float(speed[row])
-        if row and not track.lost[row - 1]:
-            begin = _begin(scene, band, branch.subsystem, float(speed[row - 1]), begin)
-        onsets.append((begin, name))
+        if growing.any():
+            onsets.append((onset(branch.subsystem, track.speed, growing, ~track.lost), name))
     for subsystem in scene.with_motions(MOTIONS):
-        diverging = _diverging(scene.system(subsystem)).any(axis=1)
+        diverging = np.asarray(_diverging(scene.system(subsystem)).any(axis=1))
         if diverging.any():
-            row, speed = int(diverging.argmax()), scene.speed[scene.usable]
-            begin = float(speed[row])
-            if row:
-                begin = _begin(scene, band, subsystem, float(speed[row - 1]), begin)
-            onsets.append((begin, DIVERGENCE))
+            speed, known = scene.speed[scene.usable], np.ones_like(diverging)
+            onsets.append((onset(subsystem, speed, diverging, known), DIVERGENCE))
     return min(onsets)
 
 
-def _diverging(motions: FreeMotions) -> NDArray[np.bool_]:
+def _diverging(motions: FreeMotions) -> Flags:
     """Motions (s, k) that grow without swinging."""
     return np.asarray(motions.growing & ~swings(motions.pole))
 

@@ -7,23 +7,17 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.arrays import Array, Complex
 from rotordyn.machine.support import SPINDLE
-from rotordyn.modes.band import Band
-from rotordyn.modes.branches import branches_of
-from rotordyn.modes.criticals import critical_speeds
+from rotordyn.modes.criticals import criticals_up_to
 from rotordyn.modes.excitation import Line, exciting
-from rotordyn.modes.names import named
 from rotordyn.numerics.peaks import tops
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Responses = Callable[[Scene, Array], Complex]
-BEYOND = 1.2  # times the highest frequency of the lines: up to there criticals are looked for
 
 
 def lines_of(scene: Scene, spec: FrfSpec) -> list[Line]:
@@ -83,12 +77,8 @@ def _called(line: Line) -> str:
 
 def _expected(scene: Scene, lines: list[Line]) -> list[tuple[Line, Array, Array]]:
     """Lines with the speeds and half widths [rad/s] of the peaks expected on each."""
-    top = max(line.size for line in lines) * float(scene.speed[-1]) / (2.0 * math.pi)
-    if len(scene.usable) < 2 or top <= 0.0:
-        return [(line, np.zeros(0), np.zeros(0)) for line in lines]
-    band = Band(BEYOND * top, tuple(dict.fromkeys(line.order for line in lines)))
-    branches, names = named(branches_of(scene, band))
-    critical = critical_speeds(scene, band, branches, names)
+    size, orders = max(line.size for line in lines), [line.order for line in lines]
+    critical = criticals_up_to(scene, size, orders)
     expected = []
     for line in lines:
         crossings = [each for each in critical if each.line == line]

@@ -12,14 +12,11 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.numerics.peaks import NARROW, spread_between, vertex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Flags = NDArray[np.bool_]
 _BESIDE = (0.35, 0.75, 1.5, 3.0, 6.0, 12.0, 30.0)
 ABOUT = np.array([-each for each in _BESIDE[::-1]] + [0.0, *_BESIDE])  # half widths from a pole
 MIDDLE = len(_BESIDE)  # of these: the pole itself
@@ -68,11 +65,18 @@ class Peaks(NamedTuple):
     value: Complex
 
 
-def poles_of(motions: FreeMotions, spin: Array | None, low: float, high: float) -> Poles:
-    """Poles between ``low`` and ``high`` [Hz]; ``spin`` (s,) of a turning frame."""
-    pole = motions.pole
-    turning = pole.imag if spin is None else np.abs(motions.whirl * pole.imag - spin[:, None])
-    hertz = turning / (2.0 * math.pi)
+def frequency_of(motions: FreeMotions, *, turning: bool) -> Array:
+    """Frequencies [Hz] of the poles (s, k), as a frame that is ``turning`` with the shaft sees
+    them."""
+    omega = motions.pole.imag
+    if turning and motions.whirling:
+        omega = np.abs(motions.whirl * omega - motions.linear.speed[:, None])
+    return np.asarray(omega / (2.0 * math.pi))
+
+
+def poles_of(motions: FreeMotions, low: float, high: float, *, turning: bool) -> Poles:
+    """Poles between ``low`` and ``high`` [Hz]; ``turning``: seen from the shaft."""
+    pole, hertz = motions.pole, frequency_of(motions, turning=turning)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         inside = (hertz > low) & (hertz < high) & (pole.imag > 0.0)
         undamped = np.abs(pole.real) <= UNDAMPED * np.abs(pole)

@@ -12,8 +12,16 @@ import numpy as np
 from rotordyn.allowance import require_responses
 from rotordyn.analyses.frf.coupled import with_coupled
 from rotordyn.analyses.frf.measured import measured_fields
-from rotordyn.analyses.frf.orders import BEYOND, line_fields, lines_of
-from rotordyn.analyses.frf.peaks import Peaks, Poles, curve_at, joined, peaks_of, poles_of
+from rotordyn.analyses.frf.orders import line_fields, lines_of
+from rotordyn.analyses.frf.peaks import (
+    Peaks,
+    Poles,
+    curve_at,
+    frequency_of,
+    joined,
+    peaks_of,
+    poles_of,
+)
 from rotordyn.analyses.frf.result import (
     FrequencyResponse,
     FrfResult,
@@ -28,14 +36,15 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.plausibility import undamped
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import Branch, branches_of
+from rotordyn.modes.branches import branches_of
+from rotordyn.modes.criticals import BEYOND
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
 from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
-Answered = Callable[[Array], Complex]
+Answered = Callable[..., Complex]  # by frequency [Hz] and, of some pairs alone, their slice
 LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
@@ -111,24 +120,19 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     """The fields of a result about ``spec.frequencies``; ``values`` (speeds, pairs, f) as well."""
     shape = (len(scene.usable), len(spec.pairs))
     values = np.zeros((*shape, len(frequency)), dtype=complex)
+    turning = scene.conditions.formulation == ROTATING
     parts: list[tuple[list[int], Peaks]] = []
     poles: list[Poles] = []
     for k, places in _by_system(scene, spec.pairs).items() if len(frequency) else ():
-        motions = scene.system(k)
-        within = _receptance(scene, motions, [spec.pairs[place] for place in places])
-        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            values[:, places] = within(frequency)
-        _refuse_unlimited(scene, within, motions, frequency, values[:, places])
-        turning = scene.conditions.formulation == ROTATING and _bends(spec.pairs[places[0]])
-        spin = scene.speed[scene.usable] if turning else None
-        poles.append(poles_of(motions, spin, float(frequency[0]), float(frequency[-1])))
-        values[:, places] *= (2j * math.pi * frequency) ** power
-        reach = [_reach(scene, motions, spec.pairs[place]) for place in places]
-        reach_of = np.array(reach) * (2.0 * math.pi) ** power
-        ask = partial(_of_pairs, scene, motions, [spec.pairs[place] for place in places], power)
-        parts.append(
-            (places, peaks_of(ask, poles[-1], frequency, values[:, places], reach_of, power))
-        )
+        motions, pairs = scene.system(k), [spec.pairs[place] for place in places]
+        answered = _answered(scene, motions, pairs, power)
+        values[:, places] = answered(frequency)
+        _refuse_unlimited(scene, answered, motions, frequency, values[:, places])
+        poles.append(poles_of(motions, frequency[0], frequency[-1], turning=turning))
+        reach = np.linalg.norm(_rows(scene, motions, pairs), axis=2).prod(axis=1)
+        reach *= (2.0 * math.pi) ** power
+        grid = values[:, places]
+        parts.append((places, peaks_of(answered, poles[-1], frequency, grid, reach, power)))
     at, high = joined(parts, shape)
     damping = np.full(at.shape, np.nan)
     for (places, _), each in zip(parts, poles, strict=True):
@@ -138,7 +142,7 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     curves = [frequency] * len(slices)
     for place, index in enumerate(slices.tolist()):
         if (row := rows.get(index)) is not None and poles:
-            tops = _finite(at, high, row)
+            tops = at[row][np.isfinite(at[row]) & np.isfinite(high[row])]  # no undamped ones
             curves[place] = curve_at([each.at(row) for each in poles], frequency, tops)
     longest = max(map(len, curves), default=0)
     axis = np.full((len(slices), longest), np.nan)
@@ -175,6 +179,8 @@ def _light_modes(
     names = [""] * len(spec.pairs)
     if not np.nanmin(damping, initial=1.0) < LIGHT or undamped(scene.spindle):
         return tuple(names)
+    turning = scene.conditions.formulation == ROTATING
+    speed = scene.speed[scene.usable] if turning else np.zeros(len(scene.usable))
     branches, called = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
     for k, places in _by_system(scene, spec.pairs).items():
         modes = [(b, name) for b, name in zip(branches, called, strict=True) if b.subsystem == k]
@@ -182,24 +188,10 @@ def _light_modes(
             high = np.where(np.isnan(at[:, place]), -1.0, size[:, place])
             row, top = np.unravel_index(high.argmax(), high.shape)
             if damping[row, place, top] < LIGHT and modes:
-                seen = [_seen(scene, mode, int(row)) for mode, _ in modes]
+                seen = [mode.seen(speed)[row] / (2.0 * math.pi) for mode, _ in modes]
                 away = np.abs(np.nan_to_num(seen, nan=np.inf) - at[row, place, top])
                 names[place] = modes[int(away.argmin())][1]
     return tuple(names)
-
-
-def _seen(scene: Scene, mode: Branch, row: int) -> float:
-    """Frequency [Hz] of a mode in the frame of the responses."""
-    frequency = float(mode.frequency[row])
-    if scene.conditions.formulation != ROTATING or mode.kind != "bending":
-        return frequency
-    spin = float(scene.speed[scene.usable[row]]) / (2.0 * math.pi)
-    return abs(float(mode.whirl[row]) * frequency - spin)
-
-
-def _finite(at: Array, high: Complex, row: int) -> Array:
-    """Frequencies of the peaks at a speed that are no undamped ones."""
-    return np.unique(at[row][np.isfinite(at[row]) & np.isfinite(high[row])])
 
 
 def _slices(scene: Scene, spec: FrfSpec) -> Indices:
@@ -242,33 +234,14 @@ def _responses(
         modes = rows is None and not few
         motions = scene.system(k) if modes else scene.system_at(k, rows, few=few)
         chosen = [pairs[place] for place in places]
-        values[:, places] = _of_pairs(scene, motions, chosen, power, frequency)
+        values[:, places] = _answered(scene, motions, chosen, power)(frequency)
     return values
 
 
-def _of_pairs(
-    scene: Scene,
-    motions: FreeMotions,
-    pairs: Sequence[tuple[Port, Port]],
-    power: int,
-    frequency: Array,
-    some: slice = slice(None),
-) -> Complex:
-    """Of some pairs of a subsystem at frequencies (usable, f) [Hz]; NaN is taken for 1 Hz."""
-    at = np.nan_to_num(frequency, nan=1.0)
-    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        values = _receptance(scene, motions, pairs[some])(at)
-        return np.asarray(values * (2j * math.pi * at[:, None]) ** power)
-
-
-def _reach(scene: Scene, motions: FreeMotions, pair: tuple[Port, Port]) -> float:
-    """Product of the sizes of the rows of both ends."""
-    rows = [motions.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
-    return float(np.linalg.norm(rows[0]) * np.linalg.norm(rows[1]))
-
-
-def _bends(pair: tuple[Port, Port]) -> bool:
-    return pair[0].direction not in ("x", "thx")
+def _rows(scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Array:
+    """Coordinates that pairs move and push (pairs, 2, n)."""
+    places = [[(*scene.spindle.place(port.point), port.direction) for port in p] for p in pairs]
+    return np.array([[motions.linear.row(*place) for place in both] for both in places])
 
 
 def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, list[int]]:
@@ -281,16 +254,22 @@ def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, li
     return grouped
 
 
-def _receptance(scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Answered:
-    """Receptances (speeds, pairs, f) of a subsystem by frequency (f,) or (speeds, f) [Hz]."""
-    rows = [
-        [motions.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
-        for pair in pairs
-    ]
-    response, excitation = np.array(rows).swapaxes(0, 1)
-    turning = scene.conditions.formulation == ROTATING and _bends(pairs[0])
+def _answered(
+    scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]], power: int
+) -> Answered:
+    """Responses (speeds, pairs, f) of a subsystem, or of some of the pairs, by frequency (f,) or
+    (speeds, f) [Hz], of which NaN is taken for 1 Hz."""
+    response, excitation = _rows(scene, motions, pairs).swapaxes(0, 1)
+    turning = scene.conditions.formulation == ROTATING and motions.whirling
     of_rows = motions.turning_receptance if turning else motions.receptance
-    return lambda frequency: of_rows(2.0 * math.pi * frequency, response, excitation)
+
+    def answered(frequency: Array, some: slice = slice(None)) -> Complex:
+        omega = 2.0 * math.pi * np.nan_to_num(frequency, nan=1.0)
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            values = of_rows(omega, response[some], excitation[some])
+            return np.asarray(values * (1j * omega[..., None, :]) ** power)
+
+    return answered
 
 
 def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
@@ -303,7 +282,8 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
         return np.full_like(error, np.nan)
     for k, places in _by_system(scene, spec.pairs).items():
         pairs, at = [spec.pairs[place] for place in places], _judged(scene, k, frequency)
-        error[places] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))
+        values = partial(_few, k, pairs, at, power)
+        error[places] = np.nan_to_num(changes(scene, values, 1))
         for place in places:
             if error[place] > DOUBTFUL and _is_rounding(scene, k, spec.pairs[place], at):
                 error[place] = 0.0
@@ -314,27 +294,22 @@ def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bo
     """A response that symmetry makes zero: nothing beside the direct ones of its two ends."""
     response, excitation = pair
     every = [pair, (response, response), (excitation, excitation)]
-    between, *ends = np.abs(_weighed(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
+    between, *ends = np.abs(_few(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
     return bool(between <= NOTHING * math.sqrt(ends[0] * ends[1]))
 
 
-def _weighed(
+def _few(
     k: int, pairs: Sequence[tuple[Port, Port]], at: Array, power: int, scene: Scene, rows: Indices
 ) -> Complex:
-    """Receptances times ω to a power (rows, pairs, f) at frequencies ``at`` (f,) [Hz]."""
-    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        response = _receptance(scene, scene.system_at(k, rows, few=True), pairs)(at)
-        return np.asarray(response * (2.0 * math.pi * at) ** power)
+    """Responses (rows, pairs, f) at few frequencies ``at`` (f,) [Hz]."""
+    return _answered(scene, scene.system_at(k, rows, few=True), pairs, power)(at)
 
 
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
     """Frequencies at which receptances are compared: some, and those next to the modes."""
     some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
     motions = scene.system_at(k, few_rows(scene))
-    turning = motions.pole.imag
-    if scene.conditions.formulation == ROTATING:
-        turning = np.abs(motions.whirl * turning - motions.linear.speed[:, None])
-    hertz = turning / (2.0 * math.pi)
+    hertz = frequency_of(motions, turning=scene.conditions.formulation == ROTATING)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
     after = np.searchsorted(frequency, inside)
     near = np.clip(np.concatenate([after - 1, after]), 0, len(frequency) - 1)
@@ -343,7 +318,7 @@ def _judged(scene: Scene, k: int, frequency: Array) -> Array:
 
 def _refuse_unlimited(
     scene: Scene,
-    within: Answered,
+    answered: Answered,
     motions: FreeMotions,
     frequency: Array,
     values: Complex,
@@ -355,8 +330,7 @@ def _refuse_unlimited(
     if undamped.any() and not lost.any():
         near = frequency[undamped]
         around = [near * (1.0 + apart) for apart in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
-        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            beside = np.split(np.abs(within(np.concatenate(around))), len(around), axis=-1)
+        beside = np.split(np.abs(answered(np.concatenate(around))), len(around), axis=-1)
         size = np.fmax.reduce([np.abs(values[..., undamped]), *beside[2:]])
         lost[:, undamped] = (size > HIGHER * np.maximum(*beside[:2])).any(axis=1)
     if lost.any():

@@ -8,11 +8,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.cross_section import area, second_moment
-
-Array = NDArray[np.float64]
 
 
 class Stress(NamedTuple):

@@ -9,24 +9,20 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.outer_fibre import outer_fibre
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-from rotordyn.analyses.section_forces.static_loads import (
-    loaded_mesh,
-    static_loads,
-)
+from rotordyn.analyses.section_forces.static_loads import loaded_mesh, static_loads
+from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.at_rest import AtRest, at_rest
+from rotordyn.scene.at_rest import at_rest
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 
@@ -45,16 +41,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     speed = scene.speed[scene.usable]
     point = loads.point + (speed**2)[:, None, None] * loads.turning
     rest = at_rest(scene, mesh, point, loads.line)
-    return _result(scene, spec, mesh, rest)
-
-
-def _result(
-    scene: Scene,
-    spec: SectionForcesSpec,
-    mesh: Mesh,
-    rest: AtRest,
-) -> SectionForcesResult:
-    spindle, forces, moved, push = scene.spindle, rest.forces, rest.moved, rest.push
+    forces, moved, push = rest.forces, rest.moved, rest.push
     both = np.stack([forces.front, forces.rear], axis=-2)
     if spindle.seats:
         both[..., 0] += _preloaded(scene, mesh)
@@ -100,13 +87,9 @@ def _result(
         reaction=scene.scattered(push),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
-        twist_between=scene.scattered(_columns(turned, len(both))),
-        required_diameter=scene.scattered(_columns(needed, len(both))),
+        twist_between=scene.scattered(np.reshape(turned, (-1, len(both))).T),
+        required_diameter=scene.scattered(np.reshape(needed, (-1, len(both))).T),
     )
-
-
-def _columns(values: list[Array], states: int) -> Array:
-    return np.stack(values, axis=1) if values else np.zeros((states, 0))
 
 
 def _preloaded(scene: Scene, mesh: Mesh) -> Array:

@@ -7,18 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.arrays import Array
 from rotordyn.equation.holding import rigid_motion, unheld_motions
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.at_rest import on_nodes, require_balance
+from rotordyn.scene.at_rest import on_nodes, require_balance, weight
 from rotordyn.scene.conditions import Conditions
-from rotordyn.units import STANDARD_GRAVITY
-
-Array = NDArray[np.float64]
-_WAYS = {"x": 0, "y": 1, "z": 2}
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -58,10 +54,9 @@ def static_loads(
         ends = [spindle.place(at).x for at in (span.start, span.to)]
         covered = (ends[0] < mesh.middle) & (mesh.middle < ends[1])
         line[covered] += (span.qx, span.qy, span.qz)
-    for gravity in _weights(spindle, spec, conditions):
-        line += mesh.weight_line[..., None] * gravity
-        for body in spindle.lumped:
-            point[mesh.node_of(body.x), :3] += body.mass * gravity
+    for gravity in (spec.gravity, "none" if spindle.seats else conditions.gravity):
+        on_bodies, along = weight(spindle, mesh, gravity)
+        point, line = point + on_bodies, line + along
     if not spindle.seats:
         for x, force in _along(spindle, conditions):
             point[mesh.node_of(x), 0] += force
@@ -72,15 +67,6 @@ def _put(point: Array, mesh: Mesh, x: float, load: Array) -> None:
     """Add a load at ``x``, with its moment about the node where that is merged with a station."""
     node = mesh.node_of(x)
     point[node] += rigid_motion(np.array(x), float(mesh.x[node])).T @ load
-
-
-def _weights(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Iterator[Array]:
-    """Acceleration of gravity by the question, and by conditions without a preload state."""
-    for word in (spec.gravity, "none" if spindle.seats else conditions.gravity):
-        if word != "none":
-            gravity = np.zeros(3)
-            gravity[_WAYS[word[1]]] = STANDARD_GRAVITY * (1.0 if word[0] == "+" else -1.0)
-            yield gravity
 
 
 def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, float]]:

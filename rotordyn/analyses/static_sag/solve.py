@@ -10,18 +10,15 @@ Theory: docs/theory/statics.md#sag-and-runout-of-the-nose.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import StaticSagSpec
-from rotordyn.analyses.static_sag.weight import weight
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 from rotordyn.errors import InvalidInput
-from rotordyn.scene.at_rest import at_rest
+from rotordyn.scene.at_rest import at_rest, weight
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 DIRECTIONS = ("y", "z")
 DEFLECTION = [position("y"), position("z")]
 

@@ -69,9 +69,8 @@ class StaticSagSpec(Spec):
 
     def last_faults_on(self, setting: Setting) -> Faults:
         """The shaft is no free body under its weight, and held no more often than it can."""
-        from rotordyn.analyses.static_sag.weight import weight
         from rotordyn.equation.mesh import station_mesh
-        from rotordyn.scene.at_rest import on_nodes, require_balance
+        from rotordyn.scene.at_rest import on_nodes, require_balance, weight
 
         spindle = setting.spindle
         if faults := [*held_twice(setting)]:

@@ -11,12 +11,11 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.balance import Balance, Point
 from rotordyn.preload.leaving import NEARER, Leaving
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
 SHORTEST = 2.0**-12  # of a step, that is tried where its end is not found at once
 FAILED = 8  # strides without an end, after which a curve ends
@@ -64,10 +63,10 @@ class RadialCurve:
     outcome: Words
     reach: Array
     unloading: Array
-    unloaded: NDArray[np.intp]
+    unloaded: Indices
     bearings: Array
 
-    def at(self, rows: NDArray[np.intp]) -> RadialCurve:
+    def at(self, rows: Indices) -> RadialCurve:
         """The curve at some of its speeds, also repeated."""
         return RadialCurve(*(getattr(self, each.name)[rows] for each in fields(self)))
 

@@ -9,9 +9,9 @@ from itertools import count
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.equation.elements.beam import shapes
 from rotordyn.equation.elements.polynomials import points
 from rotordyn.equation.mesh import Mesh
@@ -21,8 +21,6 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan
-
-Complex = NDArray[np.complex128]
 
 
 class Acting(NamedTuple):
@@ -109,7 +107,7 @@ def _off_axis(span: EccentricSpan) -> complex:
     return cmath.rect(span.eccentricity, span.angle)
 
 
-def _on_ends(mesh: Mesh) -> NDArray[np.float64]:
+def _on_ends(mesh: Mesh) -> Array:
     """Mass and its moment at both ends of each element (elements, 4) [kg, kg·m]."""
     xi, weight = points(6)
     cubic = shapes(mesh.length, np.zeros_like(mesh.length), 1, xi).deflection
@@ -117,7 +115,7 @@ def _on_ends(mesh: Mesh) -> NDArray[np.float64]:
     return np.einsum("ep,epi->ei", mass, cubic)
 
 
-def _covered(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, NDArray[np.bool_]]:
+def _covered(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, Flags]:
     """The rotor of a span and which of its elements lie within."""
     first, last = spindle.place(span.start), spindle.place(span.to)
     middle = mesh.of_rotors[first.rotor].middle

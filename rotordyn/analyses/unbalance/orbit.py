@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-
+from rotordyn.arrays import Array, Complex
 
 CIRCLE = 1e-8  # of the half axes: a smaller difference is rounding, and the angle taken as 0
 
@@ -24,7 +22,7 @@ class Orbit(NamedTuple):
     inclination: Array
 
 
-def orbit(y: NDArray[np.complex128], z: NDArray[np.complex128]) -> Orbit:
+def orbit(y: Complex, z: Complex) -> Orbit:
     """Of y(t) = Re(``y`` e^(iωt)), z(t) = Re(``z`` e^(iωt)).
 
     y + i z = r₊ e^(iωt) + r₋ e^(−iωt): half axes |r₊| ± |r₋|, inclination half the sum of the

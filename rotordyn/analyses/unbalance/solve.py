@@ -5,7 +5,6 @@ Bearings have the tangents of their preload state at each speed.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
@@ -22,20 +21,16 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
+from rotordyn.equation.shaft import PLANES
 from rotordyn.errors import NoSolution
-from rotordyn.modes.band import Band
-from rotordyn.modes.branches import branches_of
-from rotordyn.modes.criticals import critical_speeds
-from rotordyn.modes.names import named
+from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.refinement import changes, response_accuracy, solve_accurately
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
 AXES = ("y", "z")
-SLOWEST = 1e-9  # [rad/s]: below, no critical speed is sought
 UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
-BEYOND = 1.2  # times the top speed: up to there criticals are looked for
 
 
 def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
@@ -72,7 +67,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     lost = np.isin(fine, scene.speed[scene.usable][~steady])
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
-    endless = [speed for _, speed, damping in critical if abs(damping) <= UNDAMPED]
+    endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
     peaks = _peaks(fine, fine_orbit.major, endless)
     return UnbalanceResult(
         speed=scene.speed,
@@ -80,7 +75,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         axis=AXES,
         support=tuple(each.name for each in spindle.connections),
         unbalance=tuple(one.name for one in placed),
-        critical=tuple(name for name, *_ in critical),
+        critical=tuple(each.mode for each in critical),
         outcome=_outcome(scene, absent),
         unstable=scene.flagged(np.asarray(motions.growing.any(axis=1))),
         displacement=displacement,
@@ -97,8 +92,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance_station=np.array([one.place.x for one in placed]),
         unbalance_size=np.array([abs(one.size) for one in placed]),
         unbalance_angle=np.array([np.angle(one.size) for one in placed]),
-        critical_speed=np.array([speed for _, speed, _ in critical]),
-        critical_damping=np.array([damping for *_, damping in critical]),
+        critical_speed=np.array([each.speed for each in critical]),
+        critical_damping=np.array([each.damping_ratio for each in critical]),
         error=error,
         error_asked=response_accuracy(scene),
         fine_speed=fine,
@@ -116,20 +111,20 @@ def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
     """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
     linear, speed = scene.linear(_bending_subsystem(scene)), ratio * scene.speed[scene.usable]
     motion = _steady(scene, linear, spec, speed)
-    parts = (_displacements(scene, linear, spec, motion), _forces(scene, linear, speed, motion))
-    return [_in_time(ratio, each) for each in parts]
+    parts = [_displacements(scene, linear, spec, motion), _forces(scene, linear, speed, motion)]
+    return parts if ratio > 0.0 else [each.conj() for each in parts]  # e^(irΩt) as e^(i|r|Ωt)
 
 
 def _sampled(
-    scene: Scene, spec: UnbalanceSpec, ratio: float, critical: list[tuple[str, float, float]]
+    scene: Scene, spec: UnbalanceSpec, ratio: float, critical: Sequence[Critical]
 ) -> tuple[Array, list[Complex]]:
     """Speeds, those of the case and more about every peak, and the response there."""
 
     def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:
         return orbit(arrays[0][..., 0], arrays[0][..., 1]).major
 
-    at = np.array([speed for _, speed, _ in critical])
-    widths = at * np.abs([damping for *_, damping in critical])
+    at = np.array([each.speed for each in critical])
+    widths = at * np.abs([each.damping_ratio for each in critical])
     return over_speed(scene, partial(_response, spec, ratio), amplitude, at, widths)
 
 
@@ -167,21 +162,17 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
     is singular the answer is not finite.
     """
     loads = node_loads(scene.spindle, scene.mesh, spec)
-    ahead = np.where(speed < 0.0, -1.0, 1.0)
     motion = linear.motion
-    planes = [
-        np.stack([motion[:, position(a)], sign * motion[:, position(b)]], axis=1)
-        for a, b, sign in (("y", "thz", 1.0), ("z", "thy", -1.0))
-    ]
-    turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
-    force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
-    back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
+    force = sum(
+        way * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
+        for way, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
+    )
     stiffness = answering_stiffness(linear, SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])
         dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
-        load = w**2 * (force if ahead[row] > 0.0 else back)
+        load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
         try:
             within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
         except np.linalg.LinAlgError:
@@ -189,9 +180,8 @@ def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> 
             continue
         moved[row] = linear.basis @ within
         left[row] = load - dynamic @ moved[row]
-    return Steady(
-        *(np.where(ahead[:, None] > 0.0, linear, linear.conj()) for linear in (moved, left))
-    )
+    back = (speed < 0.0)[:, None]
+    return Steady(*(np.where(back, each.conj(), each) for each in (moved, left)))
 
 
 def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
@@ -217,11 +207,6 @@ def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Compl
     return force
 
 
-def _in_time(ratio: float, moved: Complex) -> Complex:
-    """From motions e^(irΩt) to motions e^(i|r|Ωt)."""
-    return moved if ratio > 0.0 else moved.conj()
-
-
 def _absences(motions: FreeMotions, speed: Array) -> list[str]:
     """Per speed: empty, or why there is no steady solution."""
     turning = motions.answering(SYNCHRONOUS)
@@ -240,21 +225,11 @@ def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
-    """Critical speeds among those of the case and the damping ratio at each, by the name of the
-    mode, of what turns ``ratio`` times as fast."""
-    top = float(scene.speed[-1])
-    if len(scene.usable) < 2 or abs(ratio) * top < SLOWEST:
-        return []
-    highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
-    band = Band(highest)
-    branches, names = named(branches_of(scene, band, ("bending",)))
+def _criticals(scene: Scene, ratio: float) -> list[Critical]:
+    """Critical speeds among those of the case of what turns ``ratio`` times as fast."""
     ratios = scene.spindle.ratios
-    return [
-        (each.mode, each.speed, each.damping_ratio)
-        for each in critical_speeds(scene, band, branches, names)
-        if each.excited and ratios[each.line.rotor] == ratio
-    ]
+    every = criticals_up_to(scene, abs(ratio), motions=("bending",))
+    return [each for each in every if each.excited and ratios[each.line.rotor] == ratio]
 
 
 def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:

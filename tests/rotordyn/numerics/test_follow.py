@@ -84,7 +84,7 @@ def test_equally_alike_goes_to_the_nearer_value() -> None:
 @settings(max_examples=60)
 @example(7285, 5, 0.0, True)
 @given(st.integers(0, 10**6), st.integers(1, 6), st.floats(0.0, 1.0), st.booleans())
-def test_pairs_of_steps_that_are_not_looked_at_hold_no_doubt(
+def test_all_steps_at_once_are_compared_as_each_with_its_next(
     seed: int, size: int, turned: float, twins: bool
 ) -> None:
     """Steps of other counts, of shapes that turn more or less, with values that cross or repeat."""
@@ -97,11 +97,13 @@ def test_pairs_of_steps_that_are_not_looked_at_hold_no_doubt(
         vectors.append(whole[:, draw.permutation(size)[:count]] * draw.uniform(0.1, 9.0))
         value = 1.0 + 0.3 * draw.normal(size=count)
         values.append(np.sort(np.round(value, 0 if twins else 9)))
-    flagged = module._may_doubt(vectors, values, 1.2)
-    asked = [module._doubt(vectors[k : k + 2], values[k : k + 2], 1.2) for k in range(5)]
-    assert all(flag for flag, share in zip(flagged, asked, strict=True) if share is not None)
-    quiet = module._may_doubt([np.eye(3)] * 4, [np.arange(1.0, 4.0)] * 4, 9.0)
-    assert not quiet.any()
+    alike = module._consecutive(vectors, values)
+    for k in range(5):
+        one, other = values[k : k + 2]
+        alone = module._shared(vectors[k], one, vectors[k + 1], other)
+        assert alike[k, : len(one), : len(other)] == pytest.approx(alone, abs=1e-12)
+        assert not alike[k, len(one) :].any()
+        assert not alike[k, :, len(other) :].any()
 
 
 def test_a_basis_of_repeated_values_is_any_basis() -> None:
