@@ -87,13 +87,12 @@ class CompoundState:
     def radial_growth(self, radius: float, body: int = -1) -> Array:
         """Radial displacement u(r) of a body (the outermost by default) at ``radius`` [m], (…)."""
         require_inside(self.bodies[body], radius)
-        linear, inverse, cubic = (c[body] for c in displacement_fields(self.bodies, self.axial))
-        return self._loads() @ (linear * radius + inverse / max(radius, 1e-300) + cubic * radius**3)
+        return self._loads() @ displacement(self.bodies, self.axial, radius)[body]
 
     def hoop_stress(self, radius: float, body: int = -1) -> Array:
         """Circumferential stress of a body at ``radius`` [Pa], shape (…)."""
         require_inside(self.bodies[body], radius)
-        return self._loads() @ hoop_stress(self.bodies, self.axial, body, radius)
+        return self._loads() @ stress(self.bodies, self.axial, radius)[1][body]
 
     def _loads(self) -> Array:
         spin = self.speed[..., None] ** 2
@@ -226,102 +225,72 @@ def require_inside(cylinder: Cylinder, radius: float) -> None:
         )
 
 
-def _plane(material: Material, axial: str) -> tuple[float, float, float]:
-    """E, ν and factor on α that turn plane-stress formulae into those of the axial condition."""
-    young, nu = material.young_modulus, material.poisson_ratio
-    if axial == "plane_stress":
-        return young, nu, 1.0
-    return young / (1.0 - nu**2), nu / (1.0 - nu), 1.0 + nu
+def _columns(bodies: tuple[Cylinder, ...]) -> Array:
+    """Inner and outer radius, E, ν, ρ and free thermal strain of every body, each (bodies, 1)."""
+    each = [
+        (
+            body.inner_radius,
+            body.outer_radius,
+            body.material.young_modulus,
+            body.material.poisson_ratio,
+            body.material.density,
+            body.expansion * body.temperature_rise,
+        )
+        for body in bodies
+    ]
+    return np.array(each).T[:, :, None]
 
 
-def _surface_pressures(count: int) -> tuple[Array, Array]:
-    """Pressure inside and outside each body per unit load (fit pressures, ω², 1): (bodies, …)."""
-    unit, none = np.eye(count - 1, count + 1), np.zeros((1, count + 1))
-    return np.vstack([none, unit]), np.vstack([unit, none])
+def stress(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> tuple[Array, Array]:
+    """σr and σθ of every body at ``radius``, (bodies, 1) or one for all, per unit load [Pa].
 
-
-def _lame(cylinder: Cylinder, inside: Array, outside: Array) -> tuple[Array, Array]:
-    """Mean in-plane stress, and the factor of 1/r² in σθ, from the two surface pressures."""
-    ri2, ro2 = cylinder.inner_radius**2, cylinder.outer_radius**2
-    return (inside * ri2 - outside * ro2) / (ro2 - ri2), (inside - outside) * ri2 * ro2 / (
-        ro2 - ri2
-    )
-
-
-def _axial_force(cylinder: Cylinder, mean: Array) -> Array:
-    """E α T − ν ⟨σr + σθ⟩ per unit area and load: E εz when no axial force acts."""
-    m = cylinder.material
-    force = -2.0 * m.poisson_ratio * mean
-    ring = cylinder.outer_radius**2 + cylinder.inner_radius**2
-    force[-2] -= m.poisson_ratio * m.density * ring / 2.0
-    force[-1] += m.young_modulus * cylinder.expansion * cylinder.temperature_rise
-    return force
-
-
-def _axial_strains(bodies: tuple[Cylinder, ...], axial: str) -> Array:
-    """εz of each body per unit load, (bodies, loads); unused (zero) in plane stress."""
-    inside, outside = _surface_pressures(len(bodies))
-    if axial == "plane_stress":
-        return np.zeros_like(inside)
-    means = [_lame(b, p, q)[0] for b, p, q in zip(bodies, inside, outside, strict=True)]
-    force = np.array([_axial_force(b, m) for b, m in zip(bodies, means, strict=True)])
-    young = np.array([[b.material.young_modulus] for b in bodies])
-    if axial == "free_ends":
-        return force / young
-    area = np.array([[b.outer_radius**2 - b.inner_radius**2] for b in bodies])
-    return np.broadcast_to((area * force).sum(0) / (area * young).sum(0), inside.shape)
-
-
-def displacement_fields(bodies: tuple[Cylinder, ...], axial: str) -> tuple[Array, Array, Array]:
-    """A, B, C of every body per unit load (fit pressures, ω², 1), each (bodies, loads)."""
-    pressures = zip(*_surface_pressures(len(bodies)), strict=True)
-    strains = _axial_strains(bodies, axial)
-    rows = [_field(b, *p, axial, e) for b, p, e in zip(bodies, pressures, strains, strict=True)]
-    linear, inverse, cubic = (np.array(part) for part in zip(*rows, strict=True))
-    return linear, inverse, cubic
-
-
-def _field(
-    body: Cylinder, inside: Array, outside: Array, axial: str, strain: Array
-) -> tuple[Array, Array, Array]:
-    young, nu, heat = _plane(body.material, axial)
-    ri2, ro2 = body.inner_radius**2, body.outer_radius**2
-    mean, shear = _lame(body, inside, outside)
-    linear = (1.0 - nu) / young * mean - body.material.poisson_ratio * strain
-    inverse = (1.0 + nu) / young * shear
-    cubic = np.zeros_like(linear)
-    spin = body.material.density * (3.0 + nu) / (8.0 * young)
-    linear[-2] += spin * (1.0 - nu) * (ri2 + ro2)
-    inverse[-2] += spin * (1.0 + nu) * ri2 * ro2
-    cubic[-2] = -body.material.density * (1.0 - nu**2) / (8.0 * young)
-    linear[-1] += heat * body.expansion * body.temperature_rise
-    return linear, inverse, cubic
-
-
-def hoop_stress(bodies: tuple[Cylinder, ...], axial: str, body: int, radius: float) -> Array:
-    """σθ of one body at ``radius`` per unit load [Pa].
-
-    A uniform temperature and axial strain add none in the plane.
+    σr = m − s/r² − (3 + ν)/8 ρ ω² r², σθ = m + s/r² − (1 + 3ν)/8 ρ ω² r², m and s after Lamé from
+    the pressures on both surfaces and what rotation takes off them. A uniform temperature and axial
+    strain add none in the plane.
     """
-    cylinder = bodies[body]
-    inside, outside = (p[body] for p in _surface_pressures(len(bodies)))
-    _, nu, _ = _plane(cylinder.material, axial)
-    ri2, ro2, r2 = cylinder.inner_radius**2, cylinder.outer_radius**2, radius**2
-    mean, shear = _lame(cylinder, inside, outside)
-    bore = 1.0 / r2 if ri2 else 0.0
-    stress = mean + shear * bore
-    turning = (3.0 + nu) * (ri2 + ro2 + ri2 * ro2 * bore) - (1.0 + 3.0 * nu) * r2
-    stress[-2] += cylinder.material.density / 8.0 * turning
-    return stress
+    ri, ro, _, nu, density, _ = _columns(bodies)
+    nu = nu if axial == "plane_stress" else nu / (1.0 - nu)
+    radial, hoop = (3.0 + nu) / 8.0 * density, (1.0 + 3.0 * nu) / 8.0 * density
+    surfaces = np.eye(len(bodies) + 1, k=-1)  # pressure on each per unit load, outside none
+    surfaces[-1] = 0.0
+    inside, outside = surfaces[:-1].copy(), surfaces[1:].copy()
+    inside[:, -2:-1] -= radial * ri**2
+    outside[:, -2:-1] -= radial * ro**2
+    area, r2 = ro**2 - ri**2, np.square(radius)
+    mean = (inside * ri**2 - outside * ro**2) / area
+    shear = (inside - outside) * ri**2 * ro**2 / area / np.where(r2 > 0.0, r2, 1.0)  # 0 at r = 0
+    across, along = mean - shear, mean + shear
+    across[:, -2:-1] -= radial * r2
+    along[:, -2:-1] -= hoop * r2
+    return across, along
+
+
+def _axial_strain(bodies: tuple[Cylinder, ...], axial: str) -> Array:
+    """εz of every body per unit load, (bodies, loads), from E εz = E α T − ν ⟨σr + σθ⟩ without an
+    axial force; the mean is the value in the middle of r², in which the sum is linear."""
+    ri, ro, young, nu, _, heat = _columns(bodies)
+    force = -nu * sum(stress(bodies, axial, np.sqrt((ri**2 + ro**2) / 2.0)))
+    force[:, -1:] += young * heat
+    if axial == "free_ends":
+        return np.asarray(force / young)
+    area = ro**2 - ri**2
+    return np.broadcast_to((area * force).sum(0) / (area * young).sum(0), force.shape)
+
+
+def displacement(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> Array:
+    """u of every body at ``radius``, as in ``stress``, per unit load, (bodies, loads) [m]."""
+    _, _, young, nu, _, heat = _columns(bodies)
+    across, along = stress(bodies, axial, radius)
+    strain = (along - nu * across) / young
+    strain[:, -1:] += heat
+    if axial != "plane_stress":  # less ν σz/E, σz = E (εz − α T) + ν (σr + σθ)
+        strain -= nu * (_axial_strain(bodies, axial) + nu * (across + along) / young)
+        strain[:, -1:] += nu * heat
+    return np.asarray(radius * strain)
 
 
 def openings(bodies: tuple[Cylinder, ...], axial: str) -> tuple[Array, Array]:
     """Outer minus inner u at every fit per unit load (fits, loads), and its pressure block."""
-    linear, inverse, cubic = displacement_fields(bodies, axial)
-    radius = np.array([[b.outer_radius] for b in bodies[:-1]]).reshape(-1, 1)
-
-    def at(rows: slice) -> Array:
-        return linear[rows] * radius + inverse[rows] / radius + cubic[rows] * radius**3
-
-    opening = at(slice(1, None)) - at(slice(None, -1))
-    return opening, opening[:, : len(radius)]
+    inner, outer = _columns(bodies)[:2]
+    opening = displacement(bodies, axial, inner)[1:] - displacement(bodies, axial, outer)[:-1]
+    return opening, opening[:, : len(bodies) - 1]
