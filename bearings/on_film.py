@@ -19,13 +19,13 @@ from numpy.typing import ArrayLike
 
 from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.ball.balance import condensed, turning_balance
+from bearings.ball.balance import turning_balance
+from bearings.ball.condensed import condensed
 from bearings.ball.law import STANDARD, Law
 from bearings.ball.race import facing_radius
 from bearings.film import Film, film
 from bearings.geometry import Groove
 from bearings.ring.assembly import alike, full_assembly
-from bearings.ring.linearised import tangent
 from bearings.ring.problem import Problem, turns
 from bearings.ring.request import sides
 
@@ -164,7 +164,7 @@ def softened(state: BearingState, films: Film) -> Array:
         soft, operation.law.numbers, tuple(a), (x[0], x[1]), squared, part.full, 1.0
     )
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[rows] = tangent(part, condensed(balance))
+    stiffness[rows] = part.assembly.stiffness(condensed(balance.forces).tangent)
     return alike(state.load, state.displacement, stiffness.reshape(state.complete_stiffness.shape))
 
 

@@ -14,20 +14,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from bearings.ball.condensed import Condensed, Forces
 from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import (
-    Block,
     Motion,
     Pair,
     Polar,
-    Triple,
     combined,
-    determinant,
-    dot,
     exchanged,
-    inverse,
     less_by,
     more_by,
     plus,
@@ -39,24 +35,14 @@ from bearings.ball.potential import both_grooves, resting_reaction
 from bearings.ball.race import Contact, Race, against, facing, race
 from bearings.geometry import Geometry
 
-Rows = tuple[Motion, Motion, Motion]
-
 
 class Balance(NamedTuple):
     """State of a ball at given A and X, linearised.
 
-    ``residual`` [N]: sum of forces on the ball. ``action`` of the shaft on the ring through this
-    ball: axial force, radial force [N], and the moment [N·m] that turns the ring at the ball about
-    the middle of its groove. ``…_by_ball``, ``…_by_centre``: derivatives by X and by A, row by row.
     Loads [N] and directions (sin, cos) of the races' resultants, Fc [N], Mg [N·m], and λi.
     """
 
-    residual: Pair
-    residual_by_ball: Block
-    residual_by_centre: tuple[Motion, Motion]
-    action: Triple
-    action_by_ball: Rows
-    action_by_centre: Rows
+    forces: Forces
     inner_load: Any
     outer_load: Any
     inner_direction: Pair
@@ -72,20 +58,6 @@ class Moving(NamedTuple):
     value: Any
     by_ball: Pair
     by_centre: Motion
-
-
-class Condensed(NamedTuple):
-    """Ball condensed: load and tangent of the ring at this ball.
-
-    ``fold``: determinant of the balance by X, positive on the physical branch. X moves by
-    ``still`` + ``follow`` · ΔA; the action there is ``action`` + ``tangent`` · ΔA.
-    """
-
-    fold: Any
-    still: Pair
-    follow: tuple[Motion, Motion]
-    action: Triple
-    tangent: Rows
 
 
 def turning_balance(
@@ -135,13 +107,16 @@ def turning_balance(
     tilting = _about_the_middle(inner, radial, _moving(turning, inner, outer))
     level = _moving(less_by(fa, ga), inner, outer)
     rise = _moving(more_by(less_by(fr, gr), fc), inner, outer)
-    return Balance(
+    forces = Forces(
         residual=(level.value, rise.value),
         residual_by_ball=(level.by_ball, rise.by_ball),
         residual_by_centre=(level.by_centre, rise.by_centre),
         action=(axial.value, radial.value, tilting.value),
         action_by_ball=(axial.by_ball, radial.by_ball, tilting.by_ball),
         action_by_centre=(axial.by_centre, radial.by_centre, tilting.by_centre),
+    )
+    return Balance(
+        forces=forces,
         inner_load=inner.load,
         outer_load=outer.load,
         inner_direction=(si, ci),
@@ -166,55 +141,23 @@ def _about_the_middle(inner: Race, radial: Moving, tilting: Moving) -> Moving:
     )
 
 
-def condensed(b: Balance) -> Condensed:
-    """The balance with the ball eliminated (static condensation): a ring on springs."""
-    (p, q), (r, s) = inverse(b.residual_by_ball)
-    (level, rise), (first, second) = b.residual, b.residual_by_centre
-    still = (-p * level - q * rise, -r * level - s * rise)
-    follow = (combined(-p, first, -q, second), combined(-r, first, -s, second))
-    x, y, z = b.action_by_ball
-    return Condensed(
-        fold=determinant(b.residual_by_ball),
-        still=still,
-        follow=follow,
-        action=(
-            b.action[0] + dot(x, still),
-            b.action[1] + dot(y, still),
-            b.action[2] + dot(z, still),
-        ),
-        tangent=(
-            plus(b.action_by_centre[0], combined(x[0], follow[0], x[1], follow[1])),
-            plus(b.action_by_centre[1], combined(y[0], follow[0], y[1], follow[1])),
-            plus(b.action_by_centre[2], combined(z[0], follow[0], z[1], follow[1])),
-        ),
-    )
-
-
 def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Condensed]:
     """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
-    at_rest = resting_reaction(c, centre)
+    each = resting_reaction(c, centre)[1]
     sin, cos, _, _ = facing(both_grooves(c), centre)
-    load = np.hypot(at_rest.action[0], at_rest.action[1])
+    load = np.hypot(each.action[0], each.action[1])
     zero = np.zeros_like(load)
     nothing = (zero, zero)
-    balance = Balance(
+    forces = Forces(
         residual=nothing,
         residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
-        residual_by_centre=(nothing, nothing),
-        action=at_rest.action,
+        residual_by_centre=each.follow,
+        action=each.action,
         action_by_ball=(nothing, nothing, nothing),
-        action_by_centre=at_rest.slope,
-        inner_load=load,
-        outer_load=load,
-        inner_direction=(sin, cos),
-        outer_direction=(sin, cos),
-        centrifugal_force=zero,
-        gyroscopic_moment=zero,
-        inner_share=zero + 1.0,
+        action_by_centre=each.tangent,
     )
-    return balance, Condensed(
-        zero + 1.0, nothing, (nothing, nothing), at_rest.action, at_rest.slope
-    )
+    way = (sin, cos)
+    return Balance(forces, load, load, way, way, zero, zero, zero + 1.0), each
 
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:

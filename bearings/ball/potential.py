@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from bearings.ball.condensed import Condensed, Forces, condensed
 from bearings.ball.plane import (
     EPS,
     Block,
@@ -21,7 +22,6 @@ from bearings.ball.plane import (
     direction,
     dot,
     inverse,
-    minus,
     where,
 )
 from bearings.ball.race import (
@@ -37,19 +37,6 @@ from bearings.geometry import Geometry, Groove
 
 SEATED = 1e-8  # of the ball's own loads
 LEAST_HOLD = 0.3  # of the stiffness is kept by a step: a tenth of the approach
-
-
-class Reaction(NamedTuple):
-    """What a ball at its seat does to the inner ring.
-
-    Its potential; (axial, radial, tilting) action on the ring, its slope (three rows) by the motion
-    of the inner groove, and how X follows that motion (two rows).
-    """
-
-    energy: Any
-    action: Any
-    slope: Any
-    follow: Any
 
 
 def both_races(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
@@ -78,36 +65,27 @@ def potential(
     return inner.energy + outer.energy - centrifugal_force * (ball[1] - c.outer_centre_distance)
 
 
-def reaction(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> Reaction:
-    """Action and tangent of a ball that sits at its seat.
+def reaction(
+    c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any
+) -> tuple[Any, Condensed]:
+    """Potential of a ball at its seat, and the ball eliminated.
 
     What its own balance still misses is taken off to first order: under a light thrust at speed
     that is more than the thrust.
     """
     inner, outer = both_races(c, centre, ball)
-    back, energy = (
-        inverse(stiffness(inner, outer)),
-        potential(c, inner, outer, ball, centrifugal_force),
-    )
-    first, second, third = _rows(centre, inner)
-    follow = (
-        combined(back[0][0], first, back[0][1], second),
-        combined(back[1][0], first, back[1][1], second),
-    )
+    (p, q), (r, s) = stiffness(inner, outer)
     (a11, a12, a22), (t1, t2, _) = inner.slope, inner.by_tilt
-    slope = (
-        minus(first, combined(a11, follow[0], a12, follow[1])),
-        minus(second, combined(a12, follow[0], a22, follow[1])),
-        minus(third, combined(t1, follow[0], t2, follow[1])),
+    first, second, third = _rows(centre, inner)
+    forces = Forces(
+        residual=_gap(inner, outer, centrifugal_force),
+        residual_by_ball=((-p, -q), (-r, -s)),
+        residual_by_centre=(first, second),
+        action=(inner.force[0], inner.force[1], inner.couple),
+        action_by_ball=((-a11, -a12), (-a12, -a22), (-t1, -t2)),
+        action_by_centre=(first, second, third),
     )
-    gap = _gap(inner, outer, centrifugal_force)
-    step = (dot(back[0], gap), dot(back[1], gap))
-    action = (
-        inner.force[0] - dot((a11, a12), step),
-        inner.force[1] - dot((a12, a22), step),
-        inner.couple - dot((t1, t2), step),
-    )
-    return Reaction(energy, action, slope, follow)
+    return potential(c, inner, outer, ball, centrifugal_force), condensed(forces)
 
 
 def _gap(inner: Springs, outer: Springs, centrifugal_force: Any) -> Pair:
@@ -123,13 +101,19 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
     return (a11, a12, t1), (a12, a22, t2), (t1, t2, tt)
 
 
-def resting_reaction(c: Geometry, centre: Motion) -> Reaction:
-    """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
+def resting_reaction(c: Geometry, centre: Motion) -> tuple[Any, Condensed]:
+    """The same of a ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A."""
     p = spring(both_grooves(c), centre)
-    still = combined(0.0, centre, 0.0, centre)
+    none = combined(0.0, centre, 0.0, centre)
     first, second, _ = _rows(centre, p)
-    action = (p.force[0], p.force[1], still[0])
-    return Reaction(p.energy, action, (first, second, still), (still, still))
+    action = (p.force[0], p.force[1], none[0])
+    return p.energy, Condensed(
+        fold=none[0] + 1.0,
+        still=(none[0], none[1]),
+        follow=(none, none),
+        action=action,
+        tangent=(first, second, none),
+    )
 
 
 def both_grooves(c: Geometry) -> Groove:

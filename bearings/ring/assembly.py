@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from bearings.arrays import Array
-from bearings.ball.plane import Motion
+from bearings.ball.plane import Motion, Triple
 from bearings.geometry import Geometry
 
 QUARTER_TURN = np.array(  # of (x, y, z, θy, θz) about x
@@ -57,24 +57,19 @@ class Assembly:
         """What a displacement (states, 5) adds to A (m, states, balls)."""
         return np.asarray(displacement @ self.spread)
 
-    def load(self, action: Array) -> Array:
-        """f (states, 5) from ball actions (3, states, balls)."""
-        return np.einsum("ikn,ksn->si", self.gather, action)
+    def load(self, action: Triple) -> Array:
+        """f (states, 5) from ball actions, three of (states, balls)."""
+        return np.einsum("ikn,ksn->si", self.gather, np.stack(action))
 
-    def stiffness(self, tangent: Array) -> Array:
-        """K (states, 5, 5) from ∂action/∂A (states, 3, m, balls), see ``rows``."""
-        each = tangent.reshape(len(tangent), 1, len(self.pairs))
+    def stiffness(self, tangent: tuple[Motion, ...]) -> Array:
+        """K (states, 5, 5) from the entries (states, balls) of ∂action/∂A (3, m)."""
+        states, balls = np.shape(tangent[0][0])
+        whole = np.empty((states, 3, len(tangent[0]), balls))
+        for i, row in enumerate(tangent):
+            for j, entry in enumerate(row):
+                whole[:, i, j] = entry
+        each = whole.reshape(states, 1, len(self.pairs))
         return (each @ self.pairs).reshape(-1, 5, 5)  # state by state: too small for threads
-
-
-def rows(tangent: tuple[Motion, ...]) -> Array:
-    """∂action/∂A (states, 3, m, balls) from its entries (states, balls)."""
-    states, balls = np.shape(tangent[0][0])
-    whole = np.empty((states, 3, len(tangent[0]), balls))
-    for i, row in enumerate(tangent):
-        for j, entry in enumerate(row):
-            whole[:, i, j] = entry
-    return whole
 
 
 @lru_cache(maxsize=256)

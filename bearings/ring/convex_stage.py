@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from bearings.arrays import Array, Flags, Index
-from bearings.ball.plane import EPS, Motion
+from bearings.ball.plane import EPS
 from bearings.ball.potential import (
-    Reaction,
     SeatStep,
     first_seat,
     improves,
@@ -27,7 +26,6 @@ from bearings.ball.potential import (
 )
 from bearings.geometry import Geometry, frozen_force
 from bearings.ring import tolerances as tol
-from bearings.ring.assembly import rows
 from bearings.ring.linearised import followed_by, reduced
 from bearings.ring.problem import Problem
 
@@ -54,59 +52,78 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
 
 def _descended(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
     """(d, X) where Newton steps from ``start`` end, and whether that is the minimum."""
-    d = start.copy()
-    x, balls = _seated(problem, d, None)
-    done = np.full(len(d), not problem.free.any())
+    d, now = start.copy(), _seated(problem, start, None)
+    x, done = now.ball, np.full(len(d), not problem.free.any())
     scale, todo, part = problem.scale[problem.free], np.arange(len(d)), problem
     if done.all():
         return d, x, done
     for _ in range(tol.CONVEX_STEPS):
-        gap, k, balanced = _ring_balance(part, balls)
+        gap, k, balanced = _ring_balance(part, now)
         done[todo] = balanced
         going = np.flatnonzero(~balanced)
         if not going.size:
             break
-        todo, part, balls = todo[going], part.take(going), _some(balls, going)
+        todo, part, now = todo[going], part.take(going), now.take(going)
         step = np.zeros((todo.size, 5))
         step[:, problem.free] = _downhill(part, k[going], gap[going]) / scale
-        d[todo], x[:, todo], balls = _searched(part, d[todo], x[:, todo], balls, step)
+        d[todo], now = _searched(part, d[todo], now, step)
+        x[:, todo] = now.ball
     return d, x, done
 
 
-def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
-    """Ball centres at displacement d with Fc fixed, and what the balls do to the ring."""
-    c, a = problem.geometry, problem.centres(d)
+class Seated(NamedTuple):
+    """A ring whose balls sit in the least of their potentials, Fc fixed.
+
+    ``ball`` (2, s, n); ``energy`` (s,) of all balls; ``load`` (s, 5) and ``stiffness`` (s, 5, 5) of
+    the ring; ``largest`` (s,): what the heaviest ball puts on it; ``follow`` (2, m, s, n).
+    """
+
+    ball: Array
+    energy: Array
+    load: Array
+    stiffness: Array
+    largest: Array
+    follow: Array
+
+    def take(self, states: Index) -> Seated:
+        """Some of the states."""
+        return Seated(
+            self.ball[:, states],
+            self.energy[states],
+            self.load[states],
+            self.stiffness[states],
+            self.largest[states],
+            self.follow[:, :, states],
+        )
+
+
+def _seated(problem: Problem, d: Array, near: Array | None) -> Seated:
+    """Balls seated at displacement d; ``near``: centres close by."""
+    c, assembly, a = problem.geometry, problem.assembly, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
         centrifugal_force = frozen_force(c, problem.squared)[:, None]
         x = seat(c, a, centrifugal_force, near)
-        each = reaction(c, centre, (x[0], x[1]), centrifugal_force)
+        energy, balls = reaction(c, centre, (x[0], x[1]), centrifugal_force)
     else:
-        x, each = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
-    follow = np.stack([_filled(row, a[0]) for row in each.follow])
-    return x, Reaction(each.energy, _filled(each.action, a[0]), rows(each.slope), follow)
+        x = np.stack(resting_seat(c, (a[0], a[1])))
+        energy, balls = resting_reaction(c, centre)
+    return Seated(
+        ball=x,
+        energy=c.balls / assembly.balls * energy.sum(axis=-1),
+        load=assembly.load(balls.action),
+        stiffness=assembly.stiffness(balls.tangent),
+        largest=np.hypot(balls.action[0], balls.action[1]).max(axis=-1),
+        follow=np.stack(balls.follow),
+    )
 
 
-def _some(balls: Reaction, states: Index) -> Reaction:
-    energy, action, slope, follow = balls
-    return Reaction(energy[states], action[:, states], slope[states], follow[:, :, states])
-
-
-def _filled(parts: Motion, like: Array) -> Array:
-    """Numbers or arrays as arrays (m, …)."""
-    whole = np.empty((len(parts), *like.shape))
-    for row, part in zip(whole, parts, strict=True):
-        row[...] = part
-    return whole
-
-
-def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, Flags]:
+def _ring_balance(problem: Problem, now: Seated) -> tuple[Array, Array, Flags]:
     """Load still missing and tangent, DOF as lengths; and where nothing is missing."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
-    gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
-    k = reduced(problem, problem.assembly.stiffness(balls.slope))
-    carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
-    size = problem.load_size + 1e-3 * carried
+    gap = (problem.load - now.load)[:, free] / scale
+    k = reduced(problem, now.stiffness)
+    size = problem.load_size + 1e-3 * g.balls * now.largest
     noise = tol.ROUNDING * EPS * g.free_distance * np.abs(k).max(axis=(1, 2))
     needed = tol.BALANCED if problem.turning else 0.1 * tol.TOLERANCE
     return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
@@ -127,27 +144,25 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     return step * np.minimum(1.0, tol.LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
 
 
-def _searched(
-    problem: Problem, d: Array, x: Array, balls: Reaction, step: Array
-) -> tuple[Array, Array, Reaction]:
+def _searched(problem: Problem, d: Array, now: Seated, step: Array) -> tuple[Array, Seated]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
-    g, count = problem.geometry, problem.geometry.balls / problem.assembly.balls
+    g = problem.geometry
 
-    def total(energy: Array, d: Array) -> Array:
-        return np.asarray(count * energy.sum(axis=-1) - (problem.load * d).sum(axis=-1))
+    def total(seated: Seated, d: Array) -> Array:
+        return np.asarray(seated.energy - (problem.load * d).sum(axis=-1))
 
-    before = total(balls.energy, d)
+    before = total(now, d)
     load = 64.0 * problem.load_size + 4.0 * g.balls * frozen_force(g, problem.squared)
     slack = EPS * (64.0 * np.abs(before) + g.free_distance * load)
-    length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
+    length, along = np.ones((len(d), 1)), followed_by(now.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step
-        seats, moved = _seated(problem, trial, x + length * along)
-        good = total(moved.energy, trial) <= before + slack
+        moved = _seated(problem, trial, now.ball + length * along)
+        good = total(moved, trial) <= before + slack
         if good.all():
             break
         length = np.where(good[:, None], length, 0.5 * length)
-    return trial, seats, moved
+    return trial, moved
 
 
 def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | None = None) -> Array:

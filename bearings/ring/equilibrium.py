@@ -22,7 +22,7 @@ from bearings.ring.compiled.states import CompiledStates, compiled_states
 from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
-from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error, tangent
+from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error
 from bearings.ring.problem import Problem, first_displacement
 
 
@@ -69,7 +69,7 @@ def solve(
         balance=balance,
         contacts=touching,
         ring_load=ring_load,
-        stiffness=tangent(problem, linear.balls),
+        stiffness=linear.stiffness,
         residual=linear.error,
         outcome=outcome,
     )
@@ -149,8 +149,7 @@ def _last_digits(
         return (d, x), *contacts(problem, linear.balance, (d, x)), linear.ring_load
     dd, dx = newton_step(problem, linear)
     dd, dx = np.where(left[:, None], dd, 0.0), np.where(left[:, None], dx, 0.0)
-    part = tangent(problem, linear.balls) @ dd[..., None]
-    load = problem.assembly.load(np.stack(linear.balls.action)) + part[..., 0]
+    load = linear.load + (linear.stiffness @ dd[..., None])[..., 0]
     ring_load = np.where(left[:, None], load, linear.ring_load)
     touching = contacts(problem, linear.balance, (d, x), (dd, dx))
     return (d + dd, x + dx), *touching, ring_load

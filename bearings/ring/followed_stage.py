@@ -19,7 +19,7 @@ from bearings.ball.balance import Balance
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring import tolerances as tol
-from bearings.ring.linearised import Linear, linearise, newton_step, reduced, tangent
+from bearings.ring.linearised import Linear, linearise, newton_step, reduced
 from bearings.ring.problem import Problem
 
 
@@ -105,7 +105,7 @@ def corrected(
 
 def _held(problem: Problem, linear: Linear) -> Flags:
     """Whether no motion of the ring has passed a fold; it may be neutral where ``loose``."""
-    k = reduced(problem, tangent(problem, linear.balls))
+    k = reduced(problem, linear.stiffness)
     k = k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
     held = np.linalg.det(k) > 0.0
     if problem.loose:

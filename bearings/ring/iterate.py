@@ -7,17 +7,21 @@ balls and rings come into balance together, instead of the balls anew for every 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from bearings.arrays import Array, Flags, Index
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring.assembly import Assembly
 from bearings.ring.equilibrium import one_by_one
-from bearings.ring.linearised import Linear, followed_by, linearise, tangent
+from bearings.ring.linearised import Linear, linearise
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 from bearings.ring.state import BearingState
@@ -26,59 +30,91 @@ from bearings.ring.tolerances import LONGEST_TURN
 Parts = tuple[tuple[Index, Problem], ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Iterate:
-    """A batch of bearings of one model on the way to balance; ``shape`` (…) is that of the batch.
+    """A batch of bearings of one model on the way to balance, of shape (…).
 
-    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved.
-    ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
-    ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
-    state; ``pressure`` (…): largest of both races [Pa]; ``inner_load`` (…, n) of the balls [N];
-    ``sound`` (…): every ball on the physical branch. A turning ball moves by ``still``, and by
-    ``follow`` times what its groove centre does; at rest balls have none.
+    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved; ``parts``:
+    the states that turn, and those at rest, whose balls have no step of their own.
     """
 
     parts: Parts
-    shape: tuple[int, ...]
     displacement: Array
     ball: Array
-    load: Array
-    stiffness: Array
-    error: Array
-    pressure: Array
-    inner_load: Array
-    sound: Flags
-    still: Array
-    follow: Array
 
-    def at(self, displacement: Array, ball: Array) -> Iterate:
-        """Rings and balls placed there."""
-        return _linearised(self.parts, self.shape, displacement, ball)
+    @cached_property
+    def _linear(self) -> list[Linear]:
+        d, x = self._states(self)
+        return [linearise(p, d[k], x[:, k], np.full(len(k), p.full)) for k, p in self.parts]
+
+    def _joined(self, each: Callable[[Problem, Linear], NDArray[Any]]) -> Any:
+        """What there is of every state (s, …), of all parts as one batch (…, …)."""
+        shape = self.displacement.shape[:-1]
+        values = [each(p, linear) for (_, p), linear in zip(self.parts, self._linear, strict=True)]
+        whole = np.empty((math.prod(shape), *values[0].shape[1:]), values[0].dtype)
+        for (k, _), value in zip(self.parts, values, strict=True):
+            whole[k] = value
+        return whole.reshape(*shape, *values[0].shape[1:])
+
+    @cached_property
+    def load(self) -> Array:
+        """Of the rings with the balls settled to first order (…, 5) [N, N·m]."""
+        return self._joined(lambda p, linear: linear.load)
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """Of the rings with the balls following (…, 5, 5)."""
+        return self._joined(lambda p, linear: linear.stiffness)
+
+    @property
+    def error(self) -> Array:
+        """Largest imbalance of a ball over the largest ball load (…), NaN without a state."""
+        return self._joined(lambda p, linear: linear.error)
+
+    @property
+    def pressure(self) -> Array:
+        """Largest of both races (…) [Pa]."""
+        return self._joined(_pressure)
+
+    @property
+    def inner_load(self) -> Array:
+        """Of the balls (…, n) [N]."""
+        return self._joined(lambda p, linear: linear.balance.inner_load)
 
     def moved(self, displacement: Array) -> Iterate:
         """Rings placed there, every ball one Newton step on."""
-        step = self.along(displacement - self.displacement)
-        return self.at(displacement, self.ball + self.still + step)
+        still = self._joined(lambda p, linear: np.stack(linear.balls.still, axis=1))
+        step = np.moveaxis(still, -2, 0) + self.along(displacement - self.displacement)
+        return self.at(displacement, self.ball + step)
+
+    def at(self, displacement: Array, ball: Array) -> Iterate:
+        """Rings and balls placed there."""
+        return replace(self, displacement=displacement, ball=ball)
 
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
-        moved = self.parts[0][1].assembly.moved(change.reshape(-1, 5))
-        return followed_by(self.follow, moved.reshape(len(moved), *self.ball.shape[1:]))
+        step, dd = np.empty_like(self.ball), change.reshape(-1, 5)
+        flat = step.reshape(2, len(dd), -1)
+        for (k, _), linear in zip(self.parts, self._linear, strict=True):
+            flat[:, k] = linear.along(dd[k])
+        return step
 
     def follows(self, before: Iterate) -> Flags:
         """Where every ball is on the physical branch and no angle has turned far (…)."""
-        near = self.sound.reshape(-1).copy()
-        for index, problem in self.parts:
+        near = self._joined(_sound)
+        flat = near.reshape(-1)
+        for k, problem in self.parts:
             if problem.placed:
-                pair = (problem.faced(*one._states(index)) for one in (before, self))
+                pair = [problem.faced(d[k], x[:, k]) for d, x in map(self._states, (before, self))]
                 for then, now in zip(*pair, strict=True):
-                    near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
-        return near.reshape(self.shape)
+                    flat[k] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+        return np.asarray(near)
 
-    def _states(self, index: Index) -> tuple[Array, Array]:
-        """Displacements (s, 5) and balls (2, s, n) of some bearings of the batch."""
-        balls = self.ball.reshape(2, -1, self.ball.shape[-1])
-        return self.displacement.reshape(-1, 5)[index], balls[:, index]
+    @staticmethod
+    def _states(one: Iterate) -> tuple[Array, Array]:
+        """Displacements (s, 5) and balls (2, s, n) as lists."""
+        d = one.displacement.reshape(-1, 5)
+        return d, one.ball.reshape(2, len(d), -1)
 
 
 def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> Iterate:
@@ -87,25 +123,8 @@ def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> It
     The first balls of the state are taken for those of the assembly.
     """
     parts = parts_of(state.operation, assembly)
-    ball = state.ball_centre[..., : parts[0][1].assembly.balls]
-    return _linearised(parts, state.operation.shape, state.displacement, ball)
-
-
-def iterate_of(
-    state: BearingState, rows: Index, columns: Index, assembly: Callable[[Geometry], Assembly]
-) -> Iterate:
-    """Some bearings of a solved batch (speeds, places), also repeated: ``rows`` and ``columns``."""
-    grid = np.ix_(rows, columns)
-    there = np.arange(len(state.operation.speed)).reshape(state.operation.shape)[grid]
-    index = there.ravel()
-    chosen = state.operation.repeated(index, state.operation.speed[index])
-    parts = parts_of(
-        replace(chosen, displacement=state.displacement[grid].reshape(-1, 5)), assembly
-    )
     balls = parts[0][1].assembly.balls
-    ball = state.ball_centre.reshape(2, len(state.operation.speed), -1)[:, index, :balls]
-    ball = ball.reshape(2, *there.shape, balls)
-    return _linearised(parts, there.shape, state.displacement[grid], ball)
+    return Iterate(parts, state.displacement, state.ball_centre[..., :balls])
 
 
 def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Parts:
@@ -116,47 +135,17 @@ def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> 
     return tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
 
 
-def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array) -> Iterate:
-    count, balls = sum(len(k) for k, _ in parts), ball.shape[-1]
-    d, x = displacement.reshape(count, 5), ball.reshape(2, count, balls)
-    load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
-    error, pressure = np.empty((2, count))
-    inner_load = np.empty((count, balls))
-    sound = np.empty(count, dtype=bool)
-    parts_of = len(parts[0][1].assembly.spread)
-    still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
-    for k, problem in parts:
-        linear = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
-        load[k] = problem.assembly.load(np.stack(linear.balls.action))
-        stiffness[k] = tangent(problem, linear.balls)
-        error[k], pressure[k] = linear.error, _pressure(problem, linear)
-        inner_load[k] = linear.balance.inner_load
-        sound[k] = np.isfinite(linear.error)
-        if problem.turning:
-            sound[k] = (linear.fold > 0.0) & (linear.balance.outer_load > 0.0).all(axis=-1)
-        if problem.placed:
-            still[:, k] = linear.balls.still
-            follow[:, :, k] = linear.balls.follow
-    return Iterate(
-        parts=parts,
-        shape=shape,
-        displacement=displacement,
-        ball=ball,
-        load=load.reshape(*shape, 5),
-        stiffness=stiffness.reshape(*shape, 5, 5),
-        error=error.reshape(shape),
-        pressure=pressure.reshape(shape),
-        inner_load=inner_load.reshape(*shape, balls),
-        sound=sound.reshape(shape),
-        still=still.reshape(2, *shape, balls),
-        follow=follow.reshape(2, parts_of, *shape, balls),
-    )
-
-
 def _pressure(problem: Problem, linear: Linear) -> Array:
     g, balance = problem.geometry, linear.balance
     inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
     return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))
+
+
+def _sound(problem: Problem, linear: Linear) -> Flags:
+    """Where there is a state, every ball on the physical branch (s,)."""
+    if not problem.turning:
+        return np.isfinite(linear.error)
+    return np.asarray((linear.fold > 0.0) & (linear.balance.outer_load > 0.0).all(axis=-1))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -164,11 +153,11 @@ class Settled:
     """What ``Iterate`` does step by step, the balls in balance at every place of the rings.
 
     By the compiled solver: dearer for one bearing by itself, for which that must be loaded, several
-    times cheaper for thousands of iterations. Fields as there; ``error`` 0 where there is a state.
+    times cheaper for thousands of iterations. ``load`` (…, 5), ``stiffness`` (…, 5, 5); ``error``
+    (…): 0 where there is a state, else NaN.
     """
 
     parts: Parts
-    shape: tuple[int, ...]
     displacement: Array
     ball: Array
     load: Array
@@ -177,7 +166,27 @@ class Settled:
 
     def moved(self, displacement: Array) -> Settled:
         """Rings at ``displacement`` (…, 5), balls sought from where they are."""
-        return _settled(self.parts, self.shape, displacement, self)
+        there = replace(
+            self,
+            displacement=displacement,
+            ball=self.ball.copy(),
+            load=self.load.copy(),
+            stiffness=self.stiffness.copy(),
+            error=self.error.copy(),
+        )
+        stayed = (self.displacement == displacement).all(axis=-1).reshape(-1)
+        there._solve([(k, p) for k, p in self.parts if not stayed[k].all()], near=True)
+        return there
+
+    def _solve(self, parts: Iterable[tuple[Index, Problem]], *, near: bool) -> None:
+        """Fill in the states of some parts; ``near``: balls are close to where they are."""
+        count = self.error.size
+        d, x = self.displacement.reshape(count, 5), self.ball.reshape(2, count, -1)
+        load, stiffness = self.load.reshape(count, 5), self.stiffness.reshape(count, 5, 5)
+        for k, problem in parts:
+            found = one_by_one(problem, d[k], x[:, k] if near else None)[0]
+            x[:, k], load[k], stiffness[k] = found.ball, found.load, found.stiffness
+            self.error.reshape(count)[k] = np.where(found.exists, 0.0, np.nan)
 
     def follows(self, before: Settled) -> Flags:
         """Where there is a state: each is found by itself if its neighbour leads astray (…)."""
@@ -186,34 +195,9 @@ class Settled:
 
 def settled(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Settled:
     """Bearings at given displacements; ``assembly`` says which of their balls are solved."""
-    parts = parts_of(operation, assembly)
-    return _settled(parts, operation.shape, operation.displacement, None)
-
-
-def _settled(
-    parts: Parts, shape: tuple[int, ...], displacement: Array, before: Settled | None
-) -> Settled:
-    count, balls = sum(len(k) for k, _ in parts), parts[0][1].assembly.balls
-    d, x = displacement.reshape(count, 5), np.zeros((2, count, balls))
-    load, stiffness, error = np.empty((count, 5)), np.empty((count, 5, 5)), np.zeros(count)
-    if before is not None:
-        known = before.ball.reshape(2, count, balls)
-        stayed = (before.displacement.reshape(count, 5) == d).all(axis=1)
-        load[:], stiffness[:] = before.load.reshape(count, 5), before.stiffness.reshape(count, 5, 5)
-        x[:], error[:] = known, before.error.reshape(count)
-    for k, problem in parts:
-        if before is not None and stayed[k].all():
-            continue
-        (_, x[:, k], load[k], stiffness[k], exists), _ = one_by_one(
-            problem, d[k], None if before is None else known[:, k]
-        )
-        error[k] = np.where(exists, 0.0, np.nan)
-    return Settled(
-        parts,
-        shape,
-        displacement,
-        x.reshape(2, *shape, balls),
-        load.reshape(*shape, 5),
-        stiffness.reshape(*shape, 5, 5),
-        error.reshape(shape),
-    )
+    parts, shape = parts_of(operation, assembly), operation.shape
+    ball = np.zeros((2, *shape, parts[0][1].assembly.balls))
+    blank = np.zeros((*shape, 5)), np.zeros((*shape, 5, 5)), np.zeros(shape)
+    there = Settled(parts, operation.displacement.reshape(*shape, 5), ball, *blank)
+    there._solve(parts, near=False)
+    return there

@@ -7,19 +7,21 @@ path of states, or moves rings within a larger iteration (``iterate``), takes it
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from bearings.arrays import Array, Flags, Index
-from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
+from bearings.ball.balance import Balance, resting_balance, turning_balance
+from bearings.ball.condensed import Condensed, condensed
 from bearings.ball.potential import rounding_force
 from bearings.ring import tolerances as tol
-from bearings.ring.assembly import full_assembly, rows
+from bearings.ring.assembly import Assembly, full_assembly
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Linear:
     """Balls linearised at (d, X): the Newton step follows from it.
 
@@ -28,38 +30,48 @@ class Linear:
     balls and ring.
     """
 
+    assembly: Assembly
     balance: Balance
     balls: Condensed
     ring_load: Array
     fold: Array
     error: Array
 
+    @cached_property
+    def load(self) -> Array:
+        """f (s, 5) with the balls settled to first order."""
+        return self.assembly.load(self.balls.action)
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
+        return self.assembly.stiffness(self.balls.tangent)
+
+    def along(self, dd: Array) -> Array:
+        """dX (2, s, n) of balls that follow the ring by dd (s, 5)."""
+        return followed_by(np.stack(self.balls.follow), self.assembly.moved(dd))
+
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
     """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
-    g, a = problem.geometry, problem.centres(d)
-    centre = tuple(a)
+    g, centre = problem.geometry, tuple(problem.centres(d))
     if problem.placed:
         squared = problem.squared[:, None]
         balance = turning_balance(
             g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], vary
         )
-        balls = condensed(balance)
+        balls = condensed(balance.forces)
     else:
         balance, balls = resting_balance(g, centre)
-    ring_load = problem.assembly.load(np.stack(balance.action))
+    ring_load = problem.assembly.load(balance.forces.action)
     return Linear(
+        assembly=problem.assembly,
         balance=balance,
         balls=balls,
         ring_load=ring_load,
         fold=balls.fold.min(axis=-1),
         error=scaled_error(problem, balance, ring_load),
     )
-
-
-def tangent(problem: Problem, balls: Condensed) -> Array:
-    """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
-    return problem.assembly.stiffness(rows(balls.tangent))
 
 
 def reduced(problem: Problem, k: Array) -> Array:
@@ -75,7 +87,7 @@ def scaled_error(
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
     noise = rounding * rounding_force(g, largest) / tol.TOLERANCE
-    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (largest + noise + 1e-300)
+    ball = np.maximum(*np.abs(balance.forces.residual)).max(axis=-1) / (largest + noise + 1e-300)
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
@@ -85,16 +97,13 @@ def scaled_error(
 
 def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
     """Newton step (dd, dX) of balls and ring together."""
-    balls, free = linear.balls, problem.free
-    dd = np.zeros_like(problem.load)
+    free, dd = problem.free, np.zeros_like(problem.load)
     if free.any():
         scale = problem.scale[free]
-        gap = (problem.load - problem.assembly.load(np.stack(balls.action)))[:, free] / scale
-        k = reduced(problem, tangent(problem, balls))
+        gap = (problem.load - linear.load)[:, free] / scale
+        k = reduced(problem, linear.stiffness)
         dd[:, free] = _solve(k, gap, loose=problem.loose) / scale
-    return dd, np.stack(balls.still) + followed_by(
-        np.stack(balls.follow), problem.assembly.moved(dd)
-    )
+    return dd, np.stack(linear.balls.still) + linear.along(dd)
 
 
 def followed_by(follow: Array, moved: Array) -> Array:
@@ -126,4 +135,4 @@ def frozen_tangent(operation: Operation, d: Array, x: Array, good: Flags) -> tup
     index = np.flatnonzero(good & turns(operation.geometry, operation.speed))
     part = Problem.of(operation, full_assembly).take(index)
     linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
-    return tangent(part, linear.balls), index
+    return linear.stiffness, index

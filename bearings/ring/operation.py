@@ -67,8 +67,8 @@ class Operation:
         law = self.law.take(row)
         return replace(self, law=law, speed=speeds, shape=speeds.shape, **parts)
 
-    def rows(self, index: Index) -> Operation:
-        """Some places of the first axis of the batch."""
+    def rows(self, index: Index | tuple[Index, ...]) -> Operation:
+        """Some places of the batch: of its first axis, or of its axes as numpy indexes them."""
         whole = np.arange(len(self.speed)).reshape(self.shape)[index]
         return replace(self.repeated(whole.ravel(), self.speed[whole.ravel()]), shape=whole.shape)
 

@@ -67,12 +67,12 @@ class BearingState:
     outcome: Words
     ball_centre: Array
 
-    def rows(self, index: Index) -> BearingState:
-        """Some places of the first axis of the batch."""
+    def rows(self, index: Index | tuple[Index, ...]) -> BearingState:
+        """Some places of the batch: of its first axis, or of its axes as numpy indexes them."""
         names = [field.name for field in fields(self)[1:-1]]
         return BearingState(
             self.operation.rows(index),
-            ball_centre=self.ball_centre[:, index],
+            ball_centre=np.moveaxis(np.moveaxis(self.ball_centre, 0, -1)[index], -1, 0),
             **{name: getattr(self, name)[index] for name in names},
         )
 
@@ -229,8 +229,9 @@ class BearingState:
         sin, cos = np.sin(self.outer_angle), np.cos(self.outer_angle)
         axial, radial = along * sin + across * cos, along * cos - across * sin
         tilting = -g.outer_conformity * moment + self._outer_middle() * radial
-        action = np.stack([axial, radial, tilting]).reshape(3, -1, g.balls)
-        return full_assembly(g, outer=True).load(action).reshape(*self.outcome.shape, 5)
+        action = (axial, radial, tilting)
+        each = (part.reshape(-1, g.balls) for part in action)
+        return full_assembly(g, outer=True).load((*each,)).reshape(*self.outcome.shape, 5)
 
     def _outer_middle(self) -> Array | float:
         """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""

@@ -59,14 +59,14 @@ class BearingIterates:
         ring: Callable[[Geometry], Assembly],
     ) -> BearingIterates:
         """The same at some of their speeds; which of ``bearings`` solved stands at every place."""
-        from bearings.ring.iterate import iterate_of
+        from bearings.ring.iterate import iterate
 
         of = {}
         for alike, balls in states.items():
             columns = {bearing: k for k, bearing in enumerate(balls.places)}
             places = [k for k, bearing in enumerate(bearings) if bearing in columns]
             at = np.array([columns[bearings[k]] for k in places])
-            of[alike] = places, iterate_of(balls.state, rows, at, ring)
+            of[alike] = places, iterate(balls.state.rows(np.ix_(rows, at)), ring)
         return cls(of)
 
     def __iter__(self) -> Iterator[tuple[list[int], Any]]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from bearings.arrays import Array, Index
-from bearings.ball.balance import condensed, turning_balance
+from bearings.ball.balance import turning_balance
+from bearings.ball.condensed import Condensed, condensed
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import (
@@ -129,21 +130,21 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluati
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if not p.placed:
-            at_rest = resting_reaction(p.geometry, centre)
-            action = at_rest.action
-            largest = max(largest, np.sqrt(action[0] ** 2 + action[1] ** 2))
-            _add(p, ball, action, action, at_rest.slope, w)
+            s = resting_reaction(p.geometry, centre)[1]
+            largest = max(largest, np.sqrt(s.action[0] ** 2 + s.action[1] ** 2))
+            _add(p, ball, s.action, s, w)
             continue
         here = (x[ball, 0], x[ball, 1])
         b = turning_balance(p.geometry, p.law, centre, here, p.squared, blend, 1.0)
-        s = condensed(b)
+        s = condensed(b.forces)
         largest = max(largest, b.inner_load, b.outer_load)
-        imbalance = max(imbalance, abs(b.residual[0]), abs(b.residual[1]))
+        residual = b.forces.residual
+        imbalance = max(imbalance, abs(residual[0]), abs(residual[1]))
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
         w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
         w.still[ball, 0], w.still[ball, 1] = s.still
         _keep(s.follow[0], s.follow[1], w.follow[ball])
-        _add(p, ball, b.action, s.action, s.tangent, w)
+        _add(p, ball, b.forces.action, s, w)
     return Evaluation(largest, imbalance, fold, pressed, 0.0)
 
 
@@ -156,15 +157,15 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
         centre = centre_of(p, d, ball)
         if p.placed:
             here = seat(c, centre, centrifugal_force, (x[ball, 0], x[ball, 1]))
-            each = reaction(c, centre, here, centrifugal_force)
-            _keep(each.follow[0], each.follow[1], w.follow[ball])
+            potential, s = reaction(c, centre, here, centrifugal_force)
+            _keep(s.follow[0], s.follow[1], w.follow[ball])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
-            each = resting_reaction(c, centre)
-        energy += each.energy
+            potential, s = resting_reaction(c, centre)
+        energy += potential
         x[ball, 0], x[ball, 1] = here
-        largest = max(largest, np.sqrt(each.action[0] ** 2 + each.action[1] ** 2))
-        _add(p, ball, each.action, each.action, each.slope, w)
+        largest = max(largest, np.sqrt(s.action[0] ** 2 + s.action[1] ** 2))
+        _add(p, ball, s.action, s, w)
     return Evaluation(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
 
 
@@ -180,14 +181,14 @@ def _clear(w: Workspace) -> None:
     w.stiffness[:] = 0.0
 
 
-def _add(p: One, ball: int, action: Triple, after: Triple, tangent: Any, w: Workspace) -> None:
+def _add(p: One, ball: int, action: Triple, s: Condensed, w: Workspace) -> None:
     """Add one ball to load and stiffness of the ring.
 
-    ``action`` as it is, ``after``: with the ball condensed. A tilt of the ring moves its groove
-    axially by the lever −Ri, and turns it.
+    ``action`` as it is; ``s``: the ball condensed. A tilt of the ring moves its groove axially by
+    the lever −Ri, and turns it.
     """
     c, products, radius = p.azimuth[ball], p.products[ball], p.geometry.centre_radius
-    local, (axial, across, couple) = w.local, tangent
+    local, after, (axial, across, couple) = w.local, s.action, s.tangent
     _by_motion(axial, radius, local[0])
     _by_motion(across, radius, local[1])
     _by_motion(couple, radius, local[2])

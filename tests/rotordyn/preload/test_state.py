@@ -288,7 +288,7 @@ def test_balls_moved_with_the_bodies_or_solved_at_every_move(
     rpm = np.arange(0, 24001, 3000)
     together = state(mfw2310(), rpm, 50.0)
     speeds = together.stop_speeds()
-    monkeypatch.setattr(Iterate, "follows", lambda self, before: np.zeros(self.shape, dtype=bool))
+    monkeypatch.setattr(Iterate, "follows", lambda one, _: np.zeros(one.error.shape, dtype=bool))
     alone = state(mfw2310(), rpm, 50.0)
     assert loads(together) == pytest.approx(loads(alone), rel=1e-9)
     assert together.shift == pytest.approx(alone.shift, rel=1e-9, abs=1e-15)
