@@ -1,7 +1,7 @@
 """Compiles the bearing solver for the kinds that tests solve:  python -m tests.compiled
 
 ``scripts/check`` runs it beside the checks of style and types, which leave a processor free: else
-each process of the tests would compile for itself, half a minute for every kind.
+each process of the tests would compile for itself, a quarter of a minute for every kind.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ from bearings.ring.compiled.one_state import (
     evaluate_convex,
     followed_by,
     moved,
+    put,
 )
 
 
@@ -55,10 +56,11 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
 
     Returns success, and the iterations used.
     """
-    w.d[:], w.x[:] = d, x
+    put(w.d, d)
+    put(w.x, x)
     needed, used = (tol.ON_THE_WAY if blend < p.full else tol.TOLERANCE), 0
     there = evaluate(p, d, x, blend, w)
-    w.first_grip[:] = w.grip
+    put(w.first_grip, w.grip)
     while error(p, there, w) >= needed and used < tol.NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
@@ -69,7 +71,8 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[boo
         good = good and not _jumped(p, there.largest, w)
         good = good and (len(p.free) == 0 or eliminated(*_reduced(p, w.action, w))[1] > 0.0)
     if not good:
-        d[:], x[:] = w.d, w.x
+        put(d, w.d)
+        put(x, w.x)
     return good, used
 
 
@@ -172,9 +175,11 @@ def _searched(
     load = 64.0 * p.load_size + 4.0 * g.balls * frozen_force(g, p.squared)
     most = before + EPS * (64.0 * abs(before) + g.free_distance * load)
     follow, length = w.follow.copy(), 1.0
-    w.d[:], w.x[:] = d, x
+    put(w.d, d)
+    put(w.x, x)
     for _ in range(tol.HALVINGS):
-        d[:] = w.d + length * step
+        for j in p.free:
+            d[j] = w.d[j] + length * step[j]
         for ball in range(len(x)):
             axial, radial = followed_by(follow[ball], moved(p, length * step, ball))
             x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial

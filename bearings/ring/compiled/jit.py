@@ -24,16 +24,14 @@ LEAST_DISK = 50e6  # bytes a disk must have free to keep compiled functions
 
 
 @cache
-def compiled(function: Callable[..., Any], *, keep: bool = False) -> Any:
-    """``function`` with all functions of this package that it calls, compiled at its first call.
-
-    ``keep``: on disk too, for the next process; meant for entries, whose callees come with them.
-    """
+def compiled(function: Callable[..., Any]) -> Any:
+    """``function`` with all functions of this package that it calls, compiled at its first call and
+    kept on disk for the next process."""
     if not available():
         return function
     import numba
 
-    folder = _folder() if keep else None
+    folder = _folder()
     if folder is None:
         return numba.njit(_bound(function), error_model="numpy")
     usual: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
@@ -42,6 +40,17 @@ def compiled(function: Callable[..., Any], *, keep: bool = False) -> Any:
         return numba.njit(_bound(function), cache=True, error_model="numpy")
     finally:
         numba.config.CACHE_DIR = usual  # type: ignore[attr-defined]
+
+
+@cache
+def _callee(function: FunctionType) -> Any:
+    """The same for compiled functions alone to call: Python cannot, for want of a wrapper, and
+    compiling takes 0.6 of the time with one for each."""
+    import numba
+
+    njit: Any = numba.njit  # its types leave these options out, with which it compiles its own
+    alone = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return njit(_bound(function), error_model="numpy", **alone)
 
 
 @cache
@@ -77,11 +86,11 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
     for name in function.__code__.co_names:
         other = names.get(name)
         if other is where:
-            names[name] = compiled(_chosen)
+            names[name] = _callee(_chosen)
         elif other is some:
-            names[name] = compiled(_itself)
+            names[name] = _callee(_itself)
         elif isinstance(other, FunctionType) and other.__module__.split(".")[0] == PACKAGE:
-            names[name] = compiled(other)
+            names[name] = _callee(other)
     bound = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
     bound.__module__, bound.__qualname__ = function.__module__, function.__qualname__
     return bound

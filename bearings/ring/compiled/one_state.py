@@ -175,10 +175,19 @@ def _keep(first: Motion, second: Motion, f: Array) -> None:
         f[2], f[5] = first[2], second[2]
 
 
+def put(into: Array, values: Array) -> None:
+    """Copy ``values`` into contiguous memory; an assignment to a slice takes half a second to
+    compile, each time."""
+    to, of = into.ravel(), values.ravel()
+    for k in range(len(to)):
+        to[k] = of[k]
+
+
 def _clear(w: Workspace) -> None:
-    w.action[:] = 0.0
-    w.condensed[:] = 0.0
-    w.stiffness[:] = 0.0
+    for i in range(5):
+        w.action[i] = w.condensed[i] = 0.0
+        for j in range(5):
+            w.stiffness[i, j] = 0.0
 
 
 def _add(p: One, ball: int, action: Triple, s: Condensed, w: Workspace) -> None:

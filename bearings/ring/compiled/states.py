@@ -14,13 +14,13 @@ from bearings.arrays import Array, Flags
 from bearings.geometry import Geometry
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import available, compiled, is_kept
-from bearings.ring.compiled.one_state import One, workspace
+from bearings.ring.compiled.one_state import One, put, workspace
 from bearings.ring.problem import Problem
 
 BALL = 6e-6  # s that a ball takes without compiling
 FROM_DISK = 2.0  # s to get the compiled solver from the disk
 AT_ONCE = 256  # states in one call
-COMPILING = 30.0  # s to compile it
+COMPILING = 15.0  # s to compile it
 NEAR = 0.2  # relative change of speed and load from the last state that makes it a start
 
 _loaded: set[tuple[int, int, int]] = set()
@@ -64,7 +64,7 @@ def _type(g: Geometry) -> tuple[int, int, int]:
 
 @lru_cache(maxsize=1)
 def _entry() -> Any:
-    return compiled(find_all, keep=True)
+    return compiled(find_all)
 
 
 def compiled_states(
@@ -117,9 +117,10 @@ def find_all(
             start = True
             for j in p.free:
                 d[k, j] = d[k - 1, j]
-            x[k] = x[k - 1]
+            put(x[k], x[k - 1])
         exists[k] = find(p, d[k], x[k], start, w)
-        carried[k], stiffness[k] = w.condensed, w.stiffness
+        put(carried[k], w.condensed)
+        put(stiffness[k], w.stiffness)
 
 
 def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:
