@@ -39,7 +39,8 @@ from bearings.geometry import Geometry
 class Balance(NamedTuple):
     """State of a ball at given A and X, linearised.
 
-    Loads [N] and directions (sin, cos) of the races' resultants, Fc [N], Mg [N·m], and λi.
+    ``forces`` on the ball and on the ring; loads [N] and directions (sin, cos) of the races'
+    resultants, Fc [N], Mg [N·m], and λi.
     """
 
     forces: Forces

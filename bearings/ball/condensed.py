@@ -1,6 +1,7 @@
 """A ball eliminated from the balance of its ring (static condensation): a ring on springs.
 
-Plain expressions of floats or arrays, which compile as they stand.
+A is the centre of the inner groove, X that of the ball, as in ``bearings.ball.balance``. Plain
+expressions of floats or arrays, which compile as they stand.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ Rows = tuple[Motion, Motion, Motion]
 
 
 class Forces(NamedTuple):
-    """Forces on and of a ball at given A and X, linearised.
+    """Sum of forces on a ball and its action on the ring, at given A and X, linearised.
 
     ``residual`` [N]: sum of forces on the ball. ``action`` of the shaft on the ring through this
     ball: axial force, radial force [N], and the moment [N·m] that turns the ring at the ball about

@@ -102,7 +102,8 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
 
 
 def resting_reaction(c: Geometry, centre: Motion) -> tuple[Any, Condensed]:
-    """The same of a ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A."""
+    """Energy, and action on the ring, of a ball at rest between one groove a ring:
+    Q = kn (|A| − BD)₊^1.5 along A."""
     p = spring(both_grooves(c), centre)
     none = combined(0.0, centre, 0.0, centre)
     first, second, _ = _rows(centre, p)

@@ -3,8 +3,9 @@
 Bodies are concentric, listed from the axis outward; neighbours share a nominal radius and carry a
 radial interference, which presses (p ≥ 0) or leaves a gap, never pulls. In every body
 u(r) = A r + B/r + C ω² r³ (Lamé with rotation; Timoshenko & Goodier, *Theory of Elasticity*,
-§§28, 32, 150). A stack of n bodies has n + 1 unit loads: the n − 1 pressures of its fits, ω², and
-the temperatures as given (1); arrays run over them in this order.
+§§28, 32, 150), computed from the stresses by Hooke's law. A stack of n bodies has n + 1 unit loads:
+the n − 1 pressures of its fits, ω², and the temperatures as given (1); arrays run over them in this
+order.
 
 The axial condition is one of
 
@@ -250,19 +251,19 @@ def stress(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> t
     """
     ri, ro, _, nu, density, _ = _columns(bodies)
     nu = nu if axial == "plane_stress" else nu / (1.0 - nu)
-    radial, hoop = (3.0 + nu) / 8.0 * density, (1.0 + 3.0 * nu) / 8.0 * density
+    spin_r, spin_theta = (3.0 + nu) / 8.0 * density, (1.0 + 3.0 * nu) / 8.0 * density
     surfaces = np.eye(len(bodies) + 1, k=-1)  # pressure on each per unit load, outside none
     surfaces[-1] = 0.0
     inside, outside = surfaces[:-1].copy(), surfaces[1:].copy()
-    inside[:, -2:-1] -= radial * ri**2
-    outside[:, -2:-1] -= radial * ro**2
+    inside[:, -2:-1] -= spin_r * ri**2
+    outside[:, -2:-1] -= spin_r * ro**2
     area, r2 = ro**2 - ri**2, np.square(radius)
     mean = (inside * ri**2 - outside * ro**2) / area
     shear = (inside - outside) * ri**2 * ro**2 / area / np.where(r2 > 0.0, r2, 1.0)  # 0 at r = 0
-    across, along = mean - shear, mean + shear
-    across[:, -2:-1] -= radial * r2
-    along[:, -2:-1] -= hoop * r2
-    return across, along
+    sigma_r, sigma_theta = mean - shear, mean + shear
+    sigma_r[:, -2:-1] -= spin_r * r2
+    sigma_theta[:, -2:-1] -= spin_theta * r2
+    return sigma_r, sigma_theta
 
 
 def _axial_strain(bodies: tuple[Cylinder, ...], axial: str) -> Array:
@@ -280,11 +281,11 @@ def _axial_strain(bodies: tuple[Cylinder, ...], axial: str) -> Array:
 def displacement(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> Array:
     """u of every body at ``radius``, as in ``stress``, per unit load, (bodies, loads) [m]."""
     _, _, young, nu, _, heat = _columns(bodies)
-    across, along = stress(bodies, axial, radius)
-    strain = (along - nu * across) / young
+    sigma_r, sigma_theta = stress(bodies, axial, radius)
+    strain = (sigma_theta - nu * sigma_r) / young
     strain[:, -1:] += heat
     if axial != "plane_stress":  # less ν σz/E, σz = E (εz − α T) + ν (σr + σθ)
-        strain -= nu * (_axial_strain(bodies, axial) + nu * (across + along) / young)
+        strain -= nu * (_axial_strain(bodies, axial) + nu * (sigma_r + sigma_theta) / young)
         strain[:, -1:] += nu * heat
     return np.asarray(radius * strain)
 

@@ -44,17 +44,17 @@ class Iterate:
 
     @cached_property
     def _linear(self) -> list[Linear]:
-        d, x = self._states(self)
+        d, x = self._states()
         return [linearise(p, d[k], x[:, k], np.full(len(k), p.full)) for k, p in self.parts]
 
     def _joined(self, each: Callable[[Problem, Linear], NDArray[Any]]) -> Any:
-        """What there is of every state (s, …), of all parts as one batch (…, …)."""
+        """Values of the states of each part (s, …), as one batch (…, …)."""
         shape = self.displacement.shape[:-1]
         values = [each(p, linear) for (_, p), linear in zip(self.parts, self._linear, strict=True)]
         whole = np.empty((math.prod(shape), *values[0].shape[1:]), values[0].dtype)
         for (k, _), value in zip(self.parts, values, strict=True):
             whole[k] = value
-        return whole.reshape(*shape, *values[0].shape[1:])
+        return whole.reshape((*shape, *values[0].shape[1:]))
 
     @cached_property
     def load(self) -> Array:
@@ -93,7 +93,7 @@ class Iterate:
 
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
-        step, dd = np.empty_like(self.ball), change.reshape(-1, 5)
+        step, dd = np.empty(self.ball.shape), change.reshape(-1, 5)
         flat = step.reshape(2, len(dd), -1)
         for (k, _), linear in zip(self.parts, self._linear, strict=True):
             flat[:, k] = linear.along(dd[k])
@@ -105,16 +105,15 @@ class Iterate:
         flat = near.reshape(-1)
         for k, problem in self.parts:
             if problem.placed:
-                pair = [problem.faced(d[k], x[:, k]) for d, x in map(self._states, (before, self))]
+                pair = [problem.faced(d[k], x[:, k]) for d, x in (before._states(), self._states())]
                 for then, now in zip(*pair, strict=True):
                     flat[k] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
         return np.asarray(near)
 
-    @staticmethod
-    def _states(one: Iterate) -> tuple[Array, Array]:
-        """Displacements (s, 5) and balls (2, s, n) as lists."""
-        d = one.displacement.reshape(-1, 5)
-        return d, one.ball.reshape(2, len(d), -1)
+    def _states(self) -> tuple[Array, Array]:
+        """Displacements (s, 5) and balls (2, s, n), the batch as one list."""
+        d = self.displacement.reshape(-1, 5)
+        return d, self.ball.reshape(2, len(d), -1)
 
 
 def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> Iterate:

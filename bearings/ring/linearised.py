@@ -23,7 +23,7 @@ from bearings.ring.problem import Problem, turns
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """Balls linearised at (d, X): the Newton step follows from it.
+    """Balls of an ``assembly`` linearised at (d, X): the Newton step follows from it.
 
     ``balls``: each ball eliminated; ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the
     smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual of

@@ -130,6 +130,7 @@ class OnMeasured:
         return self._beams[key]
 
     def _bodies(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
+        """The same, computed."""
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
             return None, _flexibility(omega, None), *tool

@@ -1,4 +1,4 @@
-"""Which of many things are joined, directly or by way of others."""
+"""Connected components: what is joined, directly or by way of others."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from rotordyn.arrays import Flags, Indices
 
 
 def first_joined(joined: Flags) -> Indices:
-    """Of each of n things the first one of its group (n,); ``joined`` (n, n): in pairs, one way or
-    the other."""
+    """First member of the connected component of each of n things (n,); ``joined`` (n, n): which
+    pairs are, given one way or both."""
     reached = joined | joined.T | np.eye(len(joined), dtype=bool)
     for _ in range(len(joined).bit_length()):  # each doubles the steps that are taken
         reached = reached @ reached

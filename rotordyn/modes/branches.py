@@ -32,7 +32,13 @@ ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
 MOST_BREAKPOINTS = 200  # of tables of supports, beyond which only every second (third …) is taken
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
-MODES_ALONG = {"pole": 1, "vector": 2, "left": 1, "followed": 1, "whirl": 1}  # axis of a sweep
+MODES_ALONG = {
+    "pole": 1,
+    "vector": 2,
+    "left": 1,
+    "followed": 1,
+    "whirl": 1,
+}  # axis of modes in arrays of a sweep
 PLANAR = 1e-6  # whirl degree below which a motion is straight
 
 
@@ -75,7 +81,7 @@ class Branch:
         """|Im pole| / 2π [Hz], NaN where the mode is lost."""
         return np.abs(self.pole.imag) / (2.0 * math.pi)
 
-    def seen(self, speed: Array) -> Array:
+    def frequency_in_frame(self, speed: Array) -> Array:
         """Angular frequency (speeds,) [rad/s] in a frame that turns at ``speed`` (speeds,)."""
         omega = np.abs(self.pole.imag)
         if self.kind != "bending":
@@ -247,7 +253,8 @@ def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
     """Values with so many columns along an axis: of modes that are none."""
     short = [(0, 0)] * values.ndim
     short[axis] = 0, columns - values.shape[axis]
-    return np.pad(values, short, constant_values=False if values.dtype == bool else np.nan)
+    none: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+    return np.pad(values, short, constant_values=False if values.dtype == bool else none)
 
 
 def _kind(linear: Linear, vector: Complex) -> str:

@@ -66,8 +66,8 @@ class Critical:
 def criticals_up_to(
     scene: Scene, size: float, orders: Iterable[float] = (1.0,), motions: Sequence[str] = MOTIONS
 ) -> list[Critical]:
-    """Of engine ``orders``, on lines of up to ``size`` times the frequency of rotation of the
-    spindle; none where it has one speed alone."""
+    """Critical speeds of engine ``orders``, on lines of up to ``size`` times the frequency of
+    rotation of the spindle; none where it has one speed alone."""
     top = size * float(scene.speed[-1])
     if len(scene.usable) < 2 or top < SLOWEST:
         return []

@@ -131,7 +131,7 @@ def _corrected(
 ) -> list[State | None]:
     """The mode of every start by itself; None where that is not clearly the one looked for.
 
-    Without, cases that are mostly critical speeds take 1.6 times as long, the flagship no longer.
+    Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
     signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))

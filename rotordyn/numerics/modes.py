@@ -113,8 +113,8 @@ class Modes:
     ) -> Complex:
         """Sum over the poles: with λ = σ + iν, 1/(iω − λ) is (iν − σ − iω)/(σ² + (ω − ν)²).
 
-        One real table serves all pairs; pieces of it stay in fast memory. The flagship with its
-        responses takes a fifth of the time it takes by ``_solved``.
+        One real table serves all pairs; pieces of it stay in fast memory. A whole run of
+        mfw2310 takes a fifth of the time that it takes by ``_solved``.
         """
         pole, count = self.pole[place], len(responses)
         residue = (responses @ self.vector[place]) * (self.participation[place] @ excitations.T).T

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -78,10 +79,15 @@ def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """Bearings that press one way, and the static growth of each [m]."""
+    """Bearings that press one way."""
 
+    spindle: Spindle
     seats: Sequence[BearingSeat]
-    growths: Sequence[float]
+
+    @cached_property
+    def growths(self) -> list[float]:
+        """Static growth of each [m]."""
+        return [static_growth(self.spindle, seat) for seat in self.seats]
 
     @property
     def gained(self) -> float:
@@ -128,10 +134,7 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
             f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
             "preload by offset or by class needs bearings that face them"
         )
-    one, other = (
-        Side(side, [static_growth(spindle, seat) for seat in side]) for side in (own, facing)
-    )
-    return one, other
+    return Side(spindle, own), Side(spindle, facing)
 
 
 def _gain(seat: BearingSeat, growth: float) -> float:

@@ -29,7 +29,7 @@ from rotordyn.equation.reactions import Held, reactions
 from rotordyn.equation.section_forces import SectionForces, section_forces
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.conditions import pull_of
+from rotordyn.scene.conditions import gravity_vector
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
@@ -91,7 +91,7 @@ def at_rest(
 def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:
     """Of discs and masses on nodes (nodes, 6) [N], of the shaft along elements (elements, 2, 3)
     [N/m]."""
-    pull, point = np.array(pull_of(gravity)), np.zeros((mesh.nodes, 6))
+    pull, point = np.array(gravity_vector(gravity)), np.zeros((mesh.nodes, 6))
     for body in spindle.lumped:
         point[mesh.node_of(body.x), :3] += body.mass * pull
     return point, mesh.weight_line[..., None] * pull

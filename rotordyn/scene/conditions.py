@@ -131,7 +131,7 @@ class Conditions(Description):
     @property
     def pull(self) -> tuple[float, float, float]:
         """Acceleration of gravity along x, y and z [m/s²]."""
-        return pull_of(self.gravity)
+        return gravity_vector(self.gravity)
 
     @property
     def total_axial_force(self) -> float:
@@ -145,7 +145,7 @@ class Conditions(Description):
         return Law(self.kinematics, self.moment_sharing, friction, self.dynamics)
 
 
-def pull_of(gravity: str) -> tuple[float, float, float]:
+def gravity_vector(gravity: str) -> tuple[float, float, float]:
     """Acceleration along x, y and z [m/s²] of gravity along "+x", "-y" …; none of another word."""
     size = -STANDARD_GRAVITY if gravity.startswith("-") else STANDARD_GRAVITY
     x, y, z = (size if gravity[1:] == way else 0.0 for way in "xyz")

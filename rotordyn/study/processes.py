@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import pickle
 import signal
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from itertools import islice
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
@@ -37,11 +38,11 @@ class Process:
 
         context: Any = get_context("loky")  # one that does not run the user's script again
         self.pipe: Connection
-        self.pipe, far = context.Pipe()
-        self._process = context.Process(target=_serve, args=(far,), daemon=True, env=ALONE)
         with _uninterrupted():
+            self.pipe, far = context.Pipe()
+            self._process = context.Process(target=_serve, args=(far,), daemon=True, env=ALONE)
             self._process.start()
-        far.close()  # no copy outlives the process
+            far.close()  # no copy outlives the process
 
     def begin(self, call: Call, count: int) -> None:
         """Have it make a call, as one of ``count`` processes."""
@@ -126,16 +127,22 @@ def _ready() -> Process:
 
 @contextmanager
 def _uninterrupted() -> Iterator[None]:
-    """Processes begun meanwhile ignore Ctrl-C from their first moment: whoever asked ends them."""
-    before = signal.getsignal(signal.SIGINT)
-    if before is None or threading.current_thread() is not threading.main_thread():
-        yield  # only the main thread may say so: there they do from ``_serve`` on
+    """Processes begun meanwhile hear no Ctrl-C from their first moment on: whoever asked ends them.
+    One that comes meanwhile is heard here afterwards."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
         return
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    trackers: Any = (
+        resource_tracker,
+        import_module("joblib.externals.loky.backend.resource_tracker"),
+    )
+    for each in trackers:
+        each.ensure_running()  # as they start, they let Ctrl-C through again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _serve(pipe: Connection) -> None:

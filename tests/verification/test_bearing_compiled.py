@@ -25,7 +25,7 @@ from bearings.ball.kinematics import (
 )
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.ring.compiled import states
-from bearings.ring.compiled.jit import compiled
+from bearings.ring.compiled.jit import _callee
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 
@@ -68,7 +68,7 @@ def test_names_and_numbers_of_the_laws_agree() -> None:
 
 def test_the_source_is_the_same() -> None:
     """Nothing is written twice: the compiled balance is the code of the batched one."""
-    assert compiled(turning_balance).py_func.__code__ is turning_balance.__code__
+    assert _callee(turning_balance).py_func.__code__ is turning_balance.__code__
 
 
 @pytest.mark.parametrize("friction", [None, 0.08])

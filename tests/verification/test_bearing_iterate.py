@@ -48,6 +48,23 @@ def test_one_ball_stands_for_an_axial_state() -> None:
     assert one.load == pytest.approx(state.load, rel=1e-10, abs=1e-9)
 
 
+def test_a_state_by_itself_is_a_batch_of_one() -> None:
+    how = {"displacement": IN_PLANE, "kinematics": "outer"}
+    one = iterate(VEX70.equilibrium(speed=900.0, **how), full_assembly)
+    many = iterate(VEX70.equilibrium(speed=[900.0], **how), full_assembly)
+    assert one.error.shape == ()
+    assert one.load == pytest.approx(many.load[0], rel=1e-12)
+    assert one.moved(1.01 * IN_PLANE).ball == pytest.approx(many.moved(1.01 * IN_PLANE).ball[:, 0])
+
+
+def test_balls_follow_however_they_lie_in_memory() -> None:
+    here = iterate(solved(IN_PLANE), full_assembly)
+    turned = np.ascontiguousarray(np.swapaxes(here.ball, 1, 2))
+    other = here.at(here.displacement, np.swapaxes(turned, 1, 2))
+    change = np.full((*here.displacement.shape[:-1], 5), 1e-7)
+    assert np.array_equal(other.along(change), here.along(change))
+
+
 def test_load_misses_by_the_square_of_what_balls_miss() -> None:
     """A tenth of the distance of all balls from balance leaves a hundredth in the load."""
     start = iterate(solved(IN_PLANE), full_assembly)

@@ -44,8 +44,10 @@ def compiled(function: Callable[..., Any]) -> Any:
 
 @cache
 def _callee(function: FunctionType) -> Any:
-    """The same for compiled functions alone to call: Python cannot, for want of a wrapper, and
-    compiling takes 0.6 of the time with one for each."""
+    """``function`` compiled for calls from compiled code only.
+
+    It has no wrapper by which Python could call it: compiling takes 0.6 of the time with wrappers.
+    """
     import numba
 
     njit: Any = numba.njit  # its types leave these options out, with which it compiles its own

@@ -176,8 +176,8 @@ def _keep(first: Motion, second: Motion, f: Array) -> None:
 
 
 def put(into: Array, values: Array) -> None:
-    """Copy ``values`` into contiguous memory; an assignment to a slice takes half a second to
-    compile, each time."""
+    """Copy ``values`` into an array that is contiguous, or nothing is written; an assignment to a
+    slice takes half a second to compile, each time."""
     to, of = into.ravel(), values.ravel()
     for k in range(len(to)):
         to[k] = of[k]

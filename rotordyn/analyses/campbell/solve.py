@@ -23,6 +23,8 @@ from rotordyn.numerics.products import times
 from rotordyn.scene.formulation import ROTATING, require_isotropic
 from rotordyn.scene.scene import Scene
 
+TIE = 1e-9  # of the largest displacement of a shape: less is rounding
+
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined until they
@@ -52,7 +54,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     rigid = [rigid_share(scene.system(b.subsystem).linear, b) for b in branches]
     frequency = pole.imag
     if turned:
-        frequency = _table([b.seen(scene.speed[scene.usable]) for b in branches], shape)
+        speed = scene.speed[scene.usable]
+        frequency = _table([b.frequency_in_frame(speed) for b in branches], shape)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
         off = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
@@ -106,8 +109,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
 
 def _within(scene: Scene, branch: Branch, band: Band) -> bool:
     """A mode comes into the band in some frame, at some speed."""
-    seen = branch.seen(scene.speed[scene.usable])
-    both = np.concatenate([seen, np.abs(branch.track.pole.imag)])
+    turning = branch.frequency_in_frame(scene.speed[scene.usable])
+    both = np.concatenate([turning, np.abs(branch.track.pole.imag)])
     return bool(np.nanmin(both) <= band.highest)
 
 
@@ -127,5 +130,7 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
                 motion = scene.system(branch.subsystem).linear.motion
                 moved = times(motion, branch.vector[row][:, None])[..., 0]
                 pool = moved[:, position("thx")] if branch.kind == "torsion" else moved[:, :3]
-                shapes[place, k] = moved / pool.flat[int(np.abs(pool).argmax())]
+                size = np.abs(pool).ravel()  # on a circle y and z are equal but for rounding: y
+                largest = int((size >= (1.0 - TIE) * size.max()).argmax())
+                shapes[place, k] = moved / pool.flat[largest]
     return shapes

@@ -188,8 +188,9 @@ def _light_modes(
             high = np.where(np.isnan(at[:, place]), -1.0, size[:, place])
             row, top = np.unravel_index(high.argmax(), high.shape)
             if damping[row, place, top] < LIGHT and modes:
-                seen = [mode.seen(speed)[row] / (2.0 * math.pi) for mode, _ in modes]
-                away = np.abs(np.nan_to_num(seen, nan=np.inf) - at[row, place, top])
+                omega = [mode.frequency_in_frame(speed)[row] for mode, _ in modes]
+                hertz = np.nan_to_num(np.array(omega) / (2.0 * math.pi), nan=np.inf)
+                away = np.abs(hertz - at[row, place, top])
                 names[place] = modes[int(away.argmin())][1]
     return tuple(names)
 

@@ -54,6 +54,7 @@ def static_loads(
         ends = [spindle.place(at).x for at in (span.start, span.to)]
         covered = (ends[0] < mesh.middle) & (mesh.middle < ends[1])
         line[covered] += (span.qx, span.qy, span.qz)
+    # with bearings the preload state carries the gravity of the conditions
     for gravity in (spec.gravity, "none" if spindle.seats else conditions.gravity):
         on_bodies, along = weight(spindle, mesh, gravity)
         point, line = point + on_bodies, line + along

@@ -31,10 +31,23 @@ def test_a_process_interrupted_as_it_loads_still_answers(
     assert capfd.readouterr().err == ""
 
 
-def test_whoever_begins_a_process_is_interrupted_as_before() -> None:
-    before = signal.getsignal(signal.SIGINT)
-    Process().end()
-    assert signal.getsignal(signal.SIGINT) is before
+@POSIX
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # half-made pipes
+@pytest.mark.parametrize("wait", [0.001, 0.003, 0.005, 0.01])
+def test_ctrl_c_that_comes_as_a_process_begins_is_not_lost(wait: float) -> None:
+    Process().end()  # what processes share is there
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def begin() -> None:
+        threading.Timer(wait, os.kill, (os.getpid(), signal.SIGINT)).start()
+        Process().end()
+        time.sleep(1.0)
+
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            begin()
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_a_process_begun_in_a_thread_answers() -> None:

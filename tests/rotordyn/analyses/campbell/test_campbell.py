@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell import summary
@@ -199,6 +200,18 @@ def test_critical_of_a_rigid_disc_in_closed_form() -> None:
     )  # fmt: skip
     found = diagram(rotor, np.arange(0, 3001, 100), 100.0)
     assert found.critical_speed[0] == pytest.approx((2e6 / 200.0) ** 0.5, rel=1e-3)
+
+
+def test_circular_shapes_are_real_in_y() -> None:
+    """There y and z are equal but for rounding, which is not to choose."""
+    shape = rotordyn.run(rotordyn.load("friswell_tapered_shaft"))["published/campbell"][
+        "shape"
+    ].values
+    circular = np.abs(np.abs(shape[..., 1]) - np.abs(shape[..., 2])).max(axis=-1) < 1e-6
+    assert circular.any()
+    place = np.abs(shape[..., 1]).argmax(axis=-1)[..., None]
+    largest = np.take_along_axis(shape[..., 1], place, axis=-1)[..., 0]
+    assert largest[circular] == pytest.approx(np.ones(int(circular.sum())), abs=1e-8)
 
 
 def test_shapes_at_the_first_and_last_speed() -> None:
