@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import pickle
 import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from importlib import import_module
@@ -128,21 +129,27 @@ def _ready() -> Process:
 @contextmanager
 def _uninterrupted() -> Iterator[None]:
     """Processes begun meanwhile hear no Ctrl-C from their first moment on: whoever asked ends them.
-    One that comes meanwhile is heard here afterwards."""
+    One that comes meanwhile is answered here afterwards."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
-    trackers: Any = (
-        resource_tracker,
-        import_module("joblib.externals.loky.backend.resource_tracker"),
-    )
+    heard, usual = list[int](), signal.getsignal(signal.SIGINT)
+    deferred = usual is not None and threading.current_thread() is threading.main_thread()
+    if deferred:  # another thread may take it, and Python would stop this one
+        signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    of_loky = import_module("joblib.externals.loky.backend.resource_tracker")
+    trackers: Any = resource_tracker, of_loky
     for each in trackers:
         each.ensure_running()  # as they start, they let Ctrl-C through again
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # what processes begin with
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if deferred:
+            signal.signal(signal.SIGINT, usual)
+        if heard:
+            signal.raise_signal(signal.SIGINT)
 
 
 def _serve(pipe: Connection) -> None:

@@ -32,7 +32,6 @@ def test_a_process_interrupted_as_it_loads_still_answers(
 
 
 @POSIX
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # half-made pipes
 @pytest.mark.parametrize("wait", [0.001, 0.003, 0.005, 0.01])
 def test_ctrl_c_that_comes_as_a_process_begins_is_not_lost(wait: float) -> None:
     Process().end()  # what processes share is there
