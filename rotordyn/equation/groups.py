@@ -1,4 +1,7 @@
-"""Connected components: what is joined, directly or by way of others."""
+"""Connected components: what is joined, directly or by way of others.
+
+There are few: those of ``scipy.sparse`` would take longer to import than most runs take.
+"""
 
 from __future__ import annotations
 

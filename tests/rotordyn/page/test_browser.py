@@ -43,7 +43,7 @@ def test_opens_from_disk_offline_without_an_error(opened: Any) -> None:
     shown = busy() - begin
     page.wait_for_selector("body[data-drawn]")
     first = busy() - begin
-    assert shown < 2.0, "of a processor that others use as well"
+    assert shown < 1.0
     assert first < 4.0, "of a processor that others use as well; 1.6 s alone"
 
 
