@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.linear import Linear, planes_of
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.term import LinkMatrices, State
+from rotordyn.equation.term import Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
 STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
@@ -87,15 +88,11 @@ def assemble(
         stiffness[:, in_z, in_y] -= spin * turning.T
     links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
     links += [(link, pull) for link in structure.drawbar] if force is not None else []
-    connections, bodies = list[Connection](), stiffness.copy()
-    for link, share in links:
-        if not any(component.has(link.dofs).any() for component in components):
-            continue  # of other subsystems
-        motions, (held, damped) = link.motions @ whole.moved(link.dofs), link.matrices(state)
-        connections.append(Connection(link, motions, LinkMatrices(share * held, damped)))
-        stiffness += connections[-1].stiffness
-        if damped.any():
-            damping += connections[-1].damping
+    connections, bodies = _joined(whole, links, state), stiffness.copy()
+    for connection in connections:
+        stiffness += connection.stiffness
+        if connection.matrices.damping.any():
+            damping += connection.damping
     whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
     allowed = _allowed(whole, connections)
     if allowed is None:
@@ -106,6 +103,22 @@ def assemble(
     return replace(whole, allowed=allowed, bodies=bodies)
 
 
+def _joined(linear: Linear, links: Sequence[tuple[Link, float]], state: State) -> list[Connection]:
+    """Links that act on a subsystem, each with a share of its stiffness, in its coordinates."""
+    mine = np.zeros(linear.structure.dofs.count, dtype=bool)
+    for component in linear.components:
+        mine[component.dofs] = True
+    links = [(link, share) for link, share in links if mine[link.dofs].any()]
+    dofs = [np.zeros(0, dtype=np.intp), *(link.dofs for link, _ in links)]
+    moved, parts = linear.moved(np.concatenate(dofs)), pairwise(accumulate(map(len, dofs)))
+    joined = []
+    for (link, share), (begin, end) in zip(links, parts, strict=True):
+        held, damped = link.matrices(state)
+        motions = link.motions @ moved[begin:end]
+        joined.append(Connection(link, motions, LinkMatrices(share * held, damped)))
+    return joined
+
+
 def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
     coordinates of components that none joins stay apart too."""
@@ -114,7 +127,8 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     damped = any(c.damping.any() for c in linear.components) or any(c.damped for c in connections)
     if linear.loss is not None or damped:
         least = np.inf  # motions of damped systems would lose digits instead
-    stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
+    strained = [each.strained(least) for each in connections] if np.isfinite(least) else []
+    stiff = np.concatenate([none, *strained])
     held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
     rigid = np.concatenate([none, *held])
     rigid = rigid[rigid.any(axis=1)]

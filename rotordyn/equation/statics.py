@@ -173,6 +173,6 @@ def _negative(matrix: Array) -> Array:
 
 def _without_bearings(structure: Structure, speed: Array) -> State:
     seats, sleeves = len(structure.spindle.seats), len(structure.spindle.sleeves)
-    none = np.zeros((len(speed), seats, 5, 5))
+    none = np.zeros((len(speed), seats, 6, 6))
     stops = np.zeros((len(speed), sleeves), dtype=bool)
     return State(speed, none, stops, standing=True)

@@ -36,8 +36,8 @@ class Part(NamedTuple):
 
 
 class State(NamedTuple):
-    """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 5, 5) of the bearings in
-    their own frames; sleeves that stand at ``stops``, or by friction (s, sleeves). ``standing``:
+    """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 6, 6) of the bearings in
+    the spindle's frame; sleeves that stand at ``stops``, or by friction (s, sleeves). ``standing``:
     loads stand still."""
 
     speed: Array

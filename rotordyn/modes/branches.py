@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
-from rotordyn.numerics.follow import doubts, follow
+from rotordyn.numerics.follow import Steps, doubts, follow
 from rotordyn.numerics.modes import swings
 from rotordyn.numerics.products import times
 from rotordyn.scene.scene import Scene
@@ -117,9 +118,8 @@ def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
         sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
-    sides = (-1.0, 1.0) if (sweep.whirl > 0.0).any() else (0.0,)
     for _ in range(0 if sweep.constant else ROUNDS):
-        wanted = [x for side in sides for x in sweep.doubts(band, side)]
+        wanted = sweep.doubts(band)
         if not wanted or len(sweep.speed) > MOST_STEPS:
             break
         finer = sweep.refined(scene, subsystem, band, wanted)
@@ -128,10 +128,14 @@ def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
         sweep = finer
     linear = scene.system(subsystem).linear
     expected = sweep.pole if sweep.constant else sweep.ahead(MARGIN * band.highest)
-    return [b for side in sides for b in sweep.branches(linear, subsystem, side, expected)]
+    return [
+        branch
+        for side in sweep.sides
+        for branch in sweep.branches(linear, subsystem, side, expected)
+    ]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class _Sweep:
     """All modes of a subsystem at every ``speed`` (s,), ascending.
 
@@ -186,41 +190,43 @@ class _Sweep:
             joined[name] = np.concatenate(parts)[order]
         return _Sweep(**joined, constant=False)
 
-    def doubts(self, band: Band, side: float) -> list[float]:
+    @cached_property
+    def sides(self) -> dict[float, tuple[Indices, Steps]]:
+        """Followed modes by the side to which they whirl: their columns (s, k), and what they are,
+        ascending, at every speed."""
+        every = (-1.0, 1.0) if (self.whirl > 0.0).any() else (0.0,)
+        return {side: self._chosen(self.followed & (self.whirl == side)) for side in every}
+
+    def _chosen(self, wanted: Flags) -> tuple[Indices, Steps]:
+        """Columns of the modes ``wanted`` (s, k), and their vectors and frequencies."""
+        many = wanted.sum(axis=1, keepdims=True)
+        order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
+        columns = order[:, : int(many.max(initial=0))]
+        there = np.arange(columns.shape[1]) < many
+        vectors = np.take_along_axis(self.vector, columns[:, None], axis=2)
+        values = np.take_along_axis(self.pole.imag, columns, axis=1)
+        steps = Steps(np.where(there[:, None], vectors, 0.0), np.where(there, values, np.nan))
+        return columns, steps
+
+    def doubts(self, band: Band) -> list[float]:
         """Speeds that would tell who is who."""
         narrowest = NARROWEST * float(np.ptp(self.speed))
-        followable = self._followable(self._chosen(side))
-        return doubts(self.speed, *followable, WITHIN * band.highest, narrowest)
+        steps = [steps for _, steps in self.sides.values()]
+        return [x for e in steps for x in doubts(self.speed, e, WITHIN * band.highest, narrowest)]
 
     def branches(
         self, linear: Linear, subsystem: int, side: float, expected: Complex
     ) -> list[Branch]:
         """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` (s, k) at the
         next speed."""
-        chosen = self._chosen(side)
+        columns, steps = self.sides[side]
         if self.constant:
-            path = np.tile(np.arange(len(chosen[0])), (len(chosen), 1))
+            path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
         else:
-            ahead = [pole.imag[known] for pole, known in zip(expected, chosen, strict=True)]
-            path = follow(*self._followable(chosen), ahead)
-        column = np.full(path.shape, -1, dtype=np.intp)
-        for row, known, places in zip(column, chosen, path, strict=True):
-            row[places >= 0] = known[places[places >= 0]]
-        return [
-            self._branch(linear, subsystem, side, column[:, k])
-            for k in np.flatnonzero((path[self.given] >= 0).any(axis=0))
-        ]
-
-    def _chosen(self, side: float) -> list[Indices]:
-        """Columns of followed modes that whirl to ``side``, ascending, at every speed."""
-        wanted = self.followed & (self.whirl == side)
-        order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
-        return [row[:many] for row, many in zip(order, wanted.sum(axis=1), strict=True)]
-
-    def _followable(self, columns: list[Indices]) -> tuple[list[Complex], list[Array]]:
-        """Vectors and frequencies of some columns of every step."""
-        vectors = [one[:, known] for one, known in zip(self.vector, columns, strict=True)]
-        return vectors, [one.imag[known] for one, known in zip(self.pole, columns, strict=True)]
+            path = follow(steps, np.take_along_axis(expected.imag, columns, axis=1))
+        path = path[:, (path[self.given] >= 0).any(axis=0)]
+        column = np.where(path < 0, -1, np.take_along_axis(columns, path, axis=1))
+        return self._branches(linear, subsystem, side, column)
 
     def ahead(self, ceiling: float) -> Complex:
         """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Those beyond
@@ -235,18 +241,32 @@ class _Sweep:
         expected[:-1] = np.where(known, here - move, here)
         return expected
 
-    def _branch(self, linear: Linear, subsystem: int, side: float, column: Indices) -> Branch:
-        """One path by its ``column`` at every speed (s,); −1 where it is lost."""
-        every = np.arange(len(column))
-        pole, vector = self.pole[every, column], self.vector[every, :, column]
-        pole[column < 0] = complex(np.nan, np.nan)
-        kind, there = _kind(linear, vector[column >= 0]), column[self.given]
-        degree = np.where(there < 0, np.nan, 0.0)
-        if kind == "bending":
-            degree = np.where(there < 0, np.nan, whirl_degree(linear, vector[self.given]))
-        track = Track(self.speed, pole, vector)
-        given = pole[self.given], degree, there, vector[self.given]
-        return Branch(kind, subsystem, *given, track, side)
+    def _branches(
+        self, linear: Linear, subsystem: int, side: float, column: Indices
+    ) -> list[Branch]:
+        """Paths by their ``column`` at every speed (s, k); −1 where they are lost."""
+        lost, given = column < 0, self.given
+        pole = np.take_along_axis(self.pole, column, axis=1)
+        pole[lost] = complex(np.nan, np.nan)
+        vector = np.take_along_axis(self.vector, column[:, None], axis=2)
+        kinds, here = _kinds(linear, vector, ~lost), vector[given]
+        degree = np.zeros(column[given].shape)
+        if bending := [k for k, kind in enumerate(kinds) if kind == "bending"]:
+            degree[:, bending] = whirl_degree(linear, here[..., bending])
+        degree[lost[given]] = np.nan
+        return [
+            Branch(
+                kind,
+                subsystem,
+                pole[given, k],
+                degree[:, k],
+                column[given, k],
+                here[..., k],
+                Track(self.speed, pole[:, k], vector[..., k]),
+                side,
+            )
+            for k, kind in enumerate(kinds)
+        ]
 
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
@@ -257,12 +277,16 @@ def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
     return np.pad(values, short, constant_values=False if values.dtype == bool else none)
 
 
-def _kind(linear: Linear, vector: Complex) -> str:
-    """The motion with the largest share of the kinetic energy."""
-    squares = np.abs(vector) ** 2
-    squares = squares / squares.sum(axis=1, keepdims=True)
-    energy = {m: float(squares[:, linear.energy_of(m)].sum()) for m in sorted(linear.kinds)}
-    return max(energy, key=lambda motion: energy[motion])
+def _kinds(linear: Linear, vector: Complex, there: Flags) -> list[str]:
+    """Of modes (s, n, k) the motion with the largest share of the kinetic energy, at the speeds
+    where they are ``there`` (s, k)."""
+    names = sorted(linear.kinds)
+    if len(names) == 1:
+        return names * there.shape[1]
+    squares = np.where(there[:, None], vector.real**2 + vector.imag**2, 0.0)
+    share = squares / np.where(there, squares.sum(axis=1), 1.0)[:, None]
+    energy = [share[:, linear.energy_of(name)].sum(axis=(0, 1)) for name in names]
+    return [names[k] for k in np.argmax(energy, axis=0).tolist()]
 
 
 def breakpoints_between(scene: Scene) -> Array:
@@ -274,13 +298,13 @@ def breakpoints_between(scene: Scene) -> Array:
 
 
 def whirl_degree(linear: Linear, vector: Complex) -> Array:
-    """Forward less backward share (s,) of motions (s, n) of a subsystem in both planes."""
+    """Forward less backward share (s, …) of motions (s, n, …) of a subsystem in both planes."""
     y, z = linear.planes
     return circular_share(vector[:, y], vector[:, z])
 
 
 def circular_share(y: Complex, z: Complex) -> Array:
-    """Of motions (s, k) in plane y and in plane z."""
+    """Of motions (s, n, …) in plane y and in plane z."""
     forward, backward = np.abs(y + 1j * z) ** 2, np.abs(y - 1j * z) ** 2
     return np.asarray((forward - backward).sum(axis=1) / (forward + backward).sum(axis=1))
 

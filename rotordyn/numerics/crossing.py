@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import reduce
+
 import numpy as np
 
 from rotordyn.arrays import Array
@@ -28,13 +30,12 @@ def _zero(x: Array, y: Array, k: int) -> float:
     near = np.arange(max(k - 1, 0), min(k + 3, len(x)))
     near = near[np.isfinite(y[near])]
     middle, width = 0.5 * (x[k] + x[k + 1]), x[k + 1] - x[k]
-    curve = np.polynomial.Polynomial(
-        np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
-    )
+    fitted = np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
+    upwards, rising = fitted[::-1].tolist(), bool(y[k] > 0.0)
     low, high = -0.5, 0.5
     for _ in range(60):
         centre = 0.5 * (low + high)
-        if (curve(centre) > 0.0) == (y[k] > 0.0):
+        if (reduce(lambda total, factor: total * centre + factor, upwards) > 0.0) == rising:
             low = centre
         else:
             high = centre

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -25,71 +27,95 @@ def mac(a: Complex, b: Complex) -> Array:
     )
 
 
-def follow(
-    vectors: list[Complex], values: list[Array], ahead: list[Array] | None = None
-) -> Indices:
+@dataclass(frozen=True, eq=False)
+class Steps:
+    """``vectors`` (steps, n, k) of ``values`` (steps, k) through a sweep; where a step has fewer
+    they come first, before vectors of zeros and values of NaN."""
+
+    vectors: Complex
+    values: Array
+
+    @cached_property
+    def many(self) -> Indices:
+        """How many each step has (steps,)."""
+        return np.asarray((~np.isnan(self.values)).sum(axis=1))
+
+    def of(self, step: int) -> tuple[Complex, Array]:
+        """Vectors and values of one step, (n, k) and (k,)."""
+        many = self.many[step]
+        return self.vectors[step, :, :many], self.values[step, :many]
+
+    @cached_property
+    def alike(self) -> Array:
+        """MAC of every step with the next (steps − 1, k, k); zero of those that are none."""
+        size = np.sqrt((self.vectors.real**2 + self.vectors.imag**2).sum(axis=1, keepdims=True))
+        whole = self.vectors / np.where(size > 0.0, size, 1.0)
+        inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
+        alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
+        every = self.values
+        pairs = np.abs(every[:, :, None] - every[:, None]) <= REPEATED * np.abs(every)[:, None]
+        repeated = pairs.sum(axis=(1, 2)) > self.many
+        for step in np.flatnonzero(repeated[:-1] | repeated[1:]).tolist():
+            here, there = self.many[step], self.many[step + 1]
+            alike[step, :here, :there] = _shared(*self.of(step), *self.of(step + 1))
+        return np.asarray(alike)
+
+
+def follow(steps: Steps, ahead: Array | None = None) -> Indices:
     """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
 
-    ``vectors``: one (n, k_s) array per step; ``values`` (k_s,); ``ahead`` (k_s,): what they are
-    expected to be at the next step, the same if left out. Of vectors equally alike the one nearest
-    to that is taken. The most alike pairs are matched first, each vector once; a vector that nobody
-    claims begins a path of its own. Vectors of repeated values are any basis of what they span:
-    each is like all that this space holds.
+    ``ahead`` (steps, k): what the values are expected to be at the next step, the same if left out.
+    Of vectors equally alike the one nearest to that is taken. The most alike pairs are matched
+    first, each vector once; a vector that nobody claims begins a path of its own. Vectors of
+    repeated values are any basis of what they span: each is like all that this space holds.
     """
-    last, at = np.zeros((vectors[0].shape[0], 0), dtype=complex), np.zeros(0)
-    before, rows, known = np.zeros(0), list[Indices](), _consecutive(vectors, values)
-    for k, (fresh, value, expected) in enumerate(
-        zip(vectors, values, ahead or values, strict=True)
-    ):
-        if k and (rows[-1] >= 0).all():
-            alike = known[k - 1, rows[-1], : len(value)]
+    expected = steps.values if ahead is None else ahead
+    partner, clear = _partners_at_once(steps, expected)
+    last = np.arange(steps.many[0])
+    seen, rows = np.zeros(len(last), dtype=np.intp), [last]
+    for k in range(1, len(steps.many)):
+        if clear[k - 1] and len(last) == steps.many[k]:
+            last, seen = partner[k - 1, last], np.full(len(last), k)
+            rows.append(last)
+            continue
+        fresh, value = steps.of(k)
+        if (seen == k - 1).all():
+            alike = steps.alike[k - 1, last, : len(value)]
         else:
-            alike = _shared(last, before, fresh, value)
-        column = _partners(alike, at, value)
-        matched = column >= 0
-        new = np.ones(fresh.shape[1], dtype=bool)
-        new[column[matched]] = False
-        born = np.flatnonzero(new)
+            alike = _shared(steps.vectors[seen, :, last].T, steps.values[seen, last], fresh, value)
+        column = matched(_score(alike, expected[seen, last], value), LEAST_MAC)
+        known = column >= 0
+        born = np.setdiff1d(np.arange(len(value)), column[known])
+        last = np.append(np.where(known, column, last), born)
+        seen = np.append(np.where(known, k, seen), np.full(len(born), k))
         rows.append(np.append(column, born))
-        last, at, before = last.copy(), at.copy(), before.copy()
-        last[:, matched], at[matched] = fresh[:, column[matched]], expected[column[matched]]
-        before[matched] = value[column[matched]]
-        last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, expected[born])
-        before = np.append(before, value[born])
-    path = np.full((len(rows), len(at)), -1, dtype=np.intp)
+    path = np.full((len(rows), len(last)), -1, dtype=np.intp)
     for step, row in enumerate(rows):
         path[step, : len(row)] = row
     return path
 
 
-def _partners(alike: Array, at: Array, value: Array) -> Indices:
-    """Which of the fresh ones of ``value`` (l,) each of the last has become (k,), −1 for none.
+def _partners_at_once(steps: Steps, expected: Array) -> tuple[Indices, Flags]:
+    """Which of the next step's each becomes (steps − 1, k), where all of a step are there again and
+    each is most like another one (steps − 1,)."""
+    score = _score(steps.alike, expected[:-1], steps.values[1:])
+    score[np.isnan(score)] = -np.inf
+    every = np.arange(score.shape[-1])
+    missing = every >= steps.many[:-1, None]
+    if not every.size:
+        return np.zeros(missing.shape, dtype=np.intp), np.ones(len(missing), dtype=bool)
+    partner = np.where(missing, every, score.argmax(axis=2))
+    clear = (score.max(axis=2) >= LEAST_MAC) | missing
+    each = (np.sort(partner, axis=1) == every) & clear
+    return partner, each.all(axis=1) & (steps.many[:-1] == steps.many[1:])
 
-    ``alike`` (k, l): their MAC; ``at`` (k,): what values of the last are expected to be now.
-    """
-    distance = np.abs(value - at[:, None])
-    apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return matched(alike - NEARNESS * apart, LEAST_MAC)
 
-
-def _consecutive(vectors: list[Complex], values: list[Array]) -> Array:
-    """MAC of every step with the next (steps − 1, k, k), filled up with zeros."""
-    most, steps = max(len(value) for value in values), len(values)
-    whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
-    every = np.full((steps, most), np.nan)
-    for k, (vector, value) in enumerate(zip(vectors, values, strict=True)):
-        whole[k, :, : len(value)], every[k, : len(value)] = vector, value
-    size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
-    whole /= np.where(size > 0.0, size, 1.0)
-    inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
-    alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
-    pairs = np.abs(every[:, :, None] - every[:, None]) <= REPEATED * np.abs(every)[:, None]
-    repeated = pairs.sum(axis=(1, 2)) > np.isfinite(every).sum(axis=1)
-    for step in np.flatnonzero(repeated[:-1] | repeated[1:]):
-        here, there = values[step], values[step + 1]
-        shared = _shared(vectors[step], here, vectors[step + 1], there)
-        alike[step, : len(here), : len(there)] = shared
-    return np.asarray(alike)
+def _score(alike: Array, at: Array, value: Array) -> Array:
+    """How well values (…, l) suit those before them (…, k, l), expected ``at`` (…, k), of the MAC
+    ``alike`` (…, k, l)."""
+    value, at = value[..., None, :], at[..., None]
+    apart = np.abs(value - at) / (np.abs(at) + np.abs(value) + 1e-300)
+    return np.asarray(alike - NEARNESS * apart)
 
 
 def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
@@ -109,9 +135,7 @@ def _spanning(vectors: Complex, repeated: Flags) -> Complex:
     return vectors
 
 
-def doubts(
-    at: Array, vectors: list[Complex], values: list[Array], within: float, narrowest: float
-) -> list[float]:
+def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
     """Places between the steps ``at`` (steps,) where another one would tell who is who.
 
     Where a vector with a value below ``within`` is like no single one of the next step, as in a
@@ -119,28 +143,24 @@ def doubts(
     change their order, at the crossing, until it is met so closely that a veering as narrow would
     show. No step becomes smaller than ``narrowest``.
     """
-    wanted, alike = [], _consecutive(vectors, values)
-    for k in np.flatnonzero(np.diff(at) > 2.0 * narrowest):
-        one, other = values[k : k + 2]
-        share = _doubt(alike[k, : len(one), : len(other)], one, other, within)
-        if share is not None:
-            room = narrowest / (at[k + 1] - at[k])
-            wanted.append(float(at[k] + (at[k + 1] - at[k]) * np.clip(share, room, 1.0 - room)))
-    return wanted
-
-
-def _doubt(alike: Array, one: Array, other: Array, within: float) -> float | None:
-    """Where between two steps of values (k,), (l,) and MAC (k, l) to look, as a share of the way;
-    None where all is clear."""
-    if not alike.size:
-        return None
+    alike, one, other = steps.alike, steps.values[:-1], steps.values[1:]
+    wide = (np.diff(at) > 2.0 * narrowest) & (steps.many[:-1] > 0) & (steps.many[1:] > 0)
+    if not wide.any():
+        return []
     unclear = [
-        np.flatnonzero((alike.max(axis=1 - side) < CLEAR) & (value < within))
+        (alike.max(axis=2 - side) < CLEAR) & (value < within)
         for side, value in enumerate((one, other))
     ]
-    if unclear[0].size or unclear[1].size:
-        return _veering([one, other], unclear)
-    return _crossing(one, other[alike.argmax(axis=1)], one < within)
+    veers = wide & (unclear[0].any(axis=1) | unclear[1].any(axis=1))
+    after = np.take_along_axis(other, alike.argmax(axis=2), axis=1)
+    share = np.where(wide, _crossings(one, after, one < within), np.inf)
+    for k in np.flatnonzero(veers).tolist():
+        values = [steps.of(k)[1], steps.of(k + 1)[1]]
+        share[k] = _veering(values, [np.flatnonzero(each[k]) for each in unclear])
+    room = narrowest / np.diff(at)
+    places = at[:-1] + np.diff(at) * np.clip(share, room, 1.0 - room)
+    found: list[float] = places[np.isfinite(share)].tolist()
+    return found
 
 
 def _veering(values: list[Array], unclear: list[Indices]) -> float:
@@ -158,16 +178,16 @@ def _veering(values: list[Array], unclear: list[Indices]) -> float:
     return gaps[0] / (gaps[0] + gaps[1])
 
 
-def _crossing(one: Array, other: Array, wanted: Flags) -> float | None:
-    """Where the first two values that change their order meet, if no step is there yet."""
-    before, after = one[:, None] - one, other[:, None] - other
-    size = np.minimum(np.abs(one), np.abs(other))
+def _crossings(one: Array, other: Array, wanted: Flags) -> Array:
+    """Where between two steps (steps, k) the first two values that change their order meet, as a
+    share of the way (steps,); infinite where none do, or where a step is there already."""
+    before, after = (each[:, :, None] - each[:, None] for each in (one, other))
+    size = np.minimum(np.abs(one), np.abs(other))[:, None]
     apart = np.minimum(np.abs(before), np.abs(after)) > TOUCHING * size
-    swapped = (before * after < 0.0) & apart & wanted[:, None] & wanted
-    if not swapped.any():
-        return None
-    share = before / np.where(swapped, before - after, 1.0)
-    return float(share[swapped].min())
+    swapped = (before * after < 0.0) & apart & wanted[:, :, None] & wanted[:, None]
+    share = np.full(swapped.shape, np.inf)
+    np.divide(before, before - after, out=share, where=swapped)
+    return np.asarray(share.min(axis=(1, 2), initial=np.inf))
 
 
 def matched(score: Array, least: float) -> Indices:

@@ -1,10 +1,10 @@
 """Poles of lightly damped systems: those of their conservative part, refined all together.
 
 In the vectors of the conservative part (``numerics.conservative``) the matrix of the system is
-nearly diagonal. With B the matrix in the vectors X so far, F_ij = B_ij/(B_jj − B_ii) and F_ii = 0,
-X (1 + F) are better ones: what is left beside the diagonal is squared, as in Jacobi's method for
-matrices that are nearly diagonal. As all vectors are refined at once and stay independent, none is
-lost and none comes twice.
+nearly diagonal. Where it is Λ + R in the vectors X so far, Λ its diagonal, F_ij = R_ij/(Λ_j − Λ_i)
+and F_ii = 0, X (1 + F) are better ones: there it is Λ + (1 + F)⁻¹ R F, so that what is left beside
+the diagonal is squared, as in Jacobi's method for matrices that are nearly diagonal. As all vectors
+are refined at once and stay independent, none is lost and none comes twice.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
-CLOSE = 1e-7  # its square is rounding
+CLOSE = 3e-4  # (1 + F)⁻¹ is 1 − F but for its square
+SAME = 1e-7  # its square is rounding
 CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
 
 
@@ -37,6 +38,7 @@ def lightly_damped_modes(
     pole, known = np.ones((count, 2 * n), dtype=complex), np.zeros(count, dtype=bool)
     vector, left = np.ones((count, n, 2 * n), complex), np.ones((count, 2 * n, n), complex)
 
+    @np.errstate(divide="ignore", invalid="ignore")  # of equal rates: not below FAR
     def refine(part: slice) -> None:
         near: _Near | None = None
         for k in range(count)[CHAIN * part.start : CHAIN * part.stop]:
@@ -59,10 +61,12 @@ class _Near:
 
         [[i D, K L⁻ᴴ], [Lᴴ, 0]],   (v, u), v = ν q, u = Lᴴ q,
 
-    coordinates in the ``order`` (n,) of ``whirls``, with the root ``upper`` Lᴴ of some near K."""
+    coordinates in the ``order`` (n,) of ``whirls``, with the root ``upper`` Lᴴ of some near K and
+    its inverse ``back`` L⁻ᴴ."""
 
     order: Indices
     upper: Matrix
+    back: Matrix
     rate: NDArray[np.inexact]
     vectors: Matrix
     inverse: Matrix
@@ -73,34 +77,35 @@ class _Near:
         known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
         if known is None:
             return None
-        return cls(*known, known[-1].conj().T)  # its vectors are orthonormal
+        order, upper, rate, both = known
+        return cls(order, upper, np.linalg.inv(upper), rate, both, both.conj().T)  # orthonormal
 
     def refined(self, stiffness: Matrix, damping: Matrix) -> _Near | None:
         """Of a system near by; None where the vectors are too far, or two eigenvalues too close."""
-        n, swapped = len(self.order), np.ix_(self.order, self.order)
+        n, swapped = len(self.order), (self.order[:, None], self.order)
         matrix = np.zeros((2 * n, 2 * n), dtype=complex)
         matrix[:n, :n] = 1j * damping[swapped]
-        matrix[:n, n:] = np.linalg.solve(self.upper.T, stiffness[swapped].T).T
+        matrix[:n, n:] = stiffness[swapped] @ self.back
         matrix[n:, :n] = self.upper
-        vectors, one = self.vectors.astype(complex), np.eye(2 * n)
+        vectors, diagonal = self.vectors.astype(complex), slice(None, None, 2 * n + 1)
         rest = self.inverse @ (matrix @ vectors)
+        rate = rest.diagonal().copy()
         for _ in range(STEPS):
-            rate = rest.diagonal().copy()
             apart = rate - rate[:, None]
-            apart.flat[:: 2 * n + 1] = 1.0
-            with np.errstate(divide="ignore", invalid="ignore"):  # of equal ones, not below FAR
-                change = rest / apart
-            change.flat[:: 2 * n + 1] = 0.0
+            rest.flat[diagonal], apart.flat[diagonal] = 0.0, 1.0
+            change = rest / apart
             size = (change.real**2 + change.imag**2).max()
             if not size < FAR**2:
                 return None
             vectors = vectors + vectors @ change
-            if size < CLOSE**2:
+            if size < SAME**2:
                 if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
                     return None  # as of ``whirls``
                 return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
-            turn = one + change
-            rest = np.linalg.solve(turn, rest @ turn)
+            rest = rest @ change
+            close = size < CLOSE**2
+            rest = rest - change @ rest if close else np.linalg.solve(change + np.eye(2 * n), rest)
+            rate = rate + rest.diagonal()
         return None
 
     @property

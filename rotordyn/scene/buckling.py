@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.equation.seat import in_spindle_frame
 from rotordyn.equation.statics import withstands
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
@@ -60,7 +61,8 @@ class Loading:
             spindle = replace(spindle, drawbar=drawbar)
         force = self.along(spindle, self.seat_load, forces).bending(structure.shown.middle)
         stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
-        state = State(self.speed, self.seat_stiffness, stops)
+        tangents = in_spindle_frame(spindle.seats, self.seat_stiffness)
+        state = State(self.speed, tangents, stops)
         return withstands(structure, state, force, bar)
 
     def _sentence(self, rpm: float) -> str:

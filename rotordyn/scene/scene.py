@@ -21,6 +21,7 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
 from rotordyn.equation.linear import Linear
+from rotordyn.equation.seat import in_spindle_frame
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.errors import NoSolution
@@ -222,7 +223,8 @@ class Scene(Statics):
         """Speeds, tangents and sleeves that stand, at the usable speeds: those at stops, and those
         that dry friction holds against motions that vanish."""
         rubbing = np.array([sleeve.friction > 0.0 for sleeve in self.spindle.sleeves], dtype=bool)
-        return State(self.speed[self.usable], self.seat_stiffness, self.stopped | rubbing)
+        tangents = in_spindle_frame(self.spindle.seats, self.seat_stiffness)
+        return State(self.speed[self.usable], tangents, self.stopped | rubbing)
 
     @property
     def stopped(self) -> Flags:

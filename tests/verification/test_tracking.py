@@ -20,6 +20,7 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM
+from tests.oracles.steps import steps_of
 
 
 def pair(at: float, coupling: float) -> np.ndarray:
@@ -34,11 +35,11 @@ def tracked(coupling: float, at: np.ndarray) -> tuple[np.ndarray, int]:
         places = sorted(steps)
         vectors = [steps[x][1] + 0j for x in places]
         values = [steps[x][0] for x in places]
-        wanted = doubts(np.array(places), vectors, values, 10.0, 1e-9)
+        wanted = doubts(np.array(places), steps_of(vectors, values), 10.0, 1e-9)
         if not wanted:
             break
         steps |= {x: np.linalg.eigh(pair(x, coupling)) for x in wanted}
-    path = follow(vectors, values)
+    path = follow(steps_of(vectors, values))
     assert path.shape[1] == 2
     found = np.array([v[p] for v, p in zip(values, path, strict=True)])
     return found[np.searchsorted(places, at)], len(places) - len(at)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from rotordyn.numerics import follow as module
 from rotordyn.numerics.follow import LEAST_MAC, doubts, follow, mac
+from tests.oracles.steps import steps_of
 
 
 def unit(size: int, *columns: int) -> np.ndarray:
@@ -29,7 +30,7 @@ def test_crossing_values_do_not_swap_shapes() -> None:
         order = np.argsort(pair)
         vectors.append(unit(2, *order))
         sorted_values.append(pair[order])
-    path = follow(vectors, sorted_values)
+    path = follow(steps_of(vectors, sorted_values))
     found = np.array([v[p] for v, p in zip(sorted_values, path, strict=True)])
     assert found == pytest.approx(np.array(values))
 
@@ -42,7 +43,7 @@ def test_shuffled_columns_and_phases_are_undone(seed: int, count: int) -> None:
     value = draw.uniform(1, 2, count)
     orders = [np.arange(count), *(draw.permutation(count) for _ in range(4))]
     vectors = [base[:, o] * np.exp(2j * np.pi * draw.random(count)) for o in orders]
-    path = follow(vectors, [value[o] for o in orders])
+    path = follow(steps_of(vectors, [value[o] for o in orders]))
     for order, row in zip(orders, path, strict=True):
         assert (order[row] == np.arange(count)).all()
 
@@ -53,31 +54,32 @@ def test_slow_rotation_is_followed_further_than_any_single_step() -> None:
     vectors = [
         np.array([[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]], dtype=complex) for t in turns
     ]
-    path = follow(vectors, [np.array([1.0, 1.1])] * 12)
+    path = follow(steps_of(vectors, [np.array([1.0, 1.1])] * 12))
     assert (path == [0, 1]).all()
 
 
 def test_vector_that_leaves_is_lost_and_found_again() -> None:
     vectors = [unit(3, 0, 1), unit(3, 0), unit(3, 1, 0)]
-    path = follow(vectors, [np.array([1.0, 2.0]), np.array([1.0]), np.array([2.0, 1.0])])
+    values = [np.array([1.0, 2.0]), np.array([1.0]), np.array([2.0, 1.0])]
+    path = follow(steps_of(vectors, values))
     assert path.tolist() == [[0, 1], [0, -1], [1, 0]]
 
 
 def test_nothing_at_a_step_loses_all_for_that_step() -> None:
     vectors = [unit(2, 0, 1), unit(2), unit(2, 0, 1)]
-    path = follow(vectors, [np.array([1.0, 2.0]), np.array([]), np.array([1.0, 2.0])])
+    path = follow(steps_of(vectors, [np.array([1.0, 2.0]), np.array([]), np.array([1.0, 2.0])]))
     assert path.tolist() == [[0, 1], [-1, -1], [0, 1]]
 
 
 def test_unlike_vectors_begin_a_path_of_their_own() -> None:
     assert LEAST_MAC > 0.0
-    path = follow([unit(3, 0), unit(3, 1)], [np.array([1.0]), np.array([1.0])])
+    path = follow(steps_of([unit(3, 0), unit(3, 1)], [np.array([1.0]), np.array([1.0])]))
     assert path.tolist() == [[0, -1], [-1, 0]]
 
 
 def test_equally_alike_goes_to_the_nearer_value() -> None:
     both = np.ones((1, 2), dtype=complex)
-    path = follow([both[:, :1], both], [np.array([1.0]), np.array([5.0, 1.1])])
+    path = follow(steps_of([both[:, :1], both], [np.array([1.0]), np.array([5.0, 1.1])]))
     assert path[1, 0] == 1
 
 
@@ -97,7 +99,7 @@ def test_all_steps_at_once_are_compared_as_each_with_its_next(
         vectors.append(whole[:, draw.permutation(size)[:count]] * draw.uniform(0.1, 9.0))
         value = 1.0 + 0.3 * draw.normal(size=count)
         values.append(np.sort(np.round(value, 0 if twins else 9)))
-    alike = module._consecutive(vectors, values)
+    alike = steps_of(vectors, values).alike
     for k in range(5):
         one, other = values[k : k + 2]
         alone = module._shared(vectors[k], one, vectors[k + 1], other)
@@ -106,12 +108,50 @@ def test_all_steps_at_once_are_compared_as_each_with_its_next(
         assert not alike[k, :, len(other) :].any()
 
 
+@settings(max_examples=60)
+@given(st.integers(0, 10**6), st.integers(1, 6), st.floats(0.0, 1.0), st.booleans())
+def test_steps_matched_together_are_matched_as_one_by_one(
+    seed: int, size: int, turned: float, leave: bool
+) -> None:
+    """Greedy matching of each step with what was last seen of every path, in plain loops."""
+    draw, vectors, values = np.random.default_rng(seed), [], []
+    whole = np.eye(size, dtype=complex)
+    for _ in range(8):
+        whole = np.linalg.qr(whole + 0.7 * turned * draw.normal(size=(size, size)))[0]
+        chosen = draw.permutation(size)[: int(draw.integers(0, size + 1)) if leave else size]
+        vectors.append(whole[:, chosen])
+        values.append(np.sort(1.0 + 0.1 * draw.normal(size=len(chosen))))
+    steps = steps_of(vectors, values)
+    ahead = steps.values + 0.05 * draw.normal(size=steps.values.shape)
+    known = [(0, k) for k in range(len(values[0]))]
+    wanted = [list(range(len(known)))]
+    for step in range(1, 8):
+        pairs = [
+            (mac(vectors[at][:, [k]], vectors[step][:, [j]]).item() - 0.3 * apart, path, j)
+            for path, (at, k) in enumerate(known)
+            for j, value in enumerate(values[step])
+            for apart in [abs(value - ahead[at, k]) / (abs(value) + abs(ahead[at, k]))]
+        ]
+        row, left = [-1] * len(known), set(range(len(values[step])))
+        for score, path, j in sorted(pairs, reverse=True):
+            if score >= LEAST_MAC and row[path] < 0 and j in left:
+                row[path] = j
+                left.remove(j)
+        row += sorted(left)
+        known = [(step, j) if j >= 0 else was for j, was in zip(row, [*known, *left], strict=True)]
+        wanted.append(row)
+    found = follow(steps, ahead)
+    assert found.shape[1] == len(wanted[-1])
+    for path, row in zip(found.tolist(), wanted, strict=True):
+        assert path == row + [-1] * (len(path) - len(row))
+
+
 def test_a_basis_of_repeated_values_is_any_basis() -> None:
     """Both vectors at rest are nearly the forward one: the backward one is no stranger for that."""
     forward, backward = np.array([1.0, -1j]), np.array([1.0, 1j])
     at_rest = np.column_stack([forward + 0.1 * backward, forward - 0.2j * backward])
     turning = np.column_stack([backward, forward])
-    path = follow([at_rest, turning], [np.array([5.0, 5.0]), np.array([4.9, 5.1])])
+    path = follow(steps_of([at_rest, turning], [np.array([5.0, 5.0]), np.array([4.9, 5.1])]))
     assert path.shape == (2, 2)
     assert sorted(path[1]) == [0, 1]
 
@@ -125,14 +165,16 @@ def test_the_step_asked_for_is_where_two_straight_lines_meet(
     """From 1 and 2 at 3 to the ``ends`` at 7; never nearer to a step than 0.5."""
     order = np.argsort(ends)
     vectors, values = [unit(2, 0, 1), unit(2, *order)], [np.array([1.0, 2.0]), np.sort(ends)]
-    assert doubts(np.array([3.0, 7.0]), vectors, values, 1e3, 0.5) == pytest.approx([meet])
+    assert doubts(np.array([3.0, 7.0]), steps_of(vectors, values), 1e3, 0.5) == pytest.approx(
+        [meet]
+    )
 
 
 def test_no_step_becomes_smaller_than_the_narrowest() -> None:
     """Where lines meet a hundredth from a step, half of the narrowest step is no place to look."""
     vectors, values = [unit(2, 0, 1), unit(2, 1, 0)], [np.array([1.0, 1.1]), np.array([1.0, 10.0])]
     for at in (np.array([3.0, 7.0]), np.array([1003.0, 1007.0])):
-        assert doubts(at, vectors, values, 1e3, 1.5) == pytest.approx([at[0] + 1.5])
+        assert doubts(at, steps_of(vectors, values), 1e3, 1.5) == pytest.approx([at[0] + 1.5])
 
 
 @pytest.mark.parametrize("scale", [1.0, 1e3])
@@ -149,5 +191,5 @@ def test_a_veering_is_sought_where_its_gap_is_the_mean_in_ratio(
 @pytest.mark.parametrize(("step", "splits"), [(1.9, False), (2.1, True)])
 def test_a_step_of_twice_the_narrowest_can_be_split(step: float, *, splits: bool) -> None:
     vectors, values = [unit(2, 0, 1), unit(2, 1, 0)], [np.array([1.0, 2.0])] * 2
-    found = doubts(np.array([5.0, 5.0 + step]), vectors, values, 9.0, 1.0)
+    found = doubts(np.array([5.0, 5.0 + step]), steps_of(vectors, values), 9.0, 1.0)
     assert found == (pytest.approx([5.0 + step / 2.0]) if splits else [])
