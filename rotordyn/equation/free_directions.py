@@ -23,6 +23,8 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
     if not (rows := list(rows)):
         return []
     still, moved, sizes = _unstrained(linear), [], []
+    if not any(_answers(each, still) for each in linear.connections):  # as in torsion
+        return [still.shape[1]] * len(rows)
     for each in linear.connections:
         relative, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
         sizes.append(np.outer(size, size))
@@ -46,6 +48,11 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
             known[key] = still.shape[1] - rank
         counts.append(known[key])
     return counts
+
+
+def _answers(link: Connection, motions: Array) -> bool:
+    """Whether a link resists any of some motions at all, at any speed."""
+    return bool(link.link.rigid or (link.matrices.stiffness @ (link.motions @ motions)).any())
 
 
 def _unstrained(linear: Linear) -> Array:

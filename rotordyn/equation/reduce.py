@@ -172,10 +172,12 @@ def enriched(
 
 
 def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
-    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` and their ω; what
-    these do not make up is taken for a mode."""
-    modes, omega = rest
-    share = modes.T @ (body.mass @ static)
+    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes that ``rest``
+    gives (``_by_lapack``); what these do not make up is taken for a mode."""
+    turn, omega = rest
+    if not len(omega):
+        return np.diag(np.sqrt(values))
+    share = omega[:, None] * (turn.T @ (body.upwards @ (body.mass @ static)[body.free]))
     lacking = np.clip(1.0 - (share**2).sum(axis=0), 0.0, 1.0)
     return np.asarray(share.T @ (omega[:, None] * share) + np.diag(lacking * np.sqrt(values)))
 
@@ -270,7 +272,7 @@ def _holding(rigid: Array, scale: Array) -> list[int]:
 
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
     """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); those
-    above, and their ω."""
+    above by y (n − r, k) and ω: L⁻ᵀ y ω are their vectors but for rigid motions."""
     pushed = body.pushed[body.free]
     inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
     inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
@@ -278,10 +280,9 @@ def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tu
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
-    every = body.elastic(body.upwards.T @ turn)
     rest = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
-    omega = inverse[rest] ** -0.5
-    return *body.normalised(every[:, kept]), (every[:, rest] * omega, omega)
+    modes = body.normalised(body.elastic(body.upwards.T @ turn[:, kept]))
+    return *modes, (turn[:, rest], inverse[rest] ** -0.5)
 
 
 def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Array, Array]:

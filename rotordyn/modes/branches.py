@@ -231,14 +231,16 @@ class _Sweep:
     def ahead(self, ceiling: float) -> Complex:
         """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Those beyond
         ``ceiling`` [rad/s], and all of the last speed, are expected where they are."""
-        expected, here = self.pole.copy(), self.pole[:-1]
-        vector, left = self.vector[:-1], self.left[:-1]
+        expected, inside = self.pole.copy(), np.abs(self.pole[:-1].imag) < ceiling
+        some = inside.any(axis=0)
+        here, inside = self.pole[:-1, some], inside[:, some]
+        vector, left = self.vector[:-1, :, some], self.left[:-1, some]
         damped = times(np.diff(self.damping, axis=0), vector)
         with np.errstate(invalid="ignore", over="ignore"):
             change = here[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
             move = np.einsum("skn,snk->sk", left, change)
-            known = (np.abs(here.imag) < ceiling) & (np.abs(move) < FARTHEST * np.abs(here))
-        expected[:-1] = np.where(known, here - move, here)
+            known = inside & (np.abs(move) < FARTHEST * np.abs(here))
+        expected[:-1, some] = np.where(known, here - move, here)
         return expected
 
     def _branches(

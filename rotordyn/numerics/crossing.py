@@ -14,15 +14,12 @@ def zero_crossings(x: Array, y: Array) -> list[float]:
 
     Samples that are not finite interrupt the curve.
     """
-    zeros = []
-    for k in range(len(x) - 1):
-        if y[k] == 0.0:
-            zeros.append(float(x[k]))
-        elif y[k] * y[k + 1] < 0.0:
-            zeros.append(_zero(x, y, k))
-    if len(y) and y[-1] == 0.0:
-        zeros.append(float(x[-1]))
-    return zeros
+    met = y == 0.0
+    side = np.append(np.sign(y), 0.0)
+    passed = side[:-1] * side[1:] < 0.0
+    return [
+        float(x[k]) if met[k] else _zero(x, y, k) for k in np.flatnonzero(met | passed).tolist()
+    ]
 
 
 def _zero(x: Array, y: Array, k: int) -> float:

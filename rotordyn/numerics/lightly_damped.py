@@ -94,17 +94,20 @@ class _Near:
             apart = rate - rate[:, None]
             rest.flat[diagonal], apart.flat[diagonal] = 0.0, 1.0
             change = rest / apart
-            size = (change.real**2 + change.imag**2).max()
-            if not size < FAR**2:
+            size = np.abs(change).max()
+            if not size < FAR:
                 return None
             vectors = vectors + vectors @ change
-            if size < SAME**2:
+            if size < SAME:
                 if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
                     return None  # as of ``whirls``
                 return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
             rest = rest @ change
-            close = size < CLOSE**2
-            rest = rest - change @ rest if close else np.linalg.solve(change + np.eye(2 * n), rest)
+            if size < CLOSE:
+                rest = rest - change @ rest
+            else:
+                change.flat[diagonal] = 1.0
+                rest = np.linalg.solve(change, rest)
             rate = rate + rest.diagonal()
         return None
 

@@ -70,7 +70,8 @@ def solve_points(packed: bytes, numbers: Sequence[int], points: int = 1) -> list
 def _case(study: Study, number: int) -> Case | Exception:
     """The case of a point, or why its values contradict one another."""
     try:
-        return _numbers_alone(changed(study.case, study.design.point(number)), study.results)
+        case = changed(study.case, study.design.point(number))
+        return _numbers_alone(case, study.results) if _asks_otherwise(study) else case
     except (InvalidInput, BearingError) as error:
         return error
 
@@ -123,6 +124,14 @@ def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]
             yield f"{name}: {words}", (float(each.value), each.unit)
 
 
+def _asks_otherwise(study: Study) -> bool:
+    """Whether what is asked differs from point to point."""
+    return any(each.path.startswith("analyses") for each in study.design.parameters)
+
+
 @lru_cache(maxsize=1)
 def _unpacked(packed: bytes) -> tuple[Study, Neighbours]:
-    return pickle.loads(packed), Neighbours()
+    study = pickle.loads(packed)
+    if not _asks_otherwise(study):
+        study = replace(study, case=_numbers_alone(study.case, study.results))
+    return study, Neighbours()

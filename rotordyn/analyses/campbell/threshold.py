@@ -41,9 +41,11 @@ def stability_threshold(
         return float(speed[row])
 
     onsets = [(math.inf, "")]
+    of = {branch.subsystem for branch in branches}
+    largest = {k: float(scene.system(k).modes.largest.max()) for k in of}
     for branch, name in zip(branches, names, strict=True):
         track = branch.track
-        growing = grows(track.pole, scene.system(branch.subsystem).modes.largest.max())
+        growing = grows(track.pole, largest[branch.subsystem])
         if growing.any():
             onsets.append((onset(branch.subsystem, track.speed, growing, ~track.lost), name))
     for subsystem in scene.with_motions(MOTIONS):
