@@ -21,7 +21,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
-from rotordyn.numerics.follow import Steps, doubts, follow
+from rotordyn.numerics.follow import Steps, as_beside, doubts, follow
 from rotordyn.numerics.modes import swings
 from rotordyn.numerics.products import times
 from rotordyn.scene.scene import Scene
@@ -250,7 +250,7 @@ class _Sweep:
         lost, given = column < 0, self.given
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = complex(np.nan, np.nan)
-        vector = np.take_along_axis(self.vector, column[:, None], axis=2)
+        vector = as_beside(pole, np.take_along_axis(self.vector, column[:, None], axis=2))
         kinds, here = _kinds(linear, vector, ~lost), vector[given]
         degree = np.zeros(column[given].shape)
         if bending := [k for k, kind in enumerate(kinds) if kind == "bending"]:

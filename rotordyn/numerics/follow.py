@@ -135,6 +135,29 @@ def _spanning(vectors: Complex, repeated: Flags) -> Complex:
     return vectors
 
 
+def as_beside(poles: Complex, vectors: Complex) -> Complex:
+    """Vectors (steps, n, paths) of ``poles`` (steps, paths); those of poles that are one at a step,
+    of which any basis is as good, as near as may be to theirs at the nearest step where they part.
+
+    So shapes and whirl at rest are those of slow rotation, whatever rounding makes of them.
+    """
+    size = np.abs(poles)[:, :, None]
+    one = np.abs(poles[:, :, None] - poles[:, None]) <= REPEATED * size
+    steps = np.flatnonzero(one.sum(axis=(1, 2)) > (~np.isnan(poles)).sum(axis=1)).tolist()
+    vectors = vectors.copy() if steps else vectors
+    for step in steps:
+        for group in {tuple(np.flatnonzero(row)) for row in one[step] if row.sum() > 1}:
+            among = np.ix_(np.arange(len(poles)), group, group)
+            parted = np.flatnonzero(one[among].sum(axis=(1, 2)) == len(group))
+            if not parted.size:
+                continue
+            near = parted[np.abs(parted - step).argmin()]
+            basis = np.linalg.qr(vectors[step][:, group])[0]
+            turn, _, back = np.linalg.svd(basis.conj().T @ vectors[near][:, group])
+            vectors[step][:, group] = basis @ (turn @ back)
+    return vectors
+
+
 def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
     """Places between the steps ``at`` (steps,) where another one would tell who is who.
 
