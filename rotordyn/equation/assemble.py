@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -109,11 +108,12 @@ def _joined(linear: Linear, links: Sequence[tuple[Link, float]], state: State) -
     for component in linear.components:
         mine[component.dofs] = True
     links = [(link, share) for link, share in links if mine[link.dofs].any()]
-    dofs = [np.zeros(0, dtype=np.intp), *(link.dofs for link, _ in links)]
-    moved, parts = linear.moved(np.concatenate(dofs)), pairwise(accumulate(map(len, dofs)))
-    joined = []
-    for (link, share), (begin, end) in zip(links, parts, strict=True):
+    dofs = [link.dofs for link, _ in links]
+    moved = linear.moved(np.concatenate([np.zeros(0, dtype=np.intp), *dofs]))
+    joined, end = [], 0
+    for link, share in links:
         held, damped = link.matrices(state)
+        begin, end = end, end + len(link.dofs)
         motions = link.motions @ moved[begin:end]
         joined.append(Connection(link, motions, LinkMatrices(share * held, damped)))
     return joined

@@ -22,14 +22,15 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
     """
     if not (rows := list(rows)):
         return []
-    still, moved, sizes = _unstrained(linear), [], []
-    if not any(_answers(each, still) for each in linear.connections):  # as in torsion
-        return [still.shape[1]] * len(rows)
+    still, moved, sizes, answered = _unstrained(linear), [], [], False
     for each in linear.connections:
         relative, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
         sizes.append(np.outer(size, size))
         relative[np.linalg.norm(relative, axis=1) <= DEPENDENT * size] = 0.0
+        answered |= bool(each.link.rigid) or bool((each.matrices.stiffness @ relative).any())
         moved.append(_of_unit_rows(relative))
+    if not answered:  # most shafts turn freely
+        return [still.shape[1]] * len(rows)
     known: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
     counts = []
     for row in rows:
@@ -48,11 +49,6 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
             known[key] = still.shape[1] - rank
         counts.append(known[key])
     return counts
-
-
-def _answers(link: Connection, motions: Array) -> bool:
-    """Whether a link resists any of some motions at all, at any speed."""
-    return bool(link.link.rigid or (link.matrices.stiffness @ (link.motions @ motions)).any())
 
 
 def _unstrained(linear: Linear) -> Array:

@@ -172,8 +172,8 @@ def enriched(
 
 
 def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
-    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes that ``rest``
-    gives (``_by_lapack``); what these do not make up is taken for a mode."""
+    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` of ``_by_lapack``;
+    what these do not make up is taken for a mode. Rigid motions have no part in static modes."""
     turn, omega = rest
     if not len(omega):
         return np.diag(np.sqrt(values))
@@ -271,8 +271,8 @@ def _holding(rigid: Array, scale: Array) -> list[int]:
 
 
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
-    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); those
-    above by y (n − r, k) and ω: L⁻ᵀ y ω are their vectors but for rigid motions."""
+    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); and
+    of those above y (n − r, k) and ω [rad/s]: their vectors are L⁻ᵀ y ω without rigid motions."""
     pushed = body.pushed[body.free]
     inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
     inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ

@@ -22,14 +22,14 @@ NOISE = 1e-12  # of what two directions resist by themselves: less coupling is r
 
 
 def seat_matrices(seat: BearingSeat, place: int) -> AtState:
-    """Of bearing number ``place``: its tangent (s, 6, 6), its dampers."""
+    """Of bearing number ``place``: its tangent in the spindle's frame (s, 6, 6), its dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
     return lambda state: LinkMatrices(state.tangents[:, place], damping[None])
 
 
 def in_spindle_frame(seats: Sequence[BearingSeat], tangents: Array) -> Array:
-    """Tangents of bearings in their own frames (s, seats, 5, 5), in the spindle's (s, seats, 6, 6),
-    without rounding."""
+    """Tangents of bearings in their own frames (s, seats, 5, 5), in the spindle's (s, seats, 6, 6);
+    coupling below ``NOISE`` is zero."""
     stiffness = turn(tangents, np.array([seat.thrust for seat in seats], dtype=np.intp))
     size = np.sqrt(np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1)))
     noise = np.abs(stiffness) < NOISE * size[..., :, None] * size[..., None, :]

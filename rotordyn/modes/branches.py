@@ -21,9 +21,10 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
-from rotordyn.numerics.follow import Steps, as_beside, doubts, follow
+from rotordyn.numerics.follow import Steps, doubts, follow
 from rotordyn.numerics.modes import swings
 from rotordyn.numerics.products import times
+from rotordyn.numerics.repeated import as_beside
 from rotordyn.scene.scene import Scene
 
 MOTIONS = ("bending", "axial", "torsion")
@@ -64,8 +65,9 @@ class Branch:
     the subsystem of this number (−1: lost).
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
-    ``vector`` (speeds, n): its displacements in the coordinates of its subsystem. ``track``: at
-    more speeds. ``side``: +1 or −1 of whirl where planes are one, else 0.
+    ``vector`` (speeds, n): its displacements in the coordinates of its subsystem; where its pole
+    is that of others too, turned as at the nearest speed where it is not (``as_beside``).
+    ``track``: at more speeds. ``side``: +1 or −1 of whirl where planes are one, else 0.
     """
 
     kind: str
@@ -192,13 +194,13 @@ class _Sweep:
 
     @cached_property
     def sides(self) -> dict[float, tuple[Indices, Steps]]:
-        """Followed modes by the side to which they whirl: their columns (s, k), and what they are,
-        ascending, at every speed."""
+        """Followed modes by the side to which they whirl: columns (s, k) by ascending frequency,
+        those of other modes last where a speed has fewer, and the steps that they make."""
         every = (-1.0, 1.0) if (self.whirl > 0.0).any() else (0.0,)
         return {side: self._chosen(self.followed & (self.whirl == side)) for side in every}
 
     def _chosen(self, wanted: Flags) -> tuple[Indices, Steps]:
-        """Columns of the modes ``wanted`` (s, k), and their vectors and frequencies."""
+        """The same of the modes ``wanted`` (s, k)."""
         many = wanted.sum(axis=1, keepdims=True)
         order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
         columns = order[:, : int(many.max(initial=0))]
@@ -211,8 +213,9 @@ class _Sweep:
     def doubts(self, band: Band) -> list[float]:
         """Speeds that would tell who is who."""
         narrowest = NARROWEST * float(np.ptp(self.speed))
-        steps = [steps for _, steps in self.sides.values()]
-        return [x for e in steps for x in doubts(self.speed, e, WITHIN * band.highest, narrowest)]
+        within = WITHIN * band.highest
+        each = [doubts(self.speed, steps, within, narrowest) for _, steps in self.sides.values()]
+        return [speed for speeds in each for speed in speeds]
 
     def branches(
         self, linear: Linear, subsystem: int, side: float, expected: Complex
@@ -250,7 +253,8 @@ class _Sweep:
         lost, given = column < 0, self.given
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = complex(np.nan, np.nan)
-        vector = as_beside(pole, np.take_along_axis(self.vector, column[:, None], axis=2))
+        vector = np.take_along_axis(self.vector, column[:, None], axis=2)
+        vector = as_beside(self.speed, pole, vector)
         kinds, here = _kinds(linear, vector, ~lost), vector[given]
         degree = np.zeros(column[given].shape)
         if bending := [k for k, kind in enumerate(kinds) if kind == "bending"]:

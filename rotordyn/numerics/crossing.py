@@ -15,7 +15,7 @@ def zero_crossings(x: Array, y: Array) -> list[float]:
     Samples that are not finite interrupt the curve.
     """
     met = y == 0.0
-    side = np.append(np.sign(y), 0.0)
+    side = np.append(np.where(np.isfinite(y), np.sign(y), 0.0), 0.0)
     passed = side[:-1] * side[1:] < 0.0
     return [
         float(x[k]) if met[k] else _zero(x, y, k) for k in np.flatnonzero(met | passed).tolist()
@@ -28,11 +28,11 @@ def _zero(x: Array, y: Array, k: int) -> float:
     near = near[np.isfinite(y[near])]
     middle, width = 0.5 * (x[k] + x[k + 1]), x[k + 1] - x[k]
     fitted = np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
-    upwards, rising = fitted[::-1].tolist(), bool(y[k] > 0.0)
+    descending, positive = fitted[::-1].tolist(), bool(y[k] > 0.0)
     low, high = -0.5, 0.5
     for _ in range(60):
         centre = 0.5 * (low + high)
-        if (reduce(lambda total, factor: total * centre + factor, upwards) > 0.0) == rising:
+        if (reduce(lambda sum_, each: sum_ * centre + each, descending) > 0.0) == positive:
             low = centre
         else:
             high = centre

@@ -9,12 +9,12 @@ from functools import cached_property
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags, Indices
+from rotordyn.numerics.repeated import joined, near, spanning
 
 LEAST_MAC = 0.2
 NEARNESS = 0.3  # of the MAC that the farthest value costs
 CLEAR = 0.7  # MAC from which a vector is known again
 FAR = 1e3  # ratio of root gaps from which they tell nothing
-REPEATED = 1e-6  # of a value: nearer ones share their vectors
 TOUCHING = 3e-6  # of a value: a crossing met so closely is one
 
 
@@ -47,14 +47,12 @@ class Steps:
 
     @cached_property
     def alike(self) -> Array:
-        """MAC of every step with the next (steps − 1, k, k); zero of those that are none."""
+        """MAC of every step with the next (steps − 1, k, k); zero where either is absent."""
         size = np.sqrt((self.vectors.real**2 + self.vectors.imag**2).sum(axis=1, keepdims=True))
         whole = self.vectors / np.where(size > 0.0, size, 1.0)
         inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
         alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
-        every = self.values
-        pairs = np.abs(every[:, :, None] - every[:, None]) <= REPEATED * np.abs(every)[:, None]
-        repeated = pairs.sum(axis=(1, 2)) > self.many
+        repeated = near(self.values).sum(axis=(1, 2)) > self.many
         for step in np.flatnonzero(repeated[:-1] | repeated[1:]).tolist():
             here, there = self.many[step], self.many[step + 1]
             alike[step, :here, :there] = _shared(*self.of(step), *self.of(step + 1))
@@ -71,10 +69,10 @@ def follow(steps: Steps, ahead: Array | None = None) -> Indices:
     """
     expected = steps.values if ahead is None else ahead
     partner, clear = _partners_at_once(steps, expected)
-    last = np.arange(steps.many[0])
+    last = np.arange(steps.many[0])  # column of each path at the step where it was last seen
     seen, rows = np.zeros(len(last), dtype=np.intp), [last]
     for k in range(1, len(steps.many)):
-        if clear[k - 1] and len(last) == steps.many[k]:
+        if clear[k - 1] and len(last) == steps.many[k]:  # no path was lost
             last, seen = partner[k - 1, last], np.full(len(last), k)
             rows.append(last)
             continue
@@ -96,23 +94,23 @@ def follow(steps: Steps, ahead: Array | None = None) -> Indices:
 
 
 def _partners_at_once(steps: Steps, expected: Array) -> tuple[Indices, Flags]:
-    """Which of the next step's each becomes (steps − 1, k), where all of a step are there again and
-    each is most like another one (steps − 1,)."""
+    """Column at the next step of each vector (steps − 1, k), and the steps (steps − 1,) at which
+    all go on, each to its own, and none is new."""
     score = _score(steps.alike, expected[:-1], steps.values[1:])
     score[np.isnan(score)] = -np.inf
-    every = np.arange(score.shape[-1])
-    missing = every >= steps.many[:-1, None]
-    if not every.size:
+    columns = np.arange(score.shape[-1])
+    missing = columns >= steps.many[:-1, None]
+    if not columns.size:
         return np.zeros(missing.shape, dtype=np.intp), np.ones(len(missing), dtype=bool)
-    partner = np.where(missing, every, score.argmax(axis=2))
+    partner = np.where(missing, columns, score.argmax(axis=2))
     clear = (score.max(axis=2) >= LEAST_MAC) | missing
-    each = (np.sort(partner, axis=1) == every) & clear
+    each = (np.sort(partner, axis=1) == columns) & clear
     return partner, each.all(axis=1) & (steps.many[:-1] == steps.many[1:])
 
 
 def _score(alike: Array, at: Array, value: Array) -> Array:
-    """How well values (…, l) suit those before them (…, k, l), expected ``at`` (…, k), of the MAC
-    ``alike`` (…, k, l)."""
+    """Score (…, k, l) of every pair: the MAC ``alike`` (…, k, l) less what ``value`` (…, l) is away
+    from where it is expected, ``at`` (…, k)."""
     value, at = value[..., None, :], at[..., None]
     apart = np.abs(value - at) / (np.abs(at) + np.abs(value) + 1e-300)
     return np.asarray(alike - NEARNESS * apart)
@@ -120,42 +118,8 @@ def _score(alike: Array, at: Array, value: Array) -> Array:
 
 def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
     """MAC of columns (k, l), those of repeated values together."""
-    one, other = (np.abs(v[:, None] - v) <= REPEATED * np.abs(v) for v in (before, value))
-    alike = mac(_spanning(last, one), _spanning(fresh, other))
-    return np.minimum(one @ alike @ other, 1.0)
-
-
-def _spanning(vectors: Complex, repeated: Flags) -> Complex:
-    """Vectors (n, k), those of ``repeated`` values (k, k) as an orthonormal basis of their span."""
-    groups = {tuple(np.flatnonzero(row)) for row in repeated if row.sum() > 1}
-    if groups:
-        vectors = vectors.copy()
-    for group in groups:
-        vectors[:, group] = np.linalg.qr(vectors[:, group])[0]
-    return vectors
-
-
-def as_beside(poles: Complex, vectors: Complex) -> Complex:
-    """Vectors (steps, n, paths) of ``poles`` (steps, paths); those of poles that are one at a step,
-    of which any basis is as good, as near as may be to theirs at the nearest step where they part.
-
-    So shapes and whirl at rest are those of slow rotation, whatever rounding makes of them.
-    """
-    size = np.abs(poles)[:, :, None]
-    one = np.abs(poles[:, :, None] - poles[:, None]) <= REPEATED * size
-    steps = np.flatnonzero(one.sum(axis=(1, 2)) > (~np.isnan(poles)).sum(axis=1)).tolist()
-    vectors = vectors.copy() if steps else vectors
-    for step in steps:
-        for group in {tuple(np.flatnonzero(row)) for row in one[step] if row.sum() > 1}:
-            among = np.ix_(np.arange(len(poles)), group, group)
-            parted = np.flatnonzero(one[among].sum(axis=(1, 2)) == len(group))
-            if not parted.size:
-                continue
-            near = parted[np.abs(parted - step).argmin()]
-            basis = np.linalg.qr(vectors[step][:, group])[0]
-            turn, _, back = np.linalg.svd(basis.conj().T @ vectors[near][:, group])
-            vectors[step][:, group] = basis @ (turn @ back)
-    return vectors
+    alike = mac(spanning(last, before), spanning(fresh, value))
+    return np.minimum(joined(before) @ alike @ joined(value), 1.0)
 
 
 def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
@@ -180,10 +144,11 @@ def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[flo
     for k in np.flatnonzero(veers).tolist():
         values = [steps.of(k)[1], steps.of(k + 1)[1]]
         share[k] = _veering(values, [np.flatnonzero(each[k]) for each in unclear])
-    room = narrowest / np.diff(at)
-    places = at[:-1] + np.diff(at) * np.clip(share, room, 1.0 - room)
-    found: list[float] = places[np.isfinite(share)].tolist()
-    return found
+    chosen = np.flatnonzero(share < np.inf)
+    width, share = np.diff(at)[chosen], share[chosen]
+    room = narrowest / width
+    wanted: list[float] = (at[chosen] + width * np.clip(share, room, 1.0 - room)).tolist()
+    return wanted
 
 
 def _veering(values: list[Array], unclear: list[Indices]) -> float:

@@ -20,7 +20,7 @@ from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
-CLOSE = 3e-4  # (1 + F)⁻¹ is 1 − F but for its square
+CLOSE = 3e-4  # what 1 − F lacks of (1 + F)⁻¹, F⁴ in all, is rounding
 SAME = 1e-7  # its square is rounding
 CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
 
@@ -38,7 +38,6 @@ def lightly_damped_modes(
     pole, known = np.ones((count, 2 * n), dtype=complex), np.zeros(count, dtype=bool)
     vector, left = np.ones((count, n, 2 * n), complex), np.ones((count, 2 * n, n), complex)
 
-    @np.errstate(divide="ignore", invalid="ignore")  # of equal rates: not below FAR
     def refine(part: slice) -> None:
         near: _Near | None = None
         for k in range(count)[CHAIN * part.start : CHAIN * part.stop]:
@@ -93,7 +92,8 @@ class _Near:
         for _ in range(STEPS):
             apart = rate - rate[:, None]
             rest.flat[diagonal], apart.flat[diagonal] = 0.0, 1.0
-            change = rest / apart
+            with np.errstate(divide="ignore", invalid="ignore"):  # of equal rates: not below FAR
+                change = rest / apart
             size = np.abs(change).max()
             if not size < FAR:
                 return None

@@ -71,7 +71,7 @@ def _case(study: Study, number: int) -> Case | Exception:
     """The case of a point, or why its values contradict one another."""
     try:
         case = changed(study.case, study.design.point(number))
-        return _numbers_alone(case, study.results) if _asks_otherwise(study) else case
+        return _numbers_alone(case, study.results) if _varies_analyses(study) else case
     except (InvalidInput, BearingError) as error:
         return error
 
@@ -124,14 +124,14 @@ def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]
             yield f"{name}: {words}", (float(each.value), each.unit)
 
 
-def _asks_otherwise(study: Study) -> bool:
+def _varies_analyses(study: Study) -> bool:
     """Whether what is asked differs from point to point."""
-    return any(each.path.startswith("analyses") for each in study.design.parameters)
+    return any(each.path.split(".")[0] == "analyses" for each in study.design.parameters)
 
 
 @lru_cache(maxsize=1)
 def _unpacked(packed: bytes) -> tuple[Study, Neighbours]:
     study = pickle.loads(packed)
-    if not _asks_otherwise(study):
+    if not _varies_analyses(study):
         study = replace(study, case=_numbers_alone(study.case, study.results))
     return study, Neighbours()

@@ -180,7 +180,7 @@ def test_the_matrices_of_the_product_are_the_same() -> None:
     rotor = replace(STEPPED, supports=(held("a", 0.0, *both), held("b", 0.2, *both)))
     mesh = build_mesh(rotor, 0.04)
     structure = Structure(rotor, mesh, Fineness(1000.0))
-    none = np.zeros((1, 0, 5, 5)), np.zeros((1, 0), dtype=bool)
+    none = np.zeros((1, 0, 6, 6)), np.zeros((1, 0), dtype=bool)
     found = unreduced(structure, State(np.zeros(1), *none))
     whole = rotor_matrices(rotor, mesh)
     damping, stiffness = on_supports(whole, rotor, mesh)

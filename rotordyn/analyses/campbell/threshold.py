@@ -41,8 +41,8 @@ def stability_threshold(
         return float(speed[row])
 
     onsets = [(math.inf, "")]
-    of = {branch.subsystem for branch in branches}
-    largest = {k: float(scene.system(k).modes.largest.max()) for k in of}
+    subsystems = {branch.subsystem for branch in branches}
+    largest = {k: float(scene.system(k).modes.largest.max()) for k in subsystems}
     for branch, name in zip(branches, names, strict=True):
         track = branch.track
         growing = grows(track.pole, largest[branch.subsystem])

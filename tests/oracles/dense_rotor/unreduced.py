@@ -91,7 +91,7 @@ def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float |
     a rigid one, and the inverse problem, 1/λ, is solved: both keep the digits of slow modes.
     """
     structure = Structure(spindle, build_mesh(spindle), Fineness(highest, spin, accuracy))
-    state = State(np.array([spin]), np.zeros((1, 0, 5, 5)), np.zeros((1, 0), dtype=bool))
+    state = State(np.array([spin]), np.zeros((1, 0, 6, 6)), np.zeros((1, 0), dtype=bool))
     whole = unreduced(structure, state, "bending")
     turn, rigid = _from_first_node(structure, whole)
     links = whole.held + spin * whole.turning

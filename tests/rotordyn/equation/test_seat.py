@@ -25,3 +25,20 @@ def test_coupling_beside_what_both_ways_resist(unit: float, share: float, *, kep
     assert np.count_nonzero(np.diagonal(found)) == 5
     assert np.count_nonzero(found) == (7 if kept else 5)
     assert np.abs(found - np.diag(np.diagonal(found))).max() == (coupling if kept else 0.0)
+
+
+def test_each_bearing_is_turned_by_its_own_thrust() -> None:
+    """Two bearings that bear either way, at two speeds."""
+    front, *_, rear = mfw2310().seats
+    seats = (front, rear)
+    assert [seat.thrust for seat in seats] == [1, -1]
+    draw = np.random.default_rng(3)
+    tangents = draw.uniform(0.5, 1.0, (2, 2, 5, 5)) + np.eye(5)
+    found = in_spindle_frame(seats, tangents)
+    for row in range(2):
+        for place, seat in enumerate(seats):
+            alone = np.zeros((6, 6))
+            signs = np.array([-1.0, 1.0, -1.0, 1.0, -1.0]) if seat.thrust < 0 else np.ones(5)
+            at = np.array([0, 1, 2, 4, 5])
+            alone[np.ix_(at, at)] = np.diag(signs) @ tangents[row, place] @ np.diag(signs)
+            assert (found[row, place] == alone).all()

@@ -20,7 +20,7 @@ def test_a_closed_stop_is_far_stiffer_than_the_bearings_behind_it() -> None:
     spindle = mfw2310()
     (link, *_) = Sleeves(Dofs(), spindle, FINE).links()
     carried = [k for k, s in enumerate(spindle.seats) if s.name in spindle.sleeves[0].bearings]
-    tangents = np.zeros((2, len(spindle.seats), 5, 5))
+    tangents = np.zeros((2, len(spindle.seats), 6, 6))
     tangents[:, carried, 0, 0] = 7e7
     stops = np.array([[False, True], [True, False]])
     open_, closed = link.matrices(State(np.zeros(2), tangents, stops)).stiffness[:, 0, 0]

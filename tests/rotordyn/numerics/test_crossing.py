@@ -43,9 +43,10 @@ def test_zero_on_a_sample_counts_once(zero: float) -> None:
     assert zero_crossings(x, x - zero) == pytest.approx([zero])
 
 
-def test_gap_interrupts_the_curve() -> None:
+@pytest.mark.parametrize("gap", [np.nan, np.inf, -np.inf])
+def test_gap_interrupts_the_curve(gap: float) -> None:
     x = np.arange(6.0)
-    y = np.array([1.0, 0.5, np.nan, -0.5, -1.0, 1.0])
+    y = np.array([1.0, 0.5, gap, -0.5, -1.0, 1.0])
     assert zero_crossings(x, y) == pytest.approx([4.5], abs=0.2)
 
 

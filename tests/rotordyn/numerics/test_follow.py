@@ -8,7 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotordyn.numerics import follow as module
-from rotordyn.numerics.follow import LEAST_MAC, as_beside, doubts, follow, mac
+from rotordyn.numerics.follow import LEAST_MAC, doubts, follow, mac
 from tests.oracles.steps import steps_of
 
 
@@ -137,40 +137,13 @@ def test_steps_matched_together_are_matched_as_one_by_one(
             if score >= LEAST_MAC and row[path] < 0 and j in left:
                 row[path] = j
                 left.remove(j)
-        row += sorted(left)
-        known = [(step, j) if j >= 0 else was for j, was in zip(row, [*known, *left], strict=True)]
-        wanted.append(row)
+        known = [(step, j) if j >= 0 else was for j, was in zip(row, known, strict=True)]
+        known += [(step, j) for j in sorted(left)]
+        wanted.append([*row, *sorted(left)])
     found = follow(steps, ahead)
     assert found.shape[1] == len(wanted[-1])
     for path, row in zip(found.tolist(), wanted, strict=True):
         assert path == row + [-1] * (len(path) - len(row))
-
-
-@settings(max_examples=40)
-@given(st.integers(0, 10**6), st.integers(2, 4), st.integers(0, 4))
-def test_vectors_of_one_pole_are_those_of_the_nearest_step_where_it_parts(
-    seed: int, twins: int, met: int
-) -> None:
-    """Some of six shapes that do not change have one pole at a step, and any basis there."""
-    draw = np.random.default_rng(seed)
-    base = np.linalg.qr(draw.normal(size=(8, 6)) + 1j * draw.normal(size=(8, 6)))[0]
-    poles = 1j * np.linspace(1.0, 2.0, 6) + 0.1 * np.arange(5)[:, None]
-    group = np.sort(draw.permutation(6)[:twins])
-    poles[met, group] = poles[met, group[0]]
-    mixed = np.linalg.qr(draw.normal(size=(twins, twins)) + 1j * draw.normal(size=(twins, twins)))
-    vectors = base * np.exp(2j * np.pi * draw.random((5, 1, 6)))
-    vectors[met][:, group] = base[:, group] @ mixed[0]
-    found = as_beside(poles, vectors)
-    alike = np.abs(np.einsum("nk,snk->sk", base.conj(), found))
-    assert alike == pytest.approx(np.ones((5, 6)))
-    others = [k for k in range(6) if k not in group]
-    assert (np.delete(found, met, axis=0) == np.delete(vectors, met, axis=0)).all()
-    assert (found[met][:, others] == vectors[met][:, others]).all()
-
-
-def test_vectors_of_poles_that_never_part_stay() -> None:
-    poles, vectors = np.full((3, 2), 1j), np.stack([unit(2, 0, 1)] * 3)
-    assert (as_beside(poles, vectors) == vectors).all()
 
 
 def test_a_basis_of_repeated_values_is_any_basis() -> None:

@@ -443,6 +443,32 @@ def test_what_an_analysis_is_asked_is_varied_too() -> None:
     assert found["sentence"].values.tolist() == ["", ""]
 
 
+@pytest.mark.parametrize(
+    "varied",
+    [
+        {"spindle.sleeves.front.spring.preload": [500.0, 600.0]},
+        {"analyses.campbell.max_frequency": [900.0, 1000.0]},
+    ],
+)
+def test_points_are_asked_for_numbers_alone(
+    varied: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Shapes cost time and are no numbers; but where results are kept whole they are part of it."""
+    whole = restricted(rotordyn.load("mfw2310"), ("campbell",))
+    case = rotordyn.vary(whole, {"speeds": (0.0, 2500.0)})
+    asked, solve = list[bool](), neighbours.Neighbours.solve
+
+    def spied(self: neighbours.Neighbours, case: Any, **how: Any) -> Any:
+        asked.append(case.analyses["campbell"].shapes)
+        return solve(self, case, **how)
+
+    monkeypatch.setattr(neighbours.Neighbours, "solve", spied)
+    for results in ((), ("campbell",)):
+        sweep(case, varied, results=results, workers=1)
+    assert case.analyses["campbell"].shapes
+    assert asked == [False, False, True, True]
+
+
 def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
     """A machine after another, and before it."""
     whole = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))
