@@ -232,17 +232,17 @@ class _Sweep:
         return self._branches(linear, subsystem, side, column)
 
     def ahead(self, ceiling: float) -> Complex:
-        """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Those beyond
-        ``ceiling`` [rad/s], and all of the last speed, are expected where they are."""
-        expected, inside = self.pole.copy(), np.abs(self.pole[:-1].imag) < ceiling
-        some = inside.any(axis=0)
-        here, inside = self.pole[:-1, some], inside[:, some]
+        """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose
+        poles are all beyond ``ceiling`` [rad/s], and the last speed, are expected where they are.
+        """
+        expected, some = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
+        here = self.pole[:-1, some]
         vector, left = self.vector[:-1, :, some], self.left[:-1, some]
         damped = times(np.diff(self.damping, axis=0), vector)
         with np.errstate(invalid="ignore", over="ignore"):
             change = here[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
             move = np.einsum("skn,snk->sk", left, change)
-            known = inside & (np.abs(move) < FARTHEST * np.abs(here))
+            known = np.abs(move) < FARTHEST * np.abs(here)
         expected[:-1, some] = np.where(known, here - move, here)
         return expected
 
