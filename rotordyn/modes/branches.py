@@ -142,7 +142,8 @@ class _Sweep:
     """All modes of a subsystem at every ``speed`` (s,), ascending.
 
     ``pole`` (s, k), ``vector`` (s, n, k), ``left`` (s, k, n), those that are ``followed`` (s, k),
-    ``whirl`` (s, k) where planes are one; NaN where a speed has fewer. ``stiffness`` and
+    ``whirl`` (s, k) where planes are one, as they may be at some speeds; NaN where a speed has
+    fewer. ``stiffness`` and
     ``damping`` (s, n, n). ``given`` (s,): the case names the speed. ``constant``: all speeds are
     the same.
     """
@@ -194,10 +195,12 @@ class _Sweep:
 
     @cached_property
     def sides(self) -> dict[float, tuple[Indices, Steps]]:
-        """Followed modes by the side to which they whirl: columns (s, k) by ascending frequency,
-        those of other modes last where a speed has fewer, and the steps that they make."""
-        every = (-1.0, 1.0) if (self.whirl > 0.0).any() else (0.0,)
-        return {side: self._chosen(self.followed & (self.whirl == side)) for side in every}
+        """Followed modes by the side to which they whirl, 0 of all unless planes are one at every
+        speed: columns (s, k) by ascending frequency, those of other modes last where a speed has
+        fewer, and the steps that they make."""
+        if not (self.whirl != 0.0).any(axis=1).all():
+            return {0.0: self._chosen(self.followed)}
+        return {side: self._chosen(self.followed & (self.whirl == side)) for side in (-1.0, 1.0)}
 
     def _chosen(self, wanted: Flags) -> tuple[Indices, Steps]:
         """The same of the modes ``wanted`` (s, k)."""

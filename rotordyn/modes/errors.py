@@ -125,13 +125,15 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     unconverged, highest = "", (1.0 - SAME) * band.highest
     for subsystem in sorted({branch.subsystem for branch in branches}):
         motions = finer.system_at(subsystem, rows)
-        for (place, row), side in product(enumerate(rows), (-1.0, 0.0, 1.0)):
+        apart = all(b.side for b in branches if b.subsystem == subsystem)
+        for (place, row), side in product(enumerate(rows), (-1.0, 1.0) if apart else (0.0,)):
             chosen = [
                 k for k, b in enumerate(branches) if (b.subsystem, b.side) == (subsystem, side)
             ]
             chosen = [k for k in chosen if branches[k].column[row] >= 0]
             pole = motions.pole[place]
-            there = pole[swings(pole) & ~motions.at_rest[place] & (motions.whirl[place] == side)]
+            mine = (motions.whirl[place] == side) | (not apart)
+            there = pole[swings(pole) & ~motions.at_rest[place] & mine]
             here = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
             nearness = -np.abs(here[:, None] - there) / np.abs(here)[:, None]
             partner = matched(nearness, -SAME)

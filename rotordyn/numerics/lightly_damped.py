@@ -20,7 +20,7 @@ from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
-CLOSE = 3e-4  # what 1 − F lacks of (1 + F)⁻¹, F⁴ in all, is rounding
+CLOSE = 1e-4  # the series of (1 + F)⁻¹ to F² lacks rounding
 SAME = 1e-7  # its square is rounding
 CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
 
@@ -104,7 +104,7 @@ class _Near:
                 return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
             rest = rest @ change
             if size < CLOSE:
-                rest = rest - change @ rest
+                rest = rest - change @ (rest - change @ rest)
             else:
                 change.flat[diagonal] = 1.0
                 rest = np.linalg.solve(change, rest)

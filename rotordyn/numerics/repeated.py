@@ -6,27 +6,30 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags, Indices
 
-REPEATED = 1e-6  # of a value: nearer ones share their vectors
+REPEATED = 1e-6  # of a value: nearer ones are known again together, by what their vectors span
+EQUAL = 1e-9  # of a pole: nearer ones differ by rounding, and their vectors are any of that span
+APART = 0.3  # least singular value of unit vectors that are clearly independent
 
 
-def near(values: Array | Complex) -> Flags:
-    """Which of the values (…, k) are so near as to be one, themselves among them (…, k, k)."""
+def near(values: Array | Complex, share: float = REPEATED) -> Flags:
+    """Which of the values (…, k) are within a share of one another, themselves among them
+    (…, k, k)."""
     here, there = values[..., :, None], values[..., None, :]
-    return np.asarray(np.abs(here - there) <= REPEATED * np.abs(here))
+    return np.asarray(np.abs(here - there) <= share * np.abs(here))
 
 
-def joined(values: Array | Complex) -> Flags:
-    """Which of the values (k,) are one, or are so by those between them (k, k)."""
-    found = near(values)
+def joined(values: Array | Complex, share: float = REPEATED) -> Flags:
+    """The same of values (k,), also by those between them (k, k)."""
+    found = near(values, share)
     found |= found.T
     while (found @ found != found).any():
         found = found @ found
     return found
 
 
-def groups(values: Array | Complex) -> list[Indices]:
+def groups(values: Array | Complex, share: float = REPEATED) -> list[Indices]:
     """Places of repeated values among all (k,), each once."""
-    same = joined(values)
+    same = joined(values, share)
     return [np.flatnonzero(row) for row in np.unique(same[same.sum(axis=1) > 1], axis=0)]
 
 
@@ -39,22 +42,26 @@ def spanning(vectors: Complex, values: Array) -> Complex:
 
 
 def as_beside(at: Array, poles: Complex, vectors: Complex) -> Complex:
-    """Vectors (steps, n, paths) of ``poles`` (steps, paths) at ``at`` (steps,); those of a repeated
-    pole as an orthogonal basis of their span, turned as near as may be to the vectors of the
-    nearest step where all of them have poles of their own, and as they are where there is none.
+    """Vectors (steps, n, paths) of ``poles`` (steps, paths) at ``at`` (steps,); of equal poles what
+    their span holds of the vectors at the nearest step where all of them have poles of their own.
+    They stay as they are where there is no such step, or where it holds too little of these.
 
     So shapes and whirl at rest are those of slow rotation, whatever rounding has made of them.
     """
     present = ~np.isnan(poles)
-    repeats = near(poles).sum(axis=(1, 2)) > present.sum(axis=1)
+    repeats = near(poles, EQUAL).sum(axis=(1, 2)) > present.sum(axis=1)
     vectors = vectors.copy() if repeats.any() else vectors
     for step in np.flatnonzero(repeats).tolist():
-        for group in groups(poles[step]):
-            alone = near(poles[:, group]).sum(axis=(1, 2)) == len(group)
+        for group in groups(poles[step], EQUAL):
+            alone = near(poles[:, group], EQUAL).sum(axis=(1, 2)) == len(group)
             parted = np.flatnonzero(alone & present[:, group].all(axis=1))
-            if parted.size:
-                beside = parted[np.abs(at[parted] - at[step]).argmin()]
-                basis, length = np.linalg.qr(vectors[step][:, group])
-                turn, _, back = np.linalg.svd(basis.conj().T @ vectors[beside][:, group])
-                vectors[step][:, group] = abs(length[0, 0]) * basis @ (turn @ back)
+            if not parted.size:
+                continue
+            here = vectors[step][:, group]
+            beside = vectors[parted[np.abs(at[parted] - at[step]).argmin()]][:, group]
+            basis = np.linalg.qr(here)[0]
+            held = basis.conj().T @ (beside / np.linalg.norm(beside, axis=0))
+            if np.linalg.svd(held, compute_uv=False).min() > APART:
+                size = np.linalg.norm(here, axis=0) / np.linalg.norm(held, axis=0)
+                vectors[step][:, group] = basis @ (size * held)
     return vectors

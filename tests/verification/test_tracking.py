@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
@@ -95,6 +96,43 @@ def test_a_disc_a_little_aside_veers(rpm: Any, away: float) -> None:
     found = lines(disc_at(0.3 + away), rpm)
     assert (found["bending 1 backward"] < found["bending 2 backward"]).all()
     assert found["bending 1 backward"][0] > 2.0 * found["bending 1 backward"][-1]
+
+
+@pytest.mark.parametrize(
+    ("table", "across", "given"),
+    [
+        ([0, 20, 700, 800], [1.3e6, 1e6, 1e6, 1.3e6], [0, 20, 700, 800]),
+        ([0, 100, 700, 800], [1.3e6, 1e6, 1e6, 1.3e6], [0, 800]),
+        ([0, 400, 800], [1e6, 1.3e6, 1e6], [0, 800]),
+    ],
+)
+def test_supports_alike_in_both_planes_at_some_speeds_only(
+    table: list[float], across: list[float], given: list[float]
+) -> None:
+    """At these speeds whirl is solved as one plane, whether they are given, stand in a table, or
+    are looked at to tell crossings; the modes there are those of supports that are always alike."""
+
+    def found(stiffness: list[float]) -> CampbellResult:
+        entries = {("y", "y"): (1e6,) * len(table), ("z", "z"): tuple(stiffness)}
+        damping = {pair: (50.0,) * len(table) for pair in entries}
+        speeds = tuple(map(float, table))
+        held = [
+            LinearSupport(name, x, entries, damping, speeds=speeds)
+            for name, x in (("a", 0.0), ("b", 0.6))
+        ]
+        disc = PointMass("disc", 0.3, 20.0, 6.0, 4.0)
+        rotor = uniform(0.6, 0.05, STEEL, masses=(disc,), supports=held)
+        scene = Scene(rotor, Conditions(), np.array(given, dtype=float), 300.0)
+        return campbell.answer(scene, CampbellSpec(300.0, shapes=False))
+
+    alike, mixed = found([1e6] * len(table)), found(across)
+    assert mixed.frequency.shape[1] == 4
+    assert np.isfinite(mixed.frequency).all()
+    assert mixed.unconverged == ""
+    same = [k for k, speed in enumerate(given) if across[table.index(speed)] == 1e6]
+    for row in same:
+        expected = np.sort(alike.frequency[row])
+        assert np.sort(mixed.frequency[row]) == pytest.approx(expected, rel=1e-6)
 
 
 def test_the_expected_pole_is_that_of_the_derivative() -> None:

@@ -71,6 +71,20 @@ def test_at_rest_whirl_and_shapes_are_those_of_slow_rotation() -> None:
     assert np.abs(along_y) == pytest.approx(np.abs(along_z), abs=1e-6)
 
 
+@pytest.mark.parametrize("ratio", [1.05, 1.5])
+def test_at_rest_uneven_supports_have_planar_shapes(ratio: float) -> None:
+    """However little they differ: exact, since nothing couples the planes there."""
+    held = [support(name, x, (1e9, ratio * 1e9)) for name, x in (("a", 0.0), ("b", 1.0))]
+    rotor = uniform(1.0, 0.01, STEEL, supports=held)
+    scene = Scene(rotor, Conditions(), np.array([0.0, 500.0]), 400.0)
+    found = campbell.answer(scene, CampbellSpec(400.0))
+    split = np.diff(found.frequency[0])[::2] / found.frequency[0, ::2]
+    assert 1e-9 < split.min() < 1e-6
+    assert found.whirl_degree[0] == pytest.approx(0.0, abs=1e-4)
+    across = np.abs(found.shape[0, :, :, [DIRECTIONS.index(n) for n in ("y", "z")]]).max(axis=2)
+    assert across.min(axis=0) == pytest.approx(0.0, abs=1e-4)
+
+
 def test_decrement_and_rigid_body_labels() -> None:
     """On soft springs the lowest modes are rigid-body motions; δ = 2πζ/√(1 − ζ²)."""
     soft = {("x", "x"): 1e4, ("y", "y"): 1e5, ("z", "z"): 1e5}
