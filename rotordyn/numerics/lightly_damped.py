@@ -20,7 +20,7 @@ from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
-CLOSE = 1e-4  # the series of (1 + F)⁻¹ to F² lacks rounding
+CLOSE = 1e-4  # the series of (1 + F)⁻¹ up to F² lacks rounding alone
 SAME = 1e-7  # its square is rounding
 CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
 

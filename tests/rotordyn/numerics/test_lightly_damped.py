@@ -137,3 +137,18 @@ def test_each_chain_begins_anew() -> None:
     one, two = (lightly_damped_modes(stiffness, each) for each in (damping, other))
     for ours, theirs in zip(one, two, strict=True):
         assert np.array_equal(ours[lightly_damped.CHAIN :], theirs[lightly_damped.CHAIN :])
+
+
+@pytest.mark.parametrize("size", [10, 30])
+def test_vectors_keep_their_digits_where_damping_couples_all_of_them_a_little(size: int) -> None:
+    """Every vector has the same small share of every other one, so that their errors add up."""
+    omega = np.linspace(1.0, 2.5, size) * 1e3
+    stiffness = np.stack([np.diag(omega**2)] * 2)
+    for share in np.geomspace(1e-5, 1e-3, 25):
+        coupled = share * (np.abs(omega[:, None] - omega) + 1500.0 / size)
+        damping = coupled * [[[1.0]], [[1.01]]] + 0j
+        pole, vector, _, known = lightly_damped_modes(stiffness, damping)
+        assert known.all()
+        rest = pole[:, None] ** 2 * vector + pole[:, None] * (damping @ vector) + stiffness @ vector
+        size_of = np.linalg.norm(stiffness @ vector, axis=1)
+        assert (np.linalg.norm(rest, axis=1) / size_of).max() < 1e-12
