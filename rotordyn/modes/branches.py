@@ -143,9 +143,8 @@ class _Sweep:
 
     ``pole`` (s, k), ``vector`` (s, n, k), ``left`` (s, k, n), those that are ``followed`` (s, k),
     ``whirl`` (s, k) where planes are one, as they may be at some speeds; NaN where a speed has
-    fewer. ``stiffness`` and
-    ``damping`` (s, n, n). ``given`` (s,): the case names the speed. ``constant``: all speeds are
-    the same.
+    fewer. ``stiffness`` and ``damping`` (s, n, n). ``given`` (s,): the case names the speed.
+    ``constant``: all speeds are the same.
     """
 
     speed: Array
