@@ -1,16 +1,24 @@
 #!/usr/bin/env python3
-"""A designer's study:  python -m benchmarks.study [--count N] [--workers N]
+"""A designer's study:  python -m benchmarks.study [--count N] [--workers N] [--beside TREE]
 
 Variants of the flagship by Latin hypercube: preloads, stiffness of the springs, travel of the stop,
 diameter of the shaft between the bearings. Of each the preload state and the Campbell diagram at 13
 speeds; what ``rotordyn.sweep`` takes for all of them, its processes included.
+
+``--beside``: in turn with the tree of the time on record, so that the pace of the machine does not
+count; what is kept is the ratio of both.
 """
 
 from __future__ import annotations
 
 import argparse
 import math
+import os
+import statistics
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import numpy as np
 
@@ -69,12 +77,39 @@ def measure(count: int, workers: int) -> dict[str, object]:
     }
 
 
+def _in_its_own_process(tree: Path, count: int, workers: int) -> float:
+    """Seconds that the study takes by the sources of a tree."""
+    code = f"from benchmarks.study import measure; print(measure({count}, {workers})['seconds'])"
+    environment = {**os.environ, "PYTHONPATH": str(tree)}
+    command = [sys.executable, "-c", code]
+    told = subprocess.check_output(command, cwd=tree, env=environment, text=True)
+    return float(told.splitlines()[-1])
+
+
+def beside(tree: Path, count: int, workers: int, pairs: int = 3) -> dict[str, object]:
+    """Of pairs of runs, here and by the other tree, the ratio of their times."""
+    trees = ROOT, tree
+    times = [[_in_its_own_process(each, count, workers) for each in trees] for _ in range(pairs)]
+    ratios = sorted(here / there for here, there in times)
+    command = ["git", "-C", str(tree), "rev-parse", "--short", "HEAD"]
+    revision = subprocess.check_output(command, text=True).strip()
+    ends = {"least": ratios[0], "most": ratios[-1]}
+    return {"revision": revision, "pairs": pairs, "ratio": statistics.median(ratios), **ends}
+
+
 def main() -> None:
     """Measure and keep."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=COUNT)
     parser.add_argument("--workers", type=int, default=processors())
+    parser.add_argument("--beside", type=Path, metavar="TREE")
     arguments = parser.parse_args()
+    if arguments.beside:
+        compared = beside(arguments.beside.resolve(), arguments.count, arguments.workers)
+        print(compared)  # noqa: T201
+        if arguments.count == COUNT:
+            keep("study", beside=compared)
+        return
     found = measure(arguments.count, arguments.workers)
     print(found)  # noqa: T201
     if arguments.count == COUNT:
