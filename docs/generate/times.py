@@ -191,19 +191,17 @@ def _study(found: Measured) -> str:
     """What many variants of one machine cost."""
     head = ("variants:", "speeds each:", "processes:", "seconds in all:", "target:", "")
     s = found["study"]
-    size = str(s["count"]), str(s["speeds"]), str(s["processes"])
-    rows = [(*size, f"{s['seconds']:.3g}", *_verdict(s["seconds"], STUDY_TARGET, "s"))]
-    after = f"Of these {s['unsolved']} have no solution; a variant takes "
-    after += f"{1e3 * s['variant']:.3g} ms."
+    words = (f"{s['seconds']:.3g}", *_verdict(s["seconds"], STUDY_TARGET, "s"))
+    text = table(head, [(str(s["count"]), str(s["speeds"]), str(s["processes"]), *words)])
+    lost = s["unsolved"]
+    each = f"{1e3 * s['variant']:.3g} ms"
+    after = f"Of these {lost} have no solution; a variant takes {each}."
     if b := s.get("beside"):
-        now = b["ratio"] * s["seconds"]
-        rows.append((*size, f"{now:.3g}", *_verdict(now, STUDY_TARGET, "s")))
         after += (
-            f" The second row is the first one times {b['ratio']:.3g}, the median of {b['pairs']} "
-            f"pairs of runs ({b['least']:.3g} to {b['most']:.3g}) by this tree and, in turn, by "
-            f"that of the first row ({b['revision']})."
+            f" That was by {b['revision']}; in turn with it a later tree took {b['ratio']:.3g} of "
+            f"its time ({b['least']:.3g} to {b['most']:.3g} in {b['pairs']} pairs of runs)."
         )
-    return f"{table(head, rows)}\n\n{after}"
+    return f"{text}\n\n{after}"
 
 
 def _optima(found: Measured) -> str:

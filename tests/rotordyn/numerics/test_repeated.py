@@ -60,6 +60,14 @@ def test_vectors_of_poles_that_never_part_stay() -> None:
     assert (as_beside(np.arange(3.0), poles, vectors) == vectors).all()
 
 
+def test_vectors_stay_where_the_nearest_step_has_nothing_like_them() -> None:
+    """One of both is there, the other stands across all that they span."""
+    base = np.eye(4, dtype=complex)
+    poles = np.array([[1j, 1j], [1j, 2j]])
+    vectors = np.stack([base[:, :2], base[:, [0, 2]]])
+    assert (as_beside(np.array([0.0, 1.0]), poles, vectors) == vectors).all()
+
+
 def test_values_are_one_by_those_between_them() -> None:
     """A chain of steps of 0.8e-6; one that stands alone; one that is none."""
     values = np.array([1.0, 3.0, 1.0 + 1.6e-6, np.nan, 1.0 + 0.8e-6, 3.0 + 6e-6])
