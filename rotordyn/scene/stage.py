@@ -18,12 +18,11 @@ Inputs = tuple[Any, ...]
 class Memo:
     """Values of stages by name, each with the inputs that it follows from.
 
-    Machines that differ little (variants, other speeds, a finer model) share one memo. ``laws``:
-    hypotheses under which its machines will be solved; ``ahead``: preload states of machines to
-    come, which were solved together, with the inputs that each follows from.
+    Machines that differ little (variants, other speeds, a finer model) share one memo. ``ahead``:
+    preload states of machines to come, which were solved together, with the inputs that each
+    follows from.
     """
 
-    laws: tuple[Any, ...] = ()
     ahead: list[tuple[Inputs, Any]] = field(default_factory=list)
     values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
 

@@ -23,7 +23,6 @@ from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.preload.friction import operating_state, with_friction
 from rotordyn.preload.state import PreloadState
-from rotordyn.preload.together import Asked, dynamic_preloads
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -192,8 +191,6 @@ class Statics(Staged):
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis; one of all tools in the nose."""
         acting = self.axial_force, self.temperatures, self.past
-        if len(self._laws) > 1:
-            return with_friction(self.under_all_laws[self._laws.index(self.law)])
         inputs = self.seated if self.memo.ahead else ()
         for other, state in self.memo.ahead:
             if other == inputs:
@@ -210,26 +207,7 @@ class Statics(Staged):
         """Its state without loads across the axis is not solved together with other machines."""
         conditions = self.conditions
         iterated = conditions.heat_flow or conditions.films
-        return not self.spindle.seats or bool(iterated) or len(self._laws) > 1
-
-    @property
-    def _laws(self) -> tuple[Law, ...]:
-        """Those that will be asked for and can be solved with the own one; none where heat or films
-        follow from the states."""
-        own, every, conditions = self.law, self.memo.laws, self.conditions
-        if conditions.heat_flow or conditions.films or own not in every:
-            return ()
-        return tuple(a for a in every if (a.friction, a.dynamics) == (own.friction, own.dynamics))
-
-    @property
-    def under_all_laws(self) -> list[PreloadState]:
-        """States under all laws of which states will be asked for, solved together."""
-        return self.shared("all laws", (self._laws, *self._standing), self._solved_together)
-
-    def _solved_together(self) -> list[PreloadState]:
-        machine, acting = (self.grounded, self.bearing_speed), (self.axial_force, self.temperatures)
-        states = dynamic_preloads([Asked(*machine, law, *acting) for law in self._laws])
-        return [replace(state, past=self.past) for state in states]
+        return not self.spindle.seats or bool(iterated)
 
     @property
     def temperatures(self) -> Temperatures | None:
@@ -324,12 +302,7 @@ class Statics(Staged):
 
     @property
     def seated(self) -> tuple[Any, ...]:
-        """What the preload state without loads across the axis follows from."""
-        return (self.law, *self._standing)
-
-    @property
-    def _standing(self) -> tuple[Any, ...]:
-        """The same beside the hypotheses of balls: of the shaft only
+        """What the preload state without loads across the axis follows from: of the shaft only
         sections from the foremost seat on, and those between seats and what they shift from."""
         own, shaft = self.grounded, self.spindle.shaft
         reference = getattr(own.shortening, "reference", math.inf)
@@ -339,7 +312,7 @@ class Statics(Staged):
             for left, section in zip(shaft.boundaries, shaft.sections, strict=False)
             if left + section.length > front
         )
-        machine = own.seats, own.sleeves, own.supports, own.shortening, behind
+        machine = self.law, own.seats, own.sleeves, own.supports, own.shortening, behind
         conditions = self.conditions
         oiled = conditions.temperatures, conditions.heat_flow, conditions.films
         acting = self.axial_force, self.past, *oiled

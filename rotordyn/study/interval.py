@@ -132,6 +132,7 @@ def _effects(
 ) -> list[quantiles.Effect]:
     """Of each tolerance alone, from machines at its ends; from two more in between where it rules a
     number and bends it."""
+    machines.all([each.at(end) for each in given for end in (0.0, 1.0)])  # at once, and kept
     effects = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
     numbers = len(nominal.values.numbers)
     ends = np.array([np.nan_to_num(each.change[[0, -1], :numbers]) for each in effects])

@@ -24,6 +24,7 @@ from rotordyn.job.values import Values, values_of
 from rotordyn.study.neighbours import Neighbours
 
 EVENLY = 9  # speeds, beside those that an analysis needs
+TOGETHER = 32  # machines whose preload states are solved at a time
 
 
 def lean(case: Case) -> Case:
@@ -53,16 +54,19 @@ class Machines:
     def values(self, changes: Mapping[str, Any]) -> Values:
         """What the machine with other values at dotted paths comes to; one without a solution has
         no numbers."""
-        changes = {path: value for path, value in changes.items() if self._other(path, value)}
-        key = repr(sorted(changes.items()))
+        key, changes = self._other(changes)
         if key not in self._known:
             self._known[key] = self._solved(changes)
         return self._known[key]
 
-    def _other(self, path: str, value: Any) -> bool:
-        """Whether a value at a path is not that of the case already."""
-        found = [held for held, _ in found_at(self.case, path)]
-        return any(type(held) is not type(value) or held != value for held in found)
+    def _other(self, changes: Mapping[str, Any]) -> tuple[str, Mapping[str, Any]]:
+        """Those of the values that are not those of the case already, and words for them."""
+        other = {}
+        for path, value in changes.items():
+            found = [held for held, _ in found_at(self.case, path)]
+            if any(type(held) is not type(value) or held != value for held in found):
+                other[path] = value
+        return repr(sorted(other.items())), other
 
     def _solved(self, changes: Mapping[str, Any]) -> Values:
         self.solved += 1
@@ -75,13 +79,18 @@ class Machines:
             return Values(sentence=str(error))
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
-        """The same of many; bearings under all laws of one machine are solved together."""
-        memo, laws = self._neighbours.memo, set()
-        for each in changes:
-            with suppress(InvalidInput):
-                laws.add(changed(self.case, each).conditions.law)
-        memo.laws = tuple(sorted(laws, key=str)) if len(laws) > 1 else ()
-        try:
-            return [self.values(each) for each in changes]
-        finally:
-            memo.laws = ()
+        """The same of many; preload states of those that come next are solved together."""
+        found = []
+        for first in range(0, len(changes), TOGETHER):
+            part = changes[first : first + TOGETHER]
+            self._solve_ahead(part)
+            found += [self.values(each) for each in part]
+        return found
+
+    def _solve_ahead(self, changes: Sequence[Mapping[str, Any]]) -> None:
+        cases = []
+        for key, other in map(self._other, changes):
+            with suppress(InvalidInput, BearingError):  # told where it is solved
+                if key not in self._known:
+                    cases.append(changed(self.case, other))
+        self._neighbours.solve_ahead(cases)

@@ -37,6 +37,7 @@ class Derivatives(NamedTuple):
 def derivatives(asked: Asked, machines: Machines, numbers: Mapping[str, Number]) -> Derivatives:
     """Central differences by every path asked for."""
     ranges = {each.path: each for each in asked.ranges}
+    machines.all([step.at(end) for step in asked.steps for end in (0.0, 1.0)])  # at once, and kept
     columns = [_column(each, ranges.get(each.path), machines, numbers) for each in asked.steps]
     table = np.array(columns).reshape(len(columns), 3, len(numbers))
     return Derivatives(*(table[:, k].T for k in range(3)))
