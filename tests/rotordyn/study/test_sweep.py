@@ -471,7 +471,8 @@ def test_points_are_asked_for_numbers_alone(
 
 def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
     """A machine after another, and before it."""
-    whole = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))
+    warm = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))
+    whole = rotordyn.vary(warm, {"speeds": warm.speeds[::7]})
     asked = {"conditions.heat_flow.inner_shaft": [3.0, 1.0, 10.0]}
     found = sweep(whole, asked, workers=1)
     names = [name for name in found.data_vars if str(name).startswith("preload: ")]
