@@ -279,15 +279,9 @@ def test_exit_code_reaches_the_shell(tmp_path: Path) -> None:
 
 
 def test_the_main_job_from_the_shell_imports_no_kernels_and_no_3d(tmp_path: Path) -> None:
-    """At three speeds and few frequencies."""
-    text = (ROOT / "cases" / "mfw2310.yaml").read_text(encoding="utf-8")
-    for many, few in {"step: 500 rpm": "step: 12000 rpm", "count: 2000": "count: 40"}.items():
-        assert many in text
-        text = text.replace(many, few)
-    (tmp_path / "case.yaml").write_text(text, encoding="utf-8")
     code = (
         "import sys; from rotordyn.cli import main\n"
-        f"code = main(['run', {str(tmp_path / 'case.yaml')!r}, '-o', {str(tmp_path / 'out')!r}, '--quiet'])\n"
+        f"code = main(['run', 'cases/mfw2310.yaml', '-o', {str(tmp_path / 'out')!r}, '--quiet'])\n"
         "names = {m.partition('.')[0] for m in sys.modules} | set(sys.modules)\n"
         "print(code, *sorted(names & {'numba', 'pyvista', 'vtk', 'vtkmodules', 'meshio',"
         " 'matplotlib.pyplot', 'pandas.plotting', 'scipy.signal', 'scipy.stats'}))"
