@@ -28,6 +28,7 @@ UNRESPONSIVE = (
 )
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
 LARGEST = 1e15  # SI units; beyond, products lose all digits or overflow
+TERMS = 20  # of an exponential series of small matrices, which are then below rounding
 SPLIT = 8.0  # λL beyond which a section is split, for e^λL would lose digits
 
 
@@ -275,12 +276,10 @@ def _pieces(section: Section, omega: float) -> int:
 
 
 def _uniform(omega: Array, section: Section, speed: float) -> Ends:
-    """Receptances of a free uniform Timoshenko shaft by its dynamic stiffness.
+    """Receptances of a free uniform Timoshenko shaft.
 
     State (y, θ, M, V): y' = θ + V/κGA, θ' = M/EI, M' = −V − ρI(ω² − 2ωΩ)θ, V' = −ρAω²y.
     """
-    from scipy.linalg import expm
-
     stiff, inner = section.stiff_diameter or section.outer, section.inner
     loss = section.loss_factor * np.sign(omega - speed)
     young = section.young * (1.0 + 1j * loss)
@@ -298,22 +297,41 @@ def _uniform(omega: Array, section: Section, speed: float) -> Ends:
     a[:, 1, 2] = 1.0 / bending
     a[:, 2, 3], a[:, 2, 1] = -1.0, -section.density * second * (omega**2 - 2.0 * omega * speed)
     a[:, 3, 0] = -section.density * area * omega**2
-    t = expm(a * length * scale / scale[:, None])
-    # forces on the ends: (f, m)₁ = −(V, M)₀ and (f, m)₂ = (V, M)_L
+    t = _exponential(a * length * scale / scale[:, None])
+    # (V, M)_L = fy (y, θ)₀ + ff (V, M)₀, with forces (f, m)₁ = −(V, M)₀ and (f, m)₂ = (V, M)_L on
+    # the ends; the others by reciprocity, and by the symmetry of the section
     order = np.array([3, 2])
-    yy, yf = t[:, :2, :2], t[:, :2][:, :, order]
     fy, ff = t[:, order][:, :, :2], t[:, order][:, :, order]
-    at_0 = np.linalg.solve(yf, np.concatenate([-yy, _eyes(yy)], axis=2))
-    held = np.concatenate([-at_0, np.concatenate([fy, 0.0 * fy], axis=2) + ff @ at_0], axis=1)
-    free = np.linalg.inv(held)
-    ends = np.array([1.0, 1.0 / length] * 2)
-    force = np.array([scale[3], scale[2]] * 2)
-    free = free * ends[:, None] / force
-    return Ends(free[:, :2, :2], free[:, :2, 2:], free[:, 2:, :2], free[:, 2:, 2:])
+    r11, r12 = np.linalg.solve(fy, ff), np.linalg.inv(fy)
+    units = np.array([1.0, 1.0 / length])[:, None] / np.array([scale[3], scale[2]])
+    mirrored = np.array([[1.0, -1.0], [-1.0, 1.0]])  # slopes, seen from the other end
+    free = r11, r12, np.swapaxes(r12, 1, 2), mirrored * r11
+    return Ends(*(each * units for each in free))
 
 
-def _eyes(like: Complex) -> Complex:
-    return np.broadcast_to(np.eye(2, dtype=complex), like.shape)
+def _exponential(a: Complex) -> Complex:
+    """e^a of matrices (f, 4, 4) of beams: they take deflections and moments to slopes and forces,
+    and these to those.
+
+    So X = a² has two double eigenvalues, X^k = u X + v follows from their sum and product, and the
+    series of e^a = cosh √X + a sinh √X / √X are those of u and v.
+    """
+    square = a @ a
+    total = 0.5 * np.trace(square, axis1=1, axis2=2)
+    product = 0.5 * (total**2 - 0.5 * np.einsum("fij,fji->f", square, square))
+    if 1.0 < np.abs(total).max() ** 2 + np.abs(product).max() < np.inf:  # terms grow at first
+        half = _exponential(0.5 * a)
+        return half @ half
+    u, v = np.zeros_like(total), np.ones_like(total)
+    even, odd = np.array([u, v]), np.array([u, v])
+    for order in range(2, TERMS, 2):
+        share = 1.0 / (order * (order - 1))
+        u, v = share * (total * u + v), -share * product * u
+        even += u, v
+        odd += u / (order + 1), v / (order + 1)
+    (u, v), (w, x) = even[..., None, None], odd[..., None, None]
+    one = np.eye(4)
+    return np.asarray(u * square + v * one + a @ (w * square + x * one))
 
 
 def _shear_coefficient(poisson: float, ratio: float) -> float:

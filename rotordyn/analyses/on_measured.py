@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ from rotordyn.analyses.coupling import (
     rotations,
     uncouple,
 )
-from rotordyn.analyses.measured_response import QUANTITIES, as_quantity
+from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, as_quantity
 from rotordyn.analyses.measured_spindle import NOSE, MeasuredSpindle
 from rotordyn.analyses.modal_fit import ModalFit, modal_fit
 from rotordyn.errors import InvalidInput
@@ -103,23 +103,12 @@ class OnMeasured:
         return np.asarray(fit.misfit * np.sqrt(variance))
 
     def _fit(self, way: str) -> ModalFit:
-        """Modes of a plane: as many as are asked for, or until more of them fit noise alone."""
+        """Modes of a plane."""
         named = self.measured.of_plane(way)
         front, behind = self._front, self._behind
         across = min(front, behind), max(front, behind)
-        wanted = (named[front, front], named[across], named[behind, behind])
-        values = np.array([as_quantity(one, QUANTITIES[0]) for one in wanted]).T
-        if self.measured.modes is not None:
-            return modal_fit(self.omega, values, self.measured.modes)
-        best, count = modal_fit(self.omega, values, 1), 1
-        most = min(MOST_MODES, (len(self.omega) - 2) // 4)
-        for modes in range(2, most + 1):
-            other = modal_fit(self.omega, values, modes)
-            if other.misfit < BETTER * best.misfit:
-                best, count = other, modes
-            elif modes - count == IN_VAIN:
-                break
-        return best
+        wanted = named[front, front], named[across], named[behind, behind]
+        return _fitted(wanted, self.measured.modes)
 
     def _parts(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
         """Blank with the flexibility of its joint to the nose, tool with that of its own; the same
@@ -155,6 +144,25 @@ class OnMeasured:
             rows = np.stack([front, across], -1), np.stack([across, behind], -1)
             base = uncouple(blank, np.stack(rows, -2), held, noise)
         return couple(tool, base, joint)[:, 0, 0]
+
+
+@lru_cache(maxsize=8)
+def _fitted(wanted: tuple[MeasuredResponse, ...], modes: int | None) -> ModalFit:
+    """So many modes in responses, or as many until more of them fit noise alone; the same for all
+    tools and analyses."""
+    omega = 2.0 * math.pi * np.array(wanted[0].frequency)
+    values = np.array([as_quantity(one, QUANTITIES[0]) for one in wanted]).T
+    if modes is not None:
+        return modal_fit(omega, values, modes)
+    best, count = modal_fit(omega, values, 1), 1
+    most = min(MOST_MODES, (len(omega) - 2) // 4)
+    for more in range(2, most + 1):
+        other = modal_fit(omega, values, more)
+        if other.misfit < BETTER * best.misfit:
+            best, count = other, more
+        elif more - count == IN_VAIN:
+            break
+    return best
 
 
 def _at_nose(joints: Sequence[Joint]) -> Joint | None:

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from rotordyn.analyses.coupling import (
     Ends,
     Section,
+    _shear_coefficient,
     beam,
     between_points,
     couple,
@@ -32,6 +34,54 @@ def close(one, other, tolerance):
     return (np.abs(one - other) / np.abs(other)).max() < tolerance or (
         np.abs(one - other) / size
     ).max() < tolerance
+
+
+def by_matrix_exponential(omega, section, speed):
+    """Receptances (4, 4) of a free section between the ends of its transfer matrix by ``expm``, in
+    no units."""
+    bending = section.young * (1.0 + 1j * section.loss_factor * np.sign(omega - speed))
+    d, b = section.outer, section.inner
+    area, second = math.pi / 4.0 * (d**2 - b**2), math.pi / 64.0 * (d**4 - b**4)
+    kappa = _shear_coefficient(section.poisson, b / d)
+    a = np.zeros((4, 4), dtype=complex)
+    a[0, 1], a[0, 3] = 1.0, 2.0 * (1.0 + section.poisson) / (kappa * bending * area)
+    a[1, 2], a[2, 3] = 1.0 / (bending * second), -1.0
+    a[2, 1] = -section.density * second * (omega**2 - 2.0 * omega * speed)
+    a[3, 0] = -section.density * area * omega**2
+    wave = (section.density * area * omega**2 / (section.young * second)) ** 0.25
+    stiff = section.young * second * wave**2
+    unit = np.array([1.0, wave, stiff, stiff * wave])
+    t = expm(a * section.length * unit / unit[:, None])
+    # unknown states of both ends, by forces on them
+    held = np.zeros((8, 8), dtype=complex)
+    held[:4, :4], held[:4, 4:] = t, -np.eye(4)
+    held[[4, 5, 6, 7], [3, 2, 7, 6]] = -1.0, -1.0, 1.0, 1.0
+    forced = np.concatenate([np.zeros((4, 4)), np.eye(4)])
+    state = np.linalg.solve(held, forced)[[0, 1, 4, 5]]
+    return state * unit[[0, 1, 0, 1]][:, None] / unit[[3, 2, 3, 2]]
+
+
+@pytest.mark.parametrize("speed", [0.0, 2500.0, -4000.0])
+@pytest.mark.parametrize(
+    "section",
+    [
+        Section(0.05, 0.012, **STEEL),
+        Section(0.002, 0.1, 0.03, **STEEL),
+        Section(0.12, 0.1, 0.09),
+        Section(0.03, 0.05, loss_factor=0.3),
+        Section(0.25, 0.04),
+    ],
+)
+def test_a_section_is_the_exponential_of_its_equations(section, speed):
+    """Bending waves times length from 0.16, below which the exponential loses digits, to 5."""
+    top = 25.0 * np.sqrt(section.young / section.density * section.outer**2 / 16.0)
+    omega = top / section.length**2 * np.geomspace(1e-3, 1.0, 300)
+    found = beam(omega, [section], speed)
+    for k, own in enumerate(omega):
+        exact = by_matrix_exponential(own, section, speed)
+        known = [[found.r11[k], found.r12[k]], [found.r21[k], found.r22[k]]]
+        size = np.abs(exact).max(axis=1)
+        assert (np.abs(np.block(known) - exact) <= 1e-10 * size[:, None]).all()
 
 
 def test_two_halves_are_the_whole():
@@ -61,6 +111,18 @@ def test_rigid_body_at_low_frequency():
     mass = 7850.0 * np.pi / 4.0 * 0.01**2
     expected = -4.0 / mass
     assert beam(omega, [Section(1.0, 0.01)]).r11[0, 0, 0] == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_short_section_is_a_rigid_body_to_rounding():
+    """All receptances follow from mass and moment of inertia; its flexibility is 1e-14 of them."""
+    omega, length, d = np.array([1e-3, 0.1, 1.0]), 0.02, 0.05
+    mass = 7850.0 * math.pi / 4.0 * d**2 * length
+    turned = 1.0 / (mass * (length**2 / 12.0 + d**2 / 16.0))
+    found = beam(omega, [Section(length, d)])
+    for values, one, other in zip(found, (-1, -1, 1, 1), (-1, 1, -1, 1), strict=True):
+        first, second = (np.array([side * length / 2.0, 1.0]) for side in (one, other))
+        rigid = np.outer(first, second) * turned + np.diag([1.0 / mass, 0.0])
+        np.testing.assert_allclose(values * -(omega**2)[:, None, None], [rigid] * 3, rtol=1e-11)
 
 
 def dense(tool: Ends, base, joint):
