@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.limit import sampled_limit
 from rotordyn.analyses.stability_lobes.modal_limit import Process, modal_limit
 from rotordyn.analyses.stability_lobes.sampling import along, peaks, resolving
+from rotordyn.analyses.stability_lobes.spans import Spans
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
 from tests.oracles.milling_floquet import Machine, Milling
@@ -124,6 +126,38 @@ def test_process_damping(speed, lag):
         return Milling(MACHINE, *CUT, speed, lag * depth, rate).radius(depth)
 
     assert max(radius(share) for share in (0.3, 0.7, 0.9995)) < 1.0 < radius(1.0005)
+
+
+@pytest.mark.parametrize(("frequency", "speed"), [(0.5, 700.0), (2.2, 700.0), (2.2, 1e6)])
+def test_a_machine_that_is_unstable_by_itself_has_no_stable_depth(frequency, speed):
+    """With a mode of negative damping below the highest frequency, or far above, where the map by
+    which depths are tried has none; at a speed of which all depths would be stable, too."""
+    omega, top = resolving(MACHINE.receptance)
+    tip = as_modes(MACHINE.receptance, omega)
+    cut = Cut(*CUT)
+    unstable = replace(
+        tip,
+        pole=np.append(tip.pole, (1e-3 + 1j) * frequency * top),
+        shape=np.append(tip.shape, [[1e-6, 0.0]], axis=0),
+        participation=np.append(tip.participation, [[1e-6, 0.0]], axis=0),
+    )
+    process = Process(cut, cut.pitch / speed)
+    assert math.isinf(modal_limit(tip, top, process).depth) == (speed > 1e5)
+    assert modal_limit(unstable, top, process).depth == 0.0
+
+
+@pytest.mark.parametrize(
+    ("teeth", "end", "cutting"), [(2, 1.2, [1]), (3, 2.6, [2, 1]), (4, math.pi, [2])]
+)
+def test_a_tooth_cuts_one_thickness(teeth, end, cutting):
+    """Forces by displacement are forces by chip thickness times this, of half the size in spans
+    in which one tooth is cutting."""
+    spans = Spans(Cut(teeth, 9e8, 3e8, 0.0, end), 0.004, 2.0 * math.pi * 2000.0)
+    forces, chip = spans.thickness
+    exact = spans.cutting
+    np.testing.assert_allclose(forces @ chip, exact, rtol=0.0, atol=1e-14 * np.abs(exact).max())
+    thin = sum(count * k for (*_, count), k in zip(spans.each, cutting, strict=True))
+    assert thin <= len(chip) <= min(thin + 12, 2 * spans.size)
 
 
 def test_process_damping_at_zero_order():

@@ -11,8 +11,6 @@ import math
 from collections.abc import Callable
 from functools import cache
 
-from scipy.optimize import brentq, minimize_scalar
-
 Radius = Callable[[float], float]
 RATIO = 1.25  # of depths tried
 SHORTEST = 0.01  # of the depth between depths tried: over many pitches of a helix forces are even
@@ -23,7 +21,7 @@ DOUBTFUL = 0.02  # of 1: so near, the radius of a coarse map does not tell which
 WITHIN = 1e-8  # of the depth
 ROUGH = 1e-3  # of the depth by a coarse map
 PEAK = 1e-3  # of the logarithm of the depth
-AROUND = 0.03  # of the depth, by which a coarse map may err
+AROUND = (1e-3, 0.03)  # of the depth, by which a coarse map usually errs, and may err
 
 
 def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: float) -> float:
@@ -34,22 +32,21 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     it. 0 where the machine is unstable by itself.
     """
     coarse, fine = cache(coarse), cache(fine)
-    if fine(low) >= 1.0:
-        return 0.0
     guess = _tried(coarse, low, high, step, ROUGH, DOUBTFUL)
     if math.isinf(guess):
-        return guess
-    ends = max((1.0 - AROUND) * guess, low), min((1.0 + AROUND) * guess, high)
-    if math.isfinite(guess) and fine(ends[0]) < 1.0 <= fine(ends[1]):
-        return _root(fine, *ends, WITHIN)
+        return guess if fine(low) < 1.0 else 0.0
+    for share in AROUND if guess > 0.0 else ():
+        ends = max((1.0 - share) * guess, low), min((1.0 + share) * guess, high)
+        if fine(ends[0]) < 1.0 <= fine(ends[1]):
+            return _root(fine, *ends, WITHIN)
     return _tried(fine, low, high, step, WITHIN)
 
 
 def _tried(
     radius: Radius, low: float, high: float, step: float, within: float, doubtful: float = 0.0
 ) -> float:
-    """The least depth at which the radius is 1, ``within`` of it; NaN where a maximum is nearer to
-    1 than ``doubtful``."""
+    """The least depth at which the radius is 1, ``within`` of it, 0 where it is larger at the first
+    one; NaN where a maximum is nearer to 1 than ``doubtful``."""
     depth = [low]
     while radius(depth[-1]) < 1.0 and depth[-1] < high:
         depth.append(min(depth[-1] * RATIO, depth[-1] + _further(depth[-1], step), high))
@@ -62,7 +59,9 @@ def _tried(
             if radius(top) >= 1.0:
                 return _root(radius, depth[k - 1], top, within)
             doubt |= radius(top) > 1.0 - doubtful
-    if doubt or size[0] >= 1.0:
+    if size[0] >= 1.0:
+        return 0.0
+    if doubt:
         return math.nan
     return _root(radius, depth[-2], depth[-1], within) if size[-1] >= 1.0 else math.inf
 
@@ -85,6 +84,8 @@ def _finely(radius: Radius, depth: list[float], step: float) -> list[float]:
 
 def _peak(radius: Radius, low: float, high: float) -> float:
     """Where the radius is largest between two depths."""
+    from scipy.optimize import minimize_scalar
+
     found = minimize_scalar(
         lambda own: -radius(math.exp(own)),
         bounds=(math.log(low), math.log(high)),
@@ -95,4 +96,6 @@ def _peak(radius: Radius, low: float, high: float) -> float:
 
 
 def _root(radius: Radius, low: float, high: float, within: float) -> float:
+    from scipy.optimize import brentq
+
     return float(brentq(lambda own: math.log(radius(own)), low, high, rtol=within, xtol=1e-15))

@@ -3,7 +3,8 @@
 Over each span of the cut the displacement of the tip follows from the state of the modes at its
 start and from the forces, expanded in Legendre polynomials: u = F x + L g, and the state after it
 from both, x' = P x + W g. With g = −a H (u − u_old), and the forces of process damping, these give
-the map of one tooth period. The same limits follow from all harmonics of the tooth frequency.
+the map of one tooth period. H = D N has a low rank: of u the map needs the chip thickness N u only.
+The same limits follow from all harmonics of the tooth frequency.
 
 Theory: docs/theory/lobes.md.
 """
@@ -16,7 +17,6 @@ from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import solve_banded
 
 from rotordyn.analyses.stability_lobes.bessel import modified_bessel
 from rotordyn.analyses.stability_lobes.modal import ModalTip
@@ -141,12 +141,21 @@ class Floquet:
         return self._forced(), free / size, self._left * size[:, None], kept
 
     @cached_property
-    def _products(self) -> tuple[Array, Array, Array]:
-        """Forces per unit of depth by forces (2p, 2p), by the state before (2p, 2m), and by the
-        displacement before (2p, 2p)."""
-        forced, free, *_ = self._parts
-        cutting = self.spans.cutting
-        by_force, by_state = cutting @ forced, cutting @ free
+    def _after(self) -> tuple[Array, Array]:
+        """Chip thickness and state after a tooth period by forces (r + 2m, 2p), and without these
+        by both before (r + 2m, r + 2m)."""
+        forced, free, left, kept = self._parts
+        _, chip = self.spans.thickness
+        still = np.concatenate([chip @ free, kept])
+        return np.concatenate([chip @ forced, left]), np.pad(still, ((0, 0), (len(chip), 0)))
+
+    @cached_property
+    def _products(self) -> tuple[Array, Array]:
+        """Forces per unit of depth by forces (2p, 2p), and by chip thickness before and state
+        (2p, r + 2m)."""
+        forces, chip = self.spans.thickness
+        by_force, by_state = (forces @ each[: len(chip)] for each in self._after)
+        by_state = by_state[:, len(chip) :]
         if self.damping is not None:
             slow = self._slow
             size = np.abs(self._free(slow.shape)).max(axis=0, initial=0.0)
@@ -154,23 +163,20 @@ class Floquet:
             by_force = by_force + self.damping @ self._forced(velocity=True)
             moving = self._free(slow.shape * slow.pole[:, None]) / size
             by_state = by_state + self.damping @ moving
-        return by_force, by_state, cutting
+        return by_force, np.concatenate([forces, -by_state], axis=1)
 
     def forces(self, depth: float) -> Array:
-        """Forces over the cut by displacement before and state (2p, 2p + 2m)."""
-        by_force, by_state, cutting = self._products
-        right = np.concatenate([cutting, -by_state], axis=1) * depth
-        return np.asarray(np.linalg.solve(np.eye(len(by_force)) + depth * by_force, right))
+        """Forces over the cut by chip thickness before and state (2p, r + 2m)."""
+        by_force, by_past = self._products
+        return np.asarray(
+            np.linalg.solve(np.eye(len(by_force)) + depth * by_force, depth * by_past)
+        )
 
     def map(self, depth: float) -> Array:
-        """Displacement over the cut and state after a tooth period, by those before, both
-        (2p + 2m,)."""
-        forced, free, left, kept = self._parts
-        forces = self.forces(depth)
-        found = np.concatenate([forced @ forces, left @ forces])
-        found[: len(forced), len(forced) :] += free
-        found[len(forced) :, len(forced) :] += kept
-        return found
+        """Chip thickness by the displacement over the cut, and state after a tooth period, by those
+        before, both (r + 2m,)."""
+        by_forces, still = self._after
+        return by_forces @ self.forces(depth) + still
 
     def multipliers(self, depth: float) -> Complex:
         """Floquet multipliers at a depth [m]; beyond 1 in size the cut is unstable."""
@@ -182,11 +188,9 @@ class Floquet:
         At a multiplier −1 the motion of one period is that of the last with the opposite sign, and
         depths are the eigenvalues of one matrix: none is missed.
         """
-        forced, free, left, kept = self._parts
-        cutting, by_force, by_state = self.spans.cutting, *self._products[:2]
-        back = -np.linalg.solve(np.eye(len(kept)) + kept, left)
-        loop = by_force + by_state @ back + cutting @ (forced + free @ back)
-        value = -np.linalg.eigvals(loop)
+        (by_force, by_past), (after, still) = self._products, self._after
+        back = np.linalg.solve(np.eye(len(still)) + still, after)
+        value = -np.linalg.eigvals(by_force + by_past @ back)
         real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
         return 1.0 / float(real.max()) if real.size else np.inf
 
@@ -203,6 +207,8 @@ def _integrated(pole: Complex, half: float, count: int) -> Complex:
 
     The integral of a polynomial has neighbours of its order alone, so that systems are tridiagonal.
     """
+    from scipy.linalg import solve_banded
+
     size = count + EXTRA
     k = np.arange(size - 1)
     beside = 1.0 / np.sqrt((2.0 * k + 1.0) * (2.0 * k + 3.0))
@@ -211,10 +217,10 @@ def _integrated(pole: Complex, half: float, count: int) -> Complex:
     own = np.arange(count)
     right[own + 1, own] = half * beside[own]
     right[own[1:] - 1, own[1:]] = -half * beside[own[1:] - 1]
-    found = np.empty((len(pole), count, count), dtype=complex)
-    bands = np.empty((3, size), dtype=complex)
-    for row, z in enumerate((pole * half).tolist()):
-        bands[0, 1:], bands[2, :-1], bands[1] = z * beside, -z * beside, 1.0
-        bands[1, 0] -= z
-        found[row] = solve_banded((1, 1), bands, right, check_finite=False)[:count]
-    return found
+    z = (pole * half)[:, None]
+    bands = np.zeros((3, len(pole), size), dtype=complex)
+    bands[0, :, 1:], bands[2, :, :-1], bands[1] = z * beside, -z * beside, 1.0
+    bands[1, :, :1] -= z
+    every = np.tile(right, (len(pole), 1))
+    found = solve_banded((1, 1), bands.reshape(3, -1), every, check_finite=False)
+    return found.reshape(len(pole), size, count)[:, :count]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -108,15 +109,17 @@ def _radius(maps: Callable[[float], Floquet]) -> Callable[[float], float]:
 
 def _gain(tip: ModalTip, process: Process) -> float:
     """Bound on the loop gain from cutting force by motion to cutting force, per depth [1/m]."""
-    cut, omega = process.cut, tip.frequencies
+    omega = tip.frequencies
     size = np.linalg.norm(tip.receptance(omega), 2, axis=(1, 2))
-    pieces = cut.pieces()
-    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES)
-    found = 2.0 * _largest(cut, angle) * float(size.max())
+    found = 2.0 * _largest(process.cut) * float(size.max())
     if process.ploughing is not None:
-        found += _largest(process.ploughing, angle) * float((omega * size).max())
+        found += _largest(process.ploughing) * float((omega * size).max())
     return found
 
 
-def _largest(cut: Cut, angle: Array) -> float:
+@lru_cache
+def _largest(cut: Cut) -> float:
+    """Largest force by displacement, per depth [Pa]."""
+    pieces = cut.pieces()
+    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES)
     return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max())

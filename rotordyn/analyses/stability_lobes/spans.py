@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,9 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
+_gauss = lru_cache(np.polynomial.legendre.leggauss)
 SPARE = 12  # polynomials: from waves resolved to rounding
+ROUNDED = 1e-15  # of the largest pivot: a smaller one is rounding
 TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
 
 
@@ -67,11 +69,12 @@ class Spans:
         size = self.size
         found, at = np.zeros((size, 2, size, 2)), 0
         for centre, half, count in self.each:
-            x, weight = np.polynomial.legendre.leggauss(count + 12)
+            x, weight = _gauss(count + 12)
             basis = _legendre(x, count)
             matrix = cut.matrix((centre + half * x) * cut.pitch)
-            own = slice(at, at + count)
-            found[own, :, own] = np.einsum("lq,qij,mq->limj", basis * weight, matrix, basis)
+            right = matrix[:, :, None, :] * basis.T[:, None, :, None]
+            own = (basis * weight) @ right.reshape(len(x), -1)
+            found[at : at + count, :, at : at + count] = own.reshape(count, 2, count, 2)
             at += count
         return found.reshape(2 * size, 2 * size)
 
@@ -79,6 +82,18 @@ class Spans:
     def cutting(self) -> Array:
         """H of the cut itself between the polynomials (2p, 2p) [Pa]."""
         return self.between(self.cut)
+
+    @cached_property
+    def thickness(self) -> tuple[Array, Array]:
+        """``cutting`` as a product: forces by chip thickness (2p, r), that by displacement (r, 2p).
+
+        A tooth feels motion in one direction at a time: where one cuts, r is little above p.
+        """
+        from scipy.linalg import qr
+
+        left, right, order = qr(self.cutting, pivoting=True, check_finite=False)
+        kept = np.abs(right.diagonal()) > ROUNDED * abs(right[0, 0])
+        return left[:, kept], right[kept][:, np.argsort(order)]
 
     def coefficients(self, angle: Array) -> Complex:
         """Fourier coefficients at frequencies times period ``angle`` (…) of the orthonormal
