@@ -95,8 +95,9 @@ class Limits:
         found: list[Limit] = []
         for part in _alike(period):
             omega = self._samples(self.rows[part], period[part])
-            receptance = self._receptance(self.rows[part], change, float(omega[:, -1].max()))
             mean = operation.mean(self.speed[part])
+            directions, top = mean.cutting.shape[-1], float(omega[:, -1].max())
+            receptance = self._receptance(self.rows[part], change, top, directions)
             depth, at = zero_order(receptance, mean, period[part], omega * change.highest)
             found += [
                 Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
@@ -118,25 +119,27 @@ class Limits:
         omega.sort(axis=1)
         return omega
 
-    def _receptance(self, rows: Rows, change: Change, top: float) -> Callable[[Array], Complex]:
-        """Receptance (s, f, 2, 2) as a function of frequencies (s, f) up to ``top`` [rad/s]."""
+    def _receptance(
+        self, rows: Rows, change: Change, top: float, directions: int
+    ) -> Callable[[Array], Complex]:
+        """Receptance (s, f, directions, 2) by frequencies (s, f) up to ``top`` [rad/s]."""
         modes = self.tip.modes
         if modes is not None:
-            return modes.changed(change).of(rows, top * change.highest).receptance
+            return modes.changed(change).of(rows, top * change.highest, directions).receptance
         if change != UNCHANGED:
             raise InvalidInput(NOT_MODES.format(what="leave interval out"))
         assert isinstance(self.tip, Tip)
-        return partial(_summed, self.tip, rows)
+        return partial(_summed, self.tip, rows, directions)
 
 
-def _summed(tip: Tip, rows: Rows, omega: Array) -> Complex:
+def _summed(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
     """Receptance at some rows; the tip asks for frequencies at all of its speeds."""
     if tip.count == 1:
         flat = tip.receptance(omega.reshape(1, -1))
-        return flat.reshape(*omega.shape, 2, 2)
+        return flat.reshape(*omega.shape, 2, 2)[..., :directions, :]
     every = np.ones((tip.count, omega.shape[1]))
     every[rows] = omega
-    return tip.receptance(every)[rows]
+    return tip.receptance(every)[rows][..., :directions, :]
 
 
 def _alike(period: Array) -> Iterator[slice]:

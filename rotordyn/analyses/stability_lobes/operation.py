@@ -35,7 +35,8 @@ class Operation:
         return 2.0 * math.pi / (1 if self.spec.turning else self.spec.teeth) / speed
 
     def mean(self, speed: Array) -> Mean:
-        """Mean of the forces by displacement (1 or s, 2, 2) [Pa] and by velocity [N s/m²]."""
+        """Mean of the forces by displacement (1 or s, 2, d) [Pa] and by velocity [N s/m²]; in
+        turning d = 1, the motion in the feed."""
         rate = self.spec.process_damping / self._cutting_speed(speed)
         if self.spec.turning is None:
             own = self.cut
@@ -43,8 +44,8 @@ class Operation:
             return Mean(own.mean()[None], rate[:, None, None] * rubbing)
         # the force on the work by its motion towards the tool, in feed and normal
         angle, force = self.spec.turning.force_angle, self.spec.turning.force
-        towards = np.array([[1.0, 0.0], [0.0, 0.0]])
-        forced = np.array([[math.cos(angle), 0.0], [-math.sin(angle), 0.0]])
+        towards = np.array([[1.0], [0.0]])
+        forced = np.array([[math.cos(angle)], [-math.sin(angle)]])
         return Mean(force * forced[None], rate[:, None, None] * towards)
 
     def process(self, speed: float) -> Process:

@@ -12,6 +12,7 @@ from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change, ModalTip
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FAR = 3.0  # times the highest frequency: modes beyond are a power series in frequency
+AT_ONCE = 30_000  # frequencies of modes: larger arrays leave the cache
 TERMS = 12  # of that series, whose remainder is 3^−12 of a mode
 
 
@@ -41,23 +42,24 @@ class TipModes:
         constant = None if self.constant is None else self.constant / change.stiffness
         return TipModes(pole, self.shape * larger[..., None], self.participation, constant)
 
-    def of(self, rows: NDArray[np.intp], top: float) -> TipSums:
-        """Sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]."""
+    def of(self, rows: NDArray[np.intp], top: float, directions: int = 2) -> TipSums:
+        """Sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion in
+        feed and normal, or in the feed alone, by forces in both."""
         pole = self.pole[rows]
         known = np.isfinite(pole)
-        residue = self.shape[rows][..., :, None] * self.participation[rows][..., None, :]
-        residue = np.where(known[..., None, None], residue, 0.0).reshape(*pole.shape, 4)
+        residue = self.shape[rows, :, :directions, None] * self.participation[rows][..., None, :]
+        residue = np.where(known[..., None, None], residue, 0.0).reshape(*pole.shape, -1)
         pole = np.where(known, pole, -1.0)
         near = known & (np.abs(pole) < FAR * top)
         order = np.argsort(~near, axis=1, kind="stable")[:, : int(near.sum(axis=1).max())]
-        tail = np.empty((TERMS, len(rows), 4))
+        tail = np.empty((TERMS, len(rows), residue.shape[-1]))
         far = np.where((near | ~known)[..., None], 0.0, residue)
         for power in range(TERMS):  # of 1/(s − p) = −Σ sⁿ/pⁿ⁺¹
             far = far / pole[..., None]
             sign = (1.0, 1.0, -1.0, -1.0)[power % 4]  # of iⁿ
             tail[power] = -2.0 * sign * far.sum(axis=1).real
         if self.constant is not None:
-            tail[0] += self.constant[rows].reshape(-1, 4)
+            tail[0] += self.constant[rows, :directions].reshape(len(rows), -1)
         own = np.where(near[..., None], residue, 0.0)
         return TipSums(
             np.take_along_axis(pole, order, axis=1),
@@ -68,27 +70,35 @@ class TipModes:
 
 @dataclass(frozen=True, eq=False)
 class TipSums:
-    """``pole`` (s, k) near the band with ``residue`` (s, k, 4); of the others coefficients of
-    powers of ω (n, s, 4), real of even ones and imaginary of odd ones."""
+    """``pole`` (s, k) near the band with ``residue`` (s, k, 2d); of the others coefficients of
+    powers of ω (n, s, 2d), real of even ones and imaginary of odd ones."""
 
     pole: Complex
     residue: Complex
     tail: Array
 
     def receptance(self, omega: Array) -> Complex:
-        """At frequencies (s, f) of every speed's own: (s, f, 2, 2) [m/N].
+        """At frequencies (s, f) of every speed's own: (s, f, d, 2) [m/N]."""
+        some = max(1, AT_ONCE // (omega.shape[1] * self.pole.shape[1] + 1))
+        rows = [slice(first, first + some) for first in range(0, len(omega), some)]
+        found = np.concatenate([self._some(each, omega[each]) for each in rows])
+        return found.reshape(*omega.shape, -1, 2)
+
+    def _some(self, rows: slice, omega: Array) -> Complex:
+        """At some of the speeds (s, f, 2d).
 
         A pair is (iω 2 Re R − 2 Re(R p̄)) / ((iω)² − 2 iω Re p + |p|²).
         """
-        at = omega[..., None]
-        size, decay = (each[:, None, :] for each in (np.abs(self.pole) ** 2, self.pole.real))
-        share = 1.0 / ((size - at**2) - 2j * at * decay)
-        rate, still = 2.0 * self.residue.real, -2.0 * (self.residue * self.pole.conj()[..., None])
+        at, pole, residue = omega[..., None], self.pole[rows, None], self.residue[rows]
+        size, decay = np.abs(pole) ** 2, pole.real
+        real, imag = size - at**2, 2.0 * at * decay
+        inverse = 1.0 / (real**2 + imag**2)
+        rate, still = 2.0 * residue.real, -2.0 * (residue * self.pole[rows].conj()[..., None])
         both = np.concatenate([rate, still.real], axis=-1)
-        found = (share.real @ both) + 1j * (share.imag @ both)
-        found = found[..., :4] * (1j * at) + found[..., 4:]
-        square = (at**2) ** np.arange(TERMS // 2)
-        even, odd = (np.moveaxis(self.tail[k::2], 0, 1) for k in (0, 1))
+        found = ((inverse * real) @ both) + 1j * ((inverse * imag) @ both)
+        found = found[..., : rate.shape[-1]] * (1j * at) + found[..., rate.shape[-1] :]
+        square = np.cumprod(np.where(np.arange(TERMS // 2) > 0, at**2, 1.0), axis=-1)
+        even, odd = (np.moveaxis(self.tail[k::2, rows], 0, 1) for k in (0, 1))
         found.real += square @ even
         found.imag += (at * square) @ odd
-        return found.reshape(*omega.shape, 2, 2)
+        return np.asarray(found)

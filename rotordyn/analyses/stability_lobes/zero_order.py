@@ -1,9 +1,9 @@
 """Zero-order stability (Altintas and Budak 1995): the mean of the cutting forces over the tooth
 period, and one frequency of vibration. Exact where the cutting forces do not change with the angle.
 
-At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) H̄ Φ(iω), so
+At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) Φ(iω) H̄, so
 that the lobes need not be counted and every speed has its own receptance. Process damping adds
-−iω C̄ Φ(iω).
+−iω Φ(iω) C̄.
 
 Theory: docs/theory/lobes.md.
 """
@@ -25,8 +25,8 @@ LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no depth th
 
 
 class Mean(NamedTuple):
-    """Mean forces of a unit of depth, each (1 or s, d, d): by displacement from tooth to tooth
-    ``cutting`` [Pa], by velocity ``rubbing`` [N s/m²]."""
+    """Mean forces of a unit of depth, each (1 or s, e, d) of e forces by d motions: by displacement
+    from tooth to tooth ``cutting`` [Pa], by velocity ``rubbing`` [N s/m²]."""
 
     cutting: Array
     rubbing: Array
@@ -36,7 +36,7 @@ def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tu
     """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
     (s,).
 
-    ``receptances`` of frequencies (s, f): (s, f, d, d); ``period`` of the teeth (s,) [s];
+    ``receptances`` of frequencies (s, f): (s, f, d, e); ``period`` of the teeth (s,) [s];
     ``omega`` (s, f) ascending samples [rad/s].
     """
     z = _followed(_eigenvalues(receptances(omega), mean, period, omega))
@@ -63,10 +63,10 @@ def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tu
 def _eigenvalues(receptance: Complex, mean: Mean, period: Array, omega: Array) -> Complex:
     """Of Z (s, f, d, d): (s, f, d), d at most 2."""
     own = (np.exp(-1j * omega * period[:, None]) - 1.0)[..., None, None] * (
-        mean.cutting[:, None] @ receptance
+        receptance @ mean.cutting[:, None]
     )
     if mean.rubbing.any():
-        own = own - 1j * omega[..., None, None] * (mean.rubbing[:, None] @ receptance)
+        own = own - 1j * omega[..., None, None] * (receptance @ mean.rubbing[:, None])
     if own.shape[-1] == 1:
         return own[..., 0]
     half = 0.5 * (own[..., 0, 0] + own[..., 1, 1])
