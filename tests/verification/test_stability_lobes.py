@@ -146,6 +146,22 @@ def test_a_machine_that_is_unstable_by_itself_has_no_stable_depth(frequency, spe
     assert modal_limit(unstable, top, process).depth == 0.0
 
 
+def test_process_damping_in_a_deep_cut_makes_no_machine_stable():
+    """Unstable by a mode so high that the map by which depths are tried has none."""
+    omega, top = resolving(MACHINE.receptance)
+    tip, cut, rubbing = as_modes(MACHINE.receptance, omega), Cut(*CUT), Cut(2, 0.0, 1e5, *CUT[3:])
+    pole = (1e-3 + 1j) * 2.3 * top
+    unstable = replace(
+        tip,
+        pole=np.append(tip.pole, pole),
+        shape=np.append(tip.shape, [[0.5 / (1j * pole.imag), 0.0]], axis=0),
+        participation=np.append(tip.participation, [[1.0, 0.0]], axis=0),
+    )
+    process = Process(cut, cut.pitch / 700.0, ploughing=rubbing)
+    assert np.abs(process.floquet(unstable, top, 0.0).multipliers(0.0)).max() > 1.0
+    assert modal_limit(unstable, top, process).depth == 0.0
+
+
 @pytest.mark.parametrize(
     ("teeth", "end", "cutting"), [(2, 1.2, [1]), (3, 2.6, [2, 1]), (4, math.pi, [2])]
 )

@@ -32,9 +32,11 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     it. 0 where the machine is unstable by itself.
     """
     coarse, fine = cache(coarse), cache(fine)
+    if fine(low) >= 1.0:
+        return 0.0
     guess = _tried(coarse, low, high, step, ROUGH, DOUBTFUL)
     if math.isinf(guess):
-        return guess if fine(low) < 1.0 else 0.0
+        return guess
     for share in AROUND if guess > 0.0 else ():
         ends = max((1.0 - share) * guess, low), min((1.0 + share) * guess, high)
         if fine(ends[0]) < 1.0 <= fine(ends[1]):

@@ -15,7 +15,7 @@ from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
-from rotordyn.analyses.stability_lobes.sampling import TURN
+from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
 from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
@@ -25,7 +25,8 @@ from rotordyn.numerics.threads import each_in_threads
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
-MOST_SAMPLES = 4000  # of a speed: below, the tooth passes more often than modes decay
+MOST_SAMPLES = 4000  # of a speed, of receptances that take long
+AT_ONCE = 1_000_000  # samples of all speeds that are solved together
 PARTS = 20  # in which progress is reported
 TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
 NOT_MODES = (
@@ -93,7 +94,8 @@ class Limits:
         """Zero-order limits, solved together for speeds whose tooth periods are similar."""
         period = operation.period(self.speed)
         found: list[Limit] = []
-        for part in _alike(period):
+        most = float(self.tip.tops.max()) / TURN  # samples in a second
+        for part in _alike(period, AT_ONCE / most):
             omega = self._samples(self.rows[part], period[part])
             mean = operation.mean(self.speed[part])
             directions, top = mean.cutting.shape[-1], float(omega[:, -1].max())
@@ -109,7 +111,12 @@ class Limits:
         """Frequencies (s, f) that resolve peaks and the phase from tooth to tooth, ascending."""
         near = [self.tip.about_poles(row) for row in rows.tolist()]
         tops = self.tip.tops[rows]
-        even = min(math.ceil(float((tops * period).max()) / TURN), MOST_SAMPLES)
+        waves = float((tops * period).max())
+        even = math.ceil(waves / TURN)
+        if self.tip.modes is None:
+            even = min(even, MOST_SAMPLES)
+        else:
+            refuse_slow(waves / float(period.max()), float(period.max()))
         longest = max(map(len, near))
         omega = np.empty((len(rows), even + longest))
         omega[:, :even] = tops[:, None] * (np.arange(1, even + 1) / even)
@@ -142,10 +149,12 @@ def _summed(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
     return tip.receptance(every)[rows][..., :directions, :]
 
 
-def _alike(period: Array) -> Iterator[slice]:
-    """Runs of speeds with periods that differ by up to ``TOGETHER``; periods descend."""
+def _alike(period: Array, most: float) -> Iterator[slice]:
+    """Runs of speeds with periods that differ by up to ``TOGETHER`` and are ``most`` [s] together;
+    periods descend."""
     first = 0
     for k in range(1, len(period) + 1):
-        if k == len(period) or period[first] > TOGETHER * period[k]:
+        many = (k - first + 1) * period[first] > most
+        if k == len(period) or many or period[first] > TOGETHER * period[k]:
             yield slice(first, k)
             first = k

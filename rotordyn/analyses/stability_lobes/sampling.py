@@ -130,8 +130,8 @@ def _size(value: Complex) -> Array:
     return np.abs(value).max(axis=(1, 2))
 
 
-def along(omega: Array, top: float, period: float) -> Array:
-    """Samples up to ``top`` that resolve the receptance and the phase from tooth to tooth.
+def refuse_slow(top: float, period: float) -> None:
+    """Refuse a tooth period in which the phase of ``top`` takes more samples than there may be.
 
     Raises
     ------
@@ -143,6 +143,16 @@ def along(omega: Array, top: float, period: float) -> Array:
             f"speed: in a tooth period of {period:.3g} s the highest mode has {waves:.3g} waves; "
             f"allowed: {most:.0f}"
         )
+
+
+def along(omega: Array, top: float, period: float) -> Array:
+    """Samples up to ``top`` that resolve the receptance and the phase from tooth to tooth.
+
+    Raises
+    ------
+    InvalidInput : so many that the speed must be a mistake
+    """
+    refuse_slow(top, period)
     even = np.arange(0.25 * TURN, top * period + TURN, TURN) / period
     return np.unique(np.concatenate([even, omega[omega <= top]]))
 

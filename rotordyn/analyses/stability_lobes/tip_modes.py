@@ -79,9 +79,14 @@ class TipSums:
 
     def receptance(self, omega: Array) -> Complex:
         """At frequencies (s, f) of every speed's own: (s, f, d, 2) [m/N]."""
-        some = max(1, AT_ONCE // (omega.shape[1] * self.pole.shape[1] + 1))
-        rows = [slice(first, first + some) for first in range(0, len(omega), some)]
-        found = np.concatenate([self._some(each, omega[each]) for each in rows])
+        wide = max(1, AT_ONCE // (self.pole.shape[1] + 1))
+        some = max(1, wide // omega.shape[1])
+        found = np.empty((*omega.shape, self.residue.shape[-1]), dtype=complex)
+        for first in range(0, len(omega), some):
+            rows = slice(first, first + some)
+            for begin in range(0, omega.shape[1], wide):
+                part = rows, slice(begin, begin + wide)
+                found[part] = self._some(rows, omega[part])
         return found.reshape(*omega.shape, -1, 2)
 
     def _some(self, rows: slice, omega: Array) -> Complex:

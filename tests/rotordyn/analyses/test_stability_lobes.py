@@ -207,6 +207,32 @@ def lobes(case):
     return rotordyn.run(case)["stability_lobes"]
 
 
+@pytest.mark.parametrize(
+    ("rpm", "damping"), [(30.0, 1.2e4), (30.0, 1.6e4), (60.0, 2e4), (3000.0, 2e4)]
+)
+def test_slow_turning_with_process_damping(case, rpm, damping):
+    """Against dense samples: in a slow turn the phase passes through a peak a hundred times."""
+    loaded = case(
+        teeth=0,
+        tangential="null",
+        radial="null",
+        turning="{force: 2 GPa, force_angle: 0 deg}",
+        process_damping=f"{damping} N/m",
+        speeds=f"[{rpm} rpm]",
+    )
+    speed = rpm * math.pi / 30.0
+    scene = Scene(loaded.spindle, loaded.conditions, np.array(loaded.speeds), 3000.0, ("tip",))
+    tip = Tip(scene.at(np.array([speed])), "tip", 0.0, 3000.0).at(0)
+    omega = np.arange(10.0, float(tip.tops[0]), 0.01 * speed)
+    moved = tip.receptance(omega[None])[0][:, 0, 0]
+    rubbing = damping / (0.5 * loaded.analyses["stability_lobes"].diameter * speed)
+    z = moved * (2e9 * np.expm1(-2.0j * math.pi * omega / speed) - 1j * omega * rubbing)
+    at = np.flatnonzero(z.imag[:-1] * z.imag[1:] < 0.0)
+    share = z.imag[at] / (z.imag[at] - z.imag[at + 1])
+    largest = (z.real[at] + share * (z.real[at + 1] - z.real[at])).max()
+    assert lobes(loaded).depth.values[0] == pytest.approx(1.0 / largest, rel=1e-2)
+
+
 def test_turning_is_that_of_the_oriented_receptance(case):
     """Motion towards the tool by a force that leans towards the cutting speed."""
     loaded = case(
