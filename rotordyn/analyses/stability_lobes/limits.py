@@ -111,12 +111,11 @@ class Limits:
         """Frequencies (s, f) that resolve peaks and the phase from tooth to tooth, ascending."""
         near = [self.tip.about_poles(row) for row in rows.tolist()]
         tops = self.tip.tops[rows]
-        waves = float((tops * period).max())
-        even = math.ceil(waves / TURN)
+        even = math.ceil(float((tops * period).max()) / TURN)
         if self.tip.modes is None:
             even = min(even, MOST_SAMPLES)
         else:
-            refuse_slow(waves / float(period.max()), float(period.max()))
+            refuse_slow(float(tops.max()), float(period.max()))
         longest = max(map(len, near))
         omega = np.empty((len(rows), even + longest))
         omega[:, :even] = tops[:, None] * (np.arange(1, even + 1) / even)

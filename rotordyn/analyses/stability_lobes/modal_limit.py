@@ -119,7 +119,7 @@ def _gain(tip: ModalTip, process: Process) -> float:
 
 @lru_cache
 def _largest(cut: Cut) -> float:
-    """Largest force by displacement, per depth [Pa]."""
+    """Largest force by displacement [Pa] or velocity [N s/m²], per depth."""
     pieces = cut.pieces()
     angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES)
     return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max())
