@@ -29,6 +29,8 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 FAR = 1e-3  # m: no gap of a stop is that large
 LEAST = 1e-9  # N, of a closed stop
+TOUCHING = 1e-11  # m: a sleeve so near its stop, held by friction, stands at it
+STICKING = 1.0 - 1e-9  # of the limit of friction: what carries less holds its sleeve
 SOFT = 1e8  # N/m
 
 
@@ -105,13 +107,25 @@ class PreloadState:
     def stop_gaps(self) -> Array:
         """Gap of every end stop (speeds, sleeves) [m]; ``FAR`` where there is no state.
 
-        Negative where it is closed, by what its force would press a spring ``SOFT`` together: so it
-        goes on beyond the stop, and the speed at which that is met is a root.
+        Negative where it is closed, by what its force, and what friction could carry besides, would
+        press a spring ``SOFT`` together: so it goes on beyond the stop, and the speed at which that
+        is met, or left, is a root.
         """
+        force = self.stop_force + (self.rubs[SHAFT + 1 :] - np.abs(self.friction_force))
+        return np.where(self.stopped, -np.maximum(force, LEAST) / SOFT, self._gap)
+
+    @property
+    def stopped(self) -> Flags:
+        """Sleeves at their stops (speeds, sleeves): those that press on them, and those that
+        friction holds there, pressed on or not."""
+        sticks = np.abs(self.friction_force) < STICKING * self.rubs[SHAFT + 1 :]
+        return self.net.held[:, SHAFT + 1 :] | (sticks & (self._gap <= TOUCHING))
+
+    @property
+    def _gap(self) -> Array:
+        """From every sleeve to its stop (speeds, sleeves) [m]."""
         gap = self.network.arrangement.direction * (self.net.position - self.limit)
-        gap = np.where(np.isfinite(gap), gap, FAR)[:, SHAFT + 1 :]
-        pressed = np.maximum(self.stop_force, LEAST) / SOFT
-        return np.where(self.net.held[:, SHAFT + 1 :], -pressed, gap)
+        return np.where(np.isfinite(gap), gap, FAR)[:, SHAFT + 1 :]
 
     @property
     def friction_force(self) -> Array:

@@ -188,14 +188,14 @@ class Scene(Statics):
         """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""
         if not self.loaded and not self.preload.rubs.any():
             return self.preload.stop_speeds()
-        held = self.preload.net.held[:, 1:]
-        return np.array([self._stop_speed(k, held[:, k]) for k in range(held.shape[1])])
+        stopped = self.preload.stopped
+        return np.array([self._stop_speed(k, stopped[:, k]) for k in range(stopped.shape[1])])
 
-    def _stop_speed(self, sleeve: int, held: Flags) -> float:
+    def _stop_speed(self, sleeve: int, stopped: Flags) -> float:
         """The same under loads across the axis or with friction, between the speeds of the case."""
         from scipy.optimize import brentq
 
-        first = np.flatnonzero(held)
+        first = np.flatnonzero(stopped)
         if not first.size:
             return math.nan
         known = self.preload.stop_gaps()[:, sleeve]
@@ -231,7 +231,7 @@ class Scene(Statics):
         """Sleeves at their stops at the usable speeds (usable, sleeves)."""
         if not self.spindle.seats:
             return np.zeros((len(self.usable), len(self.spindle.sleeves)), dtype=bool)
-        return self.preload.net.held[self.bearing_row[self.usable], 1:]
+        return self.preload.stopped[self.bearing_row[self.usable]]
 
     @cached_property
     def force(self) -> Array | None:

@@ -59,13 +59,13 @@ def friction_notes(scene: Scene) -> Iterator[str]:
     """How sleeves that rub are taken."""
     names = [sleeve.name for sleeve in scene.spindle.sleeves if sleeve.friction > 0.0]
     if names and "preload" in scene.solved:
-        held = scene.preload.net.held[:, 1:] & (scene.preload.rubs[1:] > 0.0)
+        stopped = scene.preload.stopped & (scene.preload.rubs[1:] > 0.0)
         past = "the history of the case" if scene.conditions.history else "a run-up from rest"
         yield (
             f"dry friction holds sleeve {', '.join(names)}: the state is the one after {past}; "
             "vibrations are taken as too small to move the sleeve along the axis"
             + "; at a stop only the sum of stop and friction force is determined"
-            * bool(held.any())
+            * bool(stopped.any())
         )
 
 

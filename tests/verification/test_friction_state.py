@@ -210,6 +210,29 @@ def test_the_stop_is_met_where_the_path_meets_it() -> None:
     assert smooth < speed, "friction resists on the way"
 
 
+@pytest.mark.parametrize("limit", [150.0, 400.0])
+def test_friction_holds_a_sleeve_at_its_stop_until_it_slides_away(limit: float) -> None:
+    """Back from full speed the stop carries nothing soon, yet the sleeve stands there: where it
+    leaves does not depend on the speeds of the case, and friction is at its limit there."""
+    speed = []
+    for steps in (6, 12):
+        found = scene(
+            rubbing(limit),
+            np.linspace(0.0, 24000.0, steps + 1).tolist(),
+            history=(HistoryStep(speed=24000.0 * RPM),),
+        )
+        speed.append(float(found.stop_speeds[0]))
+        stopped = found.preload.stopped[:, 0]
+        assert stopped.tolist() == (found.speed > speed[-1]).tolist()
+        carries_nothing = stopped & (found.preload.stop_force[:, 0] < 1e-3)
+        assert carries_nothing.any()
+    assert speed[1] == pytest.approx(speed[0], rel=1e-8)
+    near = np.array([1.0 - 1e-7, 1.0 + 1e-7]) * speed[0]
+    before, after = Scene(found.spindle, found.conditions, near).preload.friction_force[:, 0]
+    assert before == pytest.approx(-limit, rel=1e-12)
+    assert -limit < after < -limit * (1.0 - 1e-5)
+
+
 # --- order of the path ---------------------------------------------------------------------------
 
 

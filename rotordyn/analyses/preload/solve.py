@@ -62,7 +62,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         stop_force=shown(state.stop_force),
         friction_force=shown(state.friction_force),
         friction_limit=state.rubs[SHAFT + 1 :],
-        stop_reached=state.net.held[rows][:, 1:] & good[:, None],
+        stop_reached=state.stopped[rows] & good[:, None],
         stop_speed=scene.stop_speeds,
         **balls,
     )
