@@ -192,6 +192,39 @@ def test_process_damping_at_zero_order():
     assert at[0] / 2.0 / math.pi == pytest.approx(many.frequency, rel=1e-5)
 
 
+@pytest.mark.parametrize("rubs", [0.0, 2e-2])
+def test_slow_cuts_cross_the_axis_hundreds_of_times(rubs):
+    """Random modes, thousands of waves a turn, against 24 times as many samples: which crossing is
+    the largest cannot be told by the samples beside it."""
+    for seed in range(5):
+        random = np.random.default_rng(seed)
+        natural, ratio = random.uniform(1.2e3, 1.2e4, 3), 10.0 ** random.uniform(-2.3, -1.2, 3)
+        compliance = 10.0 ** random.uniform(-8.0, -7.0, 3)
+
+        def moved(omega, natural=natural, ratio=ratio, compliance=compliance):
+            w = omega[..., None]
+            own = natural**2 - w**2 + 2.0j * ratio * natural * w
+            return (compliance * natural**2 / own).sum(axis=-1)
+
+        top, period = 1.3 * natural.max(), 1e4 / natural.max()
+        coarse, fine = (2.0 * math.pi / parts / period for parts in (32, 768))
+        mean = Mean(np.array([[[1e9]]]), np.array([[[1e9 / natural.max() * rubs]]]))
+        depth, _ = zero_order(
+            lambda w, moved=moved: moved(w)[..., None, None],
+            mean,
+            np.array([period]),
+            np.arange(coarse, top, coarse)[None],
+        )
+        omega = np.arange(fine, top, fine)
+        z = moved(omega) * (
+            1e9 * np.expm1(-1j * omega * period) - 1j * omega * mean.rubbing[0, 0, 0]
+        )
+        at = np.flatnonzero(z.imag[:-1] * z.imag[1:] < 0.0)
+        share = z.imag[at] / (z.imag[at] - z.imag[at + 1])
+        largest = (z.real[at] + share * (z.real[at + 1] - z.real[at])).max()
+        assert depth[0] == pytest.approx(1.0 / largest, rel=1e-4)
+
+
 def test_zero_order_is_exact_where_cutting_forces_are_constant():
     """A slot with four teeth."""
     cut = (4, 9e8, 3e8, 0.0, math.pi)

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = Callable[[Array], Complex]
-CANDIDATES = 3  # crossings of a speed that are refined, those that may be largest
+CANDIDATES = 4  # crossings of a speed that are refined at a time, what may be largest first
+BULGE = 0.05  # of the chord between two samples: no branch goes farther out between them
 STEPS = 30
 LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no depth that is cut
 
@@ -41,23 +42,27 @@ def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tu
     """
     z = _followed(_eigenvalues(receptances(omega), mean, period, omega))
     low, high = z[:, :-1], z[:, 1:]
-    across = low.imag * high.imag < 0.0
-    reach = np.where(across, np.maximum(low.real, high.real), 0.0)
-    s, f, d = reach.shape
-    flat = reach.reshape(s, f * d)
-    chosen = np.argsort(-flat, axis=1)[:, :CANDIDATES]
-    usable = np.take_along_axis(flat, chosen, axis=1) > 0.0
-    sample, branch = np.divmod(chosen, d)
-    rows = np.arange(s)[:, None]
-    a, b = omega[rows, sample], omega[rows, sample + 1]
-    one, other = z[rows, sample, branch], z[rows, sample + 1, branch]
-    at, value = _roots(receptances, mean, period, (a, b, one, other))
-    value = np.where(usable & (value > LEAST * np.abs(z).max(axis=(1, 2))[:, None]), value, 0.0)
-    best = value.argmax(axis=1)[:, None]
-    value, at = (np.take_along_axis(each, best, axis=1)[:, 0] for each in (value, at))
-    with np.errstate(divide="ignore"):
-        depth = np.where(value > 0.0, 1.0 / value, np.inf)
-    return depth, np.where(value > 0.0, at, np.nan)
+    chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        line = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
+        beyond = chord / np.abs(low.imag - high.imag)  # the flatter it crosses, the farther
+        most = np.minimum(line + BULGE * chord * beyond, highest + BULGE * chord)
+    most = np.where(low.imag * high.imag < 0.0, most, 0.0).reshape(len(z), -1)
+    order, rows = np.argsort(-most, axis=1), np.arange(len(z))[:, None]
+    value, at = LEAST * np.abs(z).max(axis=(1, 2)), np.full(len(z), np.nan)
+    for first in range(0, order.shape[1], CANDIDATES):
+        chosen = order[:, first : first + CANDIDATES]
+        if not (most[rows, chosen] > value[:, None]).any():
+            break
+        (k, branch), there = np.divmod(chosen, z.shape[2]), most[rows, chosen] > 0.0
+        ends = omega[rows, k], omega[rows, k + 1], z[rows, k, branch], z[rows, k + 1, branch]
+        places, values = _roots(receptances, mean, period, ends)
+        values = np.where(there, values, 0.0)
+        best = values.argmax(axis=1)[:, None]
+        found, where = (np.take_along_axis(a, best, axis=1)[:, 0] for a in (values, places))
+        value, at = np.where(found > value, (found, where), (value, at))
+    known = np.isfinite(at)
+    return np.where(known, 1.0 / value, np.inf), at
 
 
 def _eigenvalues(receptance: Complex, mean: Mean, period: Array, omega: Array) -> Complex:
