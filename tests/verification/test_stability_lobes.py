@@ -225,6 +225,31 @@ def test_slow_cuts_cross_the_axis_hundreds_of_times(rubs):
         assert depth[0] == pytest.approx(1.0 / largest, rel=1e-4)
 
 
+def test_slow_milling_at_zero_order_does_not_depend_on_samples():
+    """Motion in two directions, hundreds of waves a tooth period, against 8 times as many samples:
+    seeds of 300 whose largest crossing another one exceeds on the line between samples."""
+    for seed in (99, 135, 206, 215):
+        random = np.random.default_rng(seed)
+        natural, ratio = random.uniform(1.2e3, 1.2e4, 2), 10.0 ** random.uniform(-2.3, -1.2, 2)
+        compliance = 10.0 ** random.uniform(-8.0, -7.0, 2)
+        across = random.uniform(-0.3, 0.3)
+        mean = Mean(random.uniform(-1e9, 1e9, (1, 2, 2)), np.zeros((1, 2, 2)))
+
+        def moved(omega, natural=natural, ratio=ratio, compliance=compliance, across=across):
+            w = omega[..., None]
+            own = natural**2 - w**2 + 2.0j * ratio * natural * w
+            x, y = np.moveaxis(compliance * natural**2 / own, -1, 0)
+            return np.stack([x, across * x, across * x, y], axis=-1).reshape(*omega.shape, 2, 2)
+
+        period = 5.0e3 / natural.max()
+        depth = []
+        for parts in (32, 256):
+            step = 2.0 * math.pi / parts / period
+            omega = np.arange(step, 1.3 * natural.max(), step)
+            depth.append(zero_order(moved, mean, np.array([period]), omega[None])[0][0])
+        assert depth[0] == pytest.approx(depth[1], rel=1e-6), seed
+
+
 def test_zero_order_is_exact_where_cutting_forces_are_constant():
     """A slot with four teeth."""
     cut = (4, 9e8, 3e8, 0.0, math.pi)

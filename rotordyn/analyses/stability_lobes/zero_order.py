@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = Callable[[Array], Complex]
 CANDIDATES = 4  # crossings of a speed that are refined at a time, what may be largest first
-BULGE = 0.05  # of the chord between two samples: no branch goes farther out between them
+BULGE = 0.1  # of the chord between two samples: no branch goes farther out between them
 STEPS = 30
 LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no depth that is cut
 
