@@ -12,6 +12,7 @@ from benchmarks.processes import ROOT, python
 
 TIMES = (
     ("benchmarks/main_job.py",),
+    ("-m", "benchmarks.report"),
     ("-m", "benchmarks.study"),
     ("-m", "benchmarks.scaling"),
 )

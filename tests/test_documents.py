@@ -66,6 +66,7 @@ GENERATED = OUTPUTS | {
             "bearing",
             *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
+            "page",
             "study",
             "optima",
             "scaling-sections",

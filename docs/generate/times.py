@@ -30,6 +30,7 @@ WALL_TARGETS = {
     "--help": 0.06,
 }
 SOLVE_TARGET, MEMORY_TARGET, STUDY_TARGET, IMPORT_TARGET = 0.5, 350.0, 25.0, 0.02
+PAGE_TARGETS = 0.6, 8.0  # s, MB
 
 
 def measured() -> Measured:
@@ -63,6 +64,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "stages": _stages(found),
         **bearing_parts(found["bearing"]),
         "frf": _frf(found),
+        "page": _page(found),
         "study": _study(found),
         "optima": _optima(found),
         "precision": _precision(found),
@@ -130,6 +132,16 @@ def _frf(found: Measured) -> str:
         ("against solving the same matrices anew", f"{f['error']:.0e} of the largest receptance"),
     ]
     return table(("", "FRF map"), rows)
+
+
+def _page(found: Measured) -> str:
+    seconds, megabytes = (found["report"][key] for key in ("seconds", "megabytes"))
+    slowest, largest = PAGE_TARGETS
+    rows = [
+        ("CPU time", f"{seconds:.2f} s", *_verdict(seconds, slowest, "s")),
+        ("size", f"{megabytes:.1f} MB", *_verdict(megabytes, largest, "MB")),
+    ]
+    return table(("page of the flagship", "measured:", "target:", ""), rows)
 
 
 def _precision(found: Measured) -> str:

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""What the page of a run costs:  python -m benchmarks.report
+
+The flagship is run once; its page is written again and again, each time with plotly.js packed anew,
+which is most of the time. The first page, which loads code, is left out.
+"""
+
+from __future__ import annotations
+
+import statistics
+import tempfile
+import time
+from pathlib import Path
+
+import rotordyn
+from benchmarks.kept import keep
+from benchmarks.processes import MEGABYTE, ROOT
+from rotordyn.page.html import packed_library
+
+RUNS = 9
+
+
+def measure() -> dict[str, float]:
+    """Median time of the processor [s], and the size of the page [MB]."""
+    results = rotordyn.run(rotordyn.load(ROOT / "cases" / "mfw2310.yaml"))
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder) / "page.html"
+        results.report(page)
+        seconds = []
+        for _ in range(RUNS):
+            packed_library.cache_clear()
+            begin = time.process_time()
+            results.report(page)
+            seconds.append(time.process_time() - begin)
+        return {
+            "seconds": statistics.median(seconds),
+            "fastest": min(seconds),
+            "megabytes": page.stat().st_size / MEGABYTE,
+        }
+
+
+if __name__ == "__main__":
+    found = measure()
+    print(found)  # noqa: T201
+    keep(report=found)
