@@ -15,7 +15,7 @@ import numpy as np
 from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import Signs, signs_of
-from rotordyn.modes.branches import Branch
+from rotordyn.modes.branches import Branch, whirl_degree
 from rotordyn.modes.excitation import Line
 from rotordyn.numerics.correct import corrected
 from rotordyn.numerics.follow import mac
@@ -114,15 +114,17 @@ def _states(
         return states
     place = np.full(len(speeds), -1)
     place[other.usable] = np.arange(len(other.usable))
-    ways: dict[tuple[int, float, float], list[int]] = {}
+    ways: dict[tuple[int, float], list[int]] = {}
     for k in np.flatnonzero(place[row] >= 0).tolist():
-        way = branches[starts[k].branch].subsystem, starts[k].line.size, starts[k].side
+        way = branches[starts[k].branch].subsystem, starts[k].line.size
         ways.setdefault(way, []).append(k)
-    for way, chosen in ways.items():
+    for (subsystem, _), chosen in ways.items():
         rows, mine = place[row[chosen]], [starts[k] for k in chosen]
-        near = _corrected(other, way[0], rows, mine, at[chosen])
+        near = _corrected(other, subsystem, rows, mine, at[chosen])
         for k, at_row, state in zip(chosen, rows.tolist(), near, strict=True):
-            states[k] = state or _nearest(_known(other, *way), at_row, starts[k], float(at[k]))
+            states[k] = state or _nearest(
+                _known(other, subsystem, starts[k]), at_row, starts[k], float(at[k])
+            )
     return states
 
 
@@ -148,12 +150,16 @@ def _corrected(
     return states
 
 
-def _known(scene: Scene, subsystem: int, order: float, side: float) -> FreeMotions:
-    """Modes of a subsystem; with loss factors, of motions at ``order`` times the speed."""
+def _known(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
+    """Modes of a subsystem; with loss factors, of motions at the multiple of the speed that the
+    start is after. Where planes are one here and not elsewhere, its shape tells how it whirls."""
     motions = scene.system(subsystem)
     if motions.lossy is None:
         return motions
-    turning = side * order if motions.whirling else order
+    turning = start.line.size
+    if motions.whirling:
+        degree = whirl_degree(motions.linear, start.vector[None, :, None])
+        turning *= start.side or float(np.sign(degree[0, 0]))
     signs = signs_of(np.array([turning]), np.ones(1), whirling=motions.whirling)
     return motions.answering(Signs(*map(int, signs[0])))
 

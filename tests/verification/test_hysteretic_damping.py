@@ -141,6 +141,24 @@ def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
     assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * HALF, rel=1e-3, abs=1e-9)
 
 
+@pytest.mark.parametrize("order", [0.6, 1.0, 1.5])
+def test_damping_at_critical_speeds_where_planes_are_one_for_a_while(order: float) -> None:
+    """The same beside a spring that differs in both planes at high speeds only, of a tenth of the
+    stiffness of the shaft and without loss."""
+    omega, k = still()
+    spring = {("y", "y"): 0.1 * k, ("z", "z"): (0.1 * k, 0.1 * k, 0.3 * k)}
+    table = (0.0, 2.0 * omega, 3.0 * omega)
+    aside = LinearSupport("aside", LENGTH / 2, spring, {}, speeds=table)
+    rotor = replace(disc(), supports=(*disc().supports[:2], aside))
+    asked = CampbellSpec(150.0, shapes=False, engine_orders=(order,))
+    found = campbell.answer(scene(rotor, [0.0, 1.4 * omega, 2.9 * omega]), asked)
+    assert found.critical_speed == pytest.approx([math.sqrt(1.1) * omega / order] * 2, rel=2e-3)
+    ratio = dict(zip(found.critical_whirl, found.critical_damping, strict=True))
+    half = math.sin(0.5 * math.atan(ETA / 1.1))
+    assert ratio["backward"] == pytest.approx(half, rel=1e-3)
+    assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * half, rel=1e-3, abs=1e-9)
+
+
 @pytest.mark.parametrize("ratio", [0.0, 0.5, 0.999, 1.001, 2.0])
 def test_an_outer_damper_forbids_growth_at_all_speeds_or_at_none(ratio: float) -> None:
     """Of c ω against η k: above 1 forward whirl never grows, below it does from ω on."""
