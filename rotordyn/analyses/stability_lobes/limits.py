@@ -25,7 +25,7 @@ from rotordyn.numerics.threads import each_in_threads
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
-MOST_SAMPLES = 4000  # of a speed, of receptances that take long
+MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
 AT_ONCE = 1_000_000  # samples of all speeds that are solved together
 PARTS = 20  # in which progress is reported
 TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
@@ -100,22 +100,25 @@ class Limits:
             mean = operation.mean(self.speed[part])
             directions, top = mean.cutting.shape[-1], float(omega[:, -1].max())
             receptance = self._receptance(self.rows[part], change, top, directions)
-            depth, at = zero_order(receptance, mean, period[part], omega * change.highest)
+            sampled = receptance
+            if self.tip.modes is None:
+                known = self._samples(self.rows[part], period[part], MOST_SAMPLES)
+                sampled = partial(_between, receptance, known)
+            asked = omega * change.highest
+            depth, at = zero_order(receptance, mean, period[part], asked, sampled)
             found += [
                 Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)
             ]
         return found
 
-    def _samples(self, rows: Rows, period: Array) -> Array:
-        """Frequencies (s, f) that resolve peaks and the phase from tooth to tooth, ascending."""
+    def _samples(self, rows: Rows, period: Array, most: float = math.inf) -> Array:
+        """Frequencies (s, f) that resolve peaks and, if these are not more than ``most``, the phase
+        from tooth to tooth, ascending."""
         near = [self.tip.about_poles(row) for row in rows.tolist()]
         tops = self.tip.tops[rows]
-        even = math.ceil(float((tops * period).max()) / TURN)
-        if self.tip.modes is None:
-            even = min(even, MOST_SAMPLES)
-        else:
-            refuse_slow(float(tops.max()), float(period.max()))
+        refuse_slow(float(tops.max()), float(period.max()))
+        even = int(min(math.ceil(float((tops * period).max()) / TURN), most))
         longest = max(map(len, near))
         omega = np.empty((len(rows), even + longest))
         omega[:, :even] = tops[:, None] * (np.arange(1, even + 1) / even)
@@ -146,6 +149,17 @@ def _summed(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
     every = np.ones((tip.count, omega.shape[1]))
     every[rows] = omega
     return tip.receptance(every)[rows][..., :directions, :]
+
+
+def _between(receptance: Callable[[Array], Complex], known: Array, omega: Array) -> Complex:
+    """Receptance at ``omega`` (s, f) by cubic splines through those at fewer ``known`` (s, k)."""
+    if known.shape == omega.shape:
+        return receptance(omega)
+    from scipy.interpolate import CubicSpline
+
+    each = zip(known, receptance(known), omega, strict=True)
+    ascending = ((np.unique(at, return_index=True), values, asked) for at, values, asked in each)
+    return np.stack([CubicSpline(at, y[where])(asked) for (at, where), y, asked in ascending])
 
 
 def _alike(period: Array, most: float) -> Iterator[slice]:

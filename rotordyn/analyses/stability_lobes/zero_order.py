@@ -33,14 +33,18 @@ class Mean(NamedTuple):
     rubbing: Array
 
 
-def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tuple[Array, Array]:
+def zero_order(
+    receptances: Rows, mean: Mean, period: Array, omega: Array, sampled: Rows | None = None
+) -> tuple[Array, Array]:
     """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
     (s,).
 
     ``receptances`` of frequencies (s, f): (s, f, d, e); ``period`` of the teeth (s,) [s];
-    ``omega`` (s, f) ascending samples [rad/s].
+    ``omega`` (s, f) ascending samples [rad/s]; ``sampled``: the receptances at these, where they
+    are had sooner and nearly.
     """
-    z = _followed(_eigenvalues(receptances(omega), mean, period, omega))
+    near = receptances if sampled is None else sampled
+    z = _followed(_eigenvalues(near(omega), mean, period, omega))
     low, high = z[:, :-1], z[:, 1:]
     chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
     with np.errstate(divide="ignore", invalid="ignore"):

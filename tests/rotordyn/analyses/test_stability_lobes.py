@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 from scipy.signal import find_peaks
 
 import rotordyn
@@ -50,6 +51,7 @@ speeds: [9000 rpm, 18000 rpm]
 analyses:
   stability_lobes:
 """
+LOSSY = MACHINE.replace("  points:", "  damping: {loss_factor: 0.02}\n  points:")
 
 
 def test_a_speed_without_a_solution_says_why():
@@ -233,6 +235,30 @@ def test_slow_turning_with_process_damping(case, rpm, damping):
     assert lobes(loaded).depth.values[0] == pytest.approx(1.0 / largest, rel=1e-3)
 
 
+def test_slow_turning_with_a_loss_factor(case):
+    """The receptance is no sum of modes: known at fewer frequencies than there are waves in a turn
+    (7214), against splines through other ones and dense samples."""
+    loaded = case(
+        LOSSY,
+        teeth=0,
+        tangential="null",
+        radial="null",
+        turning="{force: 2 GPa, force_angle: 0 deg}",
+        speeds="[20 rpm]",
+    )
+    speed = 20.0 * math.pi / 30.0
+    scene = Scene(loaded.spindle, loaded.conditions, np.array(loaded.speeds), 3000.0, ("tip",))
+    tip = Tip(scene.at(np.array([speed])), "tip", 0.0, 3000.0).at(0)
+    known = np.linspace(1.0, float(tip.tops[0]), 9000)
+    moved = CubicSpline(known, tip.receptance(known[None])[0][:, 0, 0])
+    omega = np.arange(known[0], known[-1], 0.005 * speed)
+    z = moved(omega) * 2e9 * np.expm1(-2.0j * math.pi * omega / speed)
+    at = np.flatnonzero(z.imag[:-1] * z.imag[1:] < 0.0)
+    share = z.imag[at] / (z.imag[at] - z.imag[at + 1])
+    largest = (z.real[at] + share * (z.real[at + 1] - z.real[at])).max()
+    assert lobes(loaded).depth.values[0] == pytest.approx(1.0 / largest, rel=1e-3)
+
+
 def test_turning_is_that_of_the_oriented_receptance(case):
     """Motion towards the tool by a force that leans towards the cutting speed."""
     loaded = case(
@@ -344,9 +370,8 @@ def test_faults_of_turning_workpieces_and_intervals(case, given, sentence):
 
 
 def test_a_loss_factor_leaves_no_modes_to_change(case):
-    lossy = MACHINE.replace("  points:", "  damping: {loss_factor: 0.02}\n  points:")
     with pytest.raises(InvalidInput, match="no sum of modes: leave process_damping and interval"):
-        lobes(case(lossy, process_damping="1e5 N/m"))
+        lobes(case(LOSSY, process_damping="1e5 N/m"))
 
 
 def test_cases_are_kept_with_their_results(case):
