@@ -6,10 +6,11 @@ is not built in, or where all names are listed.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rotordyn.analyses.contract import Analysis
 from rotordyn.errors import InvalidInput
@@ -17,6 +18,8 @@ from rotordyn.quantity import suggestion
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
+
+    from rotordyn.results.headline import Number
 
 PACKAGE = "rotordyn.analyses"
 GROUP = "rotordyn.analyses"  # of entry points
@@ -45,7 +48,19 @@ def analysis(name: str) -> Analysis:
 
 def names() -> tuple[str, ...]:
     """All analyses, by their place."""
-    return tuple(sorted((*built_in(), *_outside()), key=place))
+    return tuple(in_order(built_in(), _outside()))
+
+
+def in_order(*among: Iterable[str]) -> list[str]:
+    """Names of analyses, each once, by their place."""
+    return sorted({name for each in among for name in each}, key=place)
+
+
+def headline_numbers(case: Any, results: Mapping[str, Any]) -> Iterator[tuple[str, Number]]:
+    """Every headline number of the results of a case, led by the name of its analysis."""
+    for name in in_order(results):
+        for number in analysis(name).numbers(results[name], case):
+            yield name, number
 
 
 def place(name: str) -> tuple[int, str]:

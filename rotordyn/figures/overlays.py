@@ -30,8 +30,7 @@ from rotordyn.figures.style import (
     new_figure,
     round_ticks,
 )
-from rotordyn.results.headline import Curve, Known
-from rotordyn.results.kinds import Array
+from rotordyn.results.headline import Curve, fits
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -198,29 +197,23 @@ def _draw(axes: Axes, group: Group, looks: Looks) -> None:
         axes.plot(curve.x, curve.y, zorder=1.5, scalex=False, scaley=curve.log, **look)
         axes.plot([], [], label=curve.series, **look)
     for place, curve in group.layers:
-        y = np.where(curve.y > 0.0, curve.y, np.nan) if curve.log else curve.y
-        _plot(axes, curve, y, looks.of(place, curve.series))
+        _plot(axes, curve, looks.of(place, curve.series))
 
 
 def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
     axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     for place, curve in changes:
-        _plot(axes, curve, curve.y, looks.of(place, curve.series) | {"lw": 0.9})
+        _plot(axes, curve, looks.of(place, curve.series) | {"lw": 0.9})
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
 
 
-def _plot(axes: Axes, curve: Curve, y: Array, look: dict[str, Any]) -> None:
-    """A line, broken at steps over which it jumps; marks alone where points are too few for one."""
-    x = curve.x
-    if 1 < len(x) < LEAST_POINTS:
-        look |= {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-        axes.plot(x, y, clip_on=False, **look)
-        return
-    if curve.breaks is not None and curve.breaks.any():
-        at = np.flatnonzero(curve.breaks) + 1
-        x, y = np.insert(x, at, x[at]), np.insert(y, at, np.nan)
-    axes.plot(x, y, **look)
+def _plot(axes: Axes, curve: Curve, look: dict[str, Any]) -> None:
+    """A line; marks alone where points are too few for one."""
+    if 1 < len(curve.x) < LEAST_POINTS:
+        marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
+        look |= {"clip_on": False, **marks}
+    axes.plot(*curve.drawn, **look)
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
@@ -256,17 +249,11 @@ def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Look
     shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
     for quantity in dict.fromkeys(quantity for quantity, _ in group.known):
         for place, variant in enumerate(variants):
-            alone = [r for r in variant.known if r not in shared and _fits(r, group.known)]
+            alone = [r for r in variant.known if r not in shared and fits(r, group.known)]
             colours = dict.fromkeys((r.subject for r in alone), looks.colours[place])
             draw_references(axes, alone, quantity, top, subject=several, colours=colours)
-        black = [r for r in shared if _fits(r, group.known)]
+        black = [r for r in shared if fits(r, group.known)]
         draw_references(axes, black, quantity, top, subject=several)
-
-
-def _fits(reference: Any, known: set[Known]) -> bool:
-    """Whether it is about a curve, or about none of several in particular."""
-    subjects = {subject for quantity, subject in known if quantity == reference.quantity}
-    return bool(subjects) and (reference.subject in subjects or not reference.subject)
 
 
 def _say(axes: Axes, words: str) -> None:

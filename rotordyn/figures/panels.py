@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rotordyn.figures.legends import legend_in, shortened, top_legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
-from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Shown as Shown  # noqa: PLC0414 - what panels are drawn of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,15 +17,6 @@ if TYPE_CHECKING:
 ON_A_PAGE, MOST_PAGES = 6, 2
 FAR = 20.0  # [mm] between panels: each has numbers of its own
 Box = tuple[float, float, float, float]
-
-
-class Shown(NamedTuple):
-    """One variant: its title, its result, and what is known of it."""
-
-    title: str
-    result: Any
-    known: Sequence[Reference]
-    spindle: Spindle | None
 
 
 def _none(*_: Any) -> None:

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.overlays import Scale
 from rotordyn.figures.panels import Shown, pages
@@ -67,7 +67,7 @@ def comparison_figures(
     of the case that compares them; ``scale``: what was varied, where that is one number."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
-    for name in sorted({name for _, results in variants for name in results}, key=place):
+    for name in in_order(*(results for _, results in variants)):
         shown = [
             Shown(
                 case.title,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import headline_numbers
 from rotordyn.case.case import Case
 from rotordyn.case.varied import Varied, varied
 from rotordyn.figures.overlays import Scale
@@ -31,21 +31,15 @@ def scale_of(cases: Sequence[Case]) -> Scale | None:
 def write_comparison(folder: Path, parts: Parts) -> None:
     """``variants.csv``: a row for each variant; ``variants_change.csv``: relative changes [%]."""
     cases = [case for case, _ in parts.values()]
-    numbers = [_numbers(case, results) for case, results in parts.values()]
+    numbers = [
+        {f"{name}: {number.heading}": number.value for name, number in headline_numbers(*part)}
+        for part in parts.values()
+    ]
     head: list[Column] = [("variant", list(parts)), ("title", [case.title for case in cases])]
     head += [_varied(each) for each in varied(cases)[:MOST_VARIED]]
     write_table(folder / "variants.csv", [*head, *_columns(numbers, lambda name: name)])
     relative = [changes(values, numbers[0]) for values in numbers]
     write_table(folder / "variants_change.csv", [*head, *_columns(relative, _relative)])
-
-
-def _numbers(case: Case, results: Mapping[str, Any]) -> dict[str, float]:
-    """Every headline number of a variant, by the heading of its column."""
-    return {
-        f"{name}: {number.heading}": number.value
-        for name in sorted(results, key=place)
-        for number in analysis(name).numbers(results[name], case)
-    }
 
 
 def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str]) -> list[Column]:

@@ -8,14 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.analyses.registry import analysis, place
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.analyses.registry import analysis, headline_numbers, in_order
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve, Number
-
-Array = NDArray[np.float64]
+from rotordyn.results.kinds import Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +26,8 @@ class Values:
 
 def values_of(case: Described, results: Mapping[str, Any]) -> Values:
     """The values of the results of ``case``."""
-    names = sorted(results, key=place)
-    numbers = {
-        f"{name}: {each.heading.removesuffix(f' [{each.unit}]')}": each
-        for name in names
-        for each in analysis(name).numbers(results[name], case)
-    }
+    numbers = {f"{name}: {each.words}": each for name, each in headline_numbers(case, results)}
+    names = in_order(results)
     curves = {key: each for name in names for key, each in named_curves(case, name, results[name])}
     return Values(numbers, curves)
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
 from rotordyn.analyses.known import matches
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import called
@@ -31,7 +31,7 @@ def comparison_summary(
     Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
     """
     lines = opening(warnings, called(case), notes)
-    for name in sorted({name for _, results in variants for name in results}, key=place):
+    for name in in_order(*(results for _, results in variants)):
         record = analysis(name)
         rows = [
             (case.title, cells(record.numbers(results[name], case)))

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from rotordyn.analyses.contract import Analysis
-from rotordyn.analyses.registry import analysis, place
-from rotordyn.figures.panels import Shown
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.job.results import Part
 from rotordyn.page.blocks import Block, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.page.declared import declared_blocks
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import cells
@@ -22,7 +22,7 @@ MOST = 12  # variants whose curves a page shows
 
 def analysis_blocks(parts: Sequence[Part]) -> Iterator[tuple[str, Block]]:
     """Section and block, by the place of the analysis."""
-    for name in sorted({name for part in parts for name in part.results}, key=place):
+    for name in in_order(*(part.results for part in parts)):
         record = analysis(name)
         title = record.title or name.replace("_", " ").capitalize()
         shown = [_shown(part, name) for part in parts if name in part.results][:MOST]

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.figures.panels import Shown
 from rotordyn.job.results import Part
 from rotordyn.job.values import named_curves
 from rotordyn.page.blocks import Block, Chart, Control, Table, Text
 from rotordyn.page.curves import MOST_CHARTS, known_marks
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, marks_only
 from rotordyn.report.interval import interval_doubts, interval_over, interval_ranges
+from rotordyn.results.described import Shown
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
 from rotordyn.results.kinds import Array

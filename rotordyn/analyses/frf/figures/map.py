@@ -13,7 +13,6 @@ from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import Modes, draw_known, draw_modes
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
@@ -22,6 +21,7 @@ from rotordyn.figures.style import (
     new_figure,
     speed_ticks,
 )
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, shown
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.figures.labels import spread
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.overlays import colour, dash
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import BLACK, FONT_SIZE, GREY, add_axes, new_figure
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Shown
 from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
 
 if TYPE_CHECKING:
