@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.figures.style import BLACK, CYCLE, DASHES
+from rotordyn.figures.style import BLACK, line_of
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.results.display import RPM, shown
 
@@ -44,16 +44,7 @@ def draw_columns(
 ) -> None:
     """A line per column of ``values`` (speed, name), columns alike drawn once."""
     for name, column in merged(names, values):
-        axes.plot(
-            rpm,
-            values[:, column],
-            **{
-                "color": CYCLE[column % len(CYCLE)],
-                "ls": DASHES[column % len(DASHES)],
-                "label": name,
-                **style,
-            },
-        )
+        axes.plot(rpm, values[:, column], **{**line_of(column), "label": name, **style})
 
 
 def draw_references(

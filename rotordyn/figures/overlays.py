@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rotordyn.figures import stations
-from rotordyn.figures.amplitudes import log_axis
-from rotordyn.figures.curve_groups import Group, Layer, groups_of
+from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box, Shown
@@ -231,12 +230,7 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         axes.set_xlim(min(left, start) if beyond else start, right if beyond else high)
         axes.set_xticks(round_ticks(start, high, 8 if wide > 90.0 else 4))
     axes.tick_params(labelbottom=labelled)
-    if curve.log:
-        log_axis(axes)
-    bottom, top = curve.limits
-    if top is None and bottom is not None:
-        top = axes.get_ylim()[1] * 1.05
-    axes.set_ylim(bottom, top)
+    limit_ordinate(axes, curve)
     if curve.title:
         axes.set_title(curve.title, fontsize=FONT_SIZE, pad=4.0)
 

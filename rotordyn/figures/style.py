@@ -165,6 +165,13 @@ def mark_few_points(axes: Axes) -> None:
         line.set(linestyle="", markevery=None, markersize=4.5, markerfacecolor=face, clip_on=False)
 
 
+def line_of(place: int, dash: int | None = None) -> dict[str, Any]:
+    """Colour and dashes of the line at a ``place`` among several; ``dash``: its place among dashes
+    where these mean something else."""
+    dashes = DASHES[(place if dash is None else dash) % len(DASHES)]
+    return {"color": CYCLE[place % len(CYCLE)], "ls": dashes}
+
+
 def marked(place: int) -> dict[str, Any]:
     """Marks here and there along the line at a ``place`` among several, the first without: they
     tell lines apart where dashes mean something else."""

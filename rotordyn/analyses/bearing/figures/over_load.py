@@ -16,11 +16,11 @@ from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
     BLACK,
-    CYCLE,
     DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    line_of,
     marked,
     new_figure,
     speed_ticks,
@@ -179,15 +179,15 @@ def _curves(
     label: bool = False,
 ) -> None:
     """A curve per load over speed, or per speed over load; ``of_ball``: the most loaded one."""
-    rpm, style = result.speed * RPM.factor, DASHES[dash]
+    rpm = result.speed * RPM.factor
     ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
     if along_load(result):
         for row, speed in enumerate(rpm):
             name = f"{speed:.0f} rpm" if label else None
-            look = {"color": CYCLE[row % len(CYCLE)], "ls": style, "label": name, **marked(row)}
-            draw_runs(axes, result.load, values[row], ball[row], **look)
+            look = {**line_of(row, dash), **marked(row)}
+            draw_runs(axes, result.load, values[row], ball[row], label=name, **look)
         return
     for place in range(result.load.size):
         name = under(result, place, " axial") if label else None
-        look = {"color": CYCLE[place % len(CYCLE)], "ls": style, "label": name, **marked(place)}
-        draw_runs(axes, rpm, values[:, place], ball[:, place], **look)
+        look = {**line_of(place, dash), **marked(place)}
+        draw_runs(axes, rpm, values[:, place], ball[:, place], label=name, **look)
