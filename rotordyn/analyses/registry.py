@@ -6,11 +6,11 @@ is not built in, or where all names are listed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rotordyn.analyses.contract import Analysis
 from rotordyn.errors import InvalidInput
@@ -18,8 +18,6 @@ from rotordyn.quantity import suggestion
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
-
-    from rotordyn.results.headline import Number
 
 PACKAGE = "rotordyn.analyses"
 GROUP = "rotordyn.analyses"  # of entry points
@@ -54,13 +52,6 @@ def names() -> tuple[str, ...]:
 def in_order(*among: Iterable[str]) -> list[str]:
     """Names of analyses, each once, by their place."""
     return sorted({name for each in among for name in each}, key=place)
-
-
-def headline_numbers(case: Any, results: Mapping[str, Any]) -> Iterator[tuple[str, Number]]:
-    """Every headline number of the results of a case, led by the name of its analysis."""
-    for name in in_order(results):
-        for number in analysis(name).numbers(results[name], case):
-            yield name, number
 
 
 def place(name: str) -> tuple[int, str]:

@@ -25,6 +25,7 @@ from rotordyn.figures.style import (
     GREY,
     LEAST_POINTS,
     add_axes,
+    colour_scale,
     marked,
     new_figure,
     round_ticks,
@@ -283,18 +284,4 @@ def _bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None
     tops = [above[1] + above[3] for above, _ in boxes]
     box = (168.0 - BAR - 2.0, boxes[-1][0][1], 3.0, max(tops) - boxes[-1][0][1])
     low, high = float(min(scale.values)), float(max(scale.values))
-    axes = add_axes(figure, box)
-    axes.imshow(
-        np.linspace(0.0, 1.0, 128)[:, None],
-        origin="lower",
-        aspect="auto",
-        cmap=MAP,
-        rasterized=True,
-        extent=(0.0, 1.0, low, high),
-    )
-    axes.set_xticks([])
-    axes.yaxis.tick_right()
-    axes.yaxis.set_label_position("right")
-    axes.set_ylabel(scale.label, fontsize=FONT_SIZE)
-    axes.grid(visible=False)
-    axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    colour_scale(figure, box, low, high, scale.label, MAP)

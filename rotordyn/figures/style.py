@@ -108,6 +108,28 @@ def add_axes(
     return axes
 
 
+def colour_scale(
+    figure: Figure, box: Sequence[float], low: float, high: float, label: str, colours: str
+) -> Axes:
+    """A strip of ``colours`` from ``low`` to ``high`` in ``box`` [mm], its label at the right."""
+    axes = add_axes(figure, box)
+    axes.imshow(
+        np.linspace(0.0, 1.0, 128)[:, None],
+        origin="lower",
+        aspect="auto",
+        cmap=colours,
+        rasterized=True,
+        extent=(0.0, 1.0, low, high),
+    )
+    axes.set_xticks([])
+    axes.yaxis.tick_right()
+    axes.yaxis.set_label_position("right")
+    axes.set_ylabel(label, fontsize=FONT_SIZE)
+    axes.grid(visible=False)
+    axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    return axes
+
+
 def grid_boxes(
     figure: Figure,
     rows: int,

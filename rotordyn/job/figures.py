@@ -11,9 +11,8 @@ from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.overlays import Scale
 from rotordyn.figures.panels import Shown, pages
-from rotordyn.job.values import named_curves
+from rotordyn.job.values import named_curves, shown_of
 from rotordyn.results.described import Described
-from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import Interval
 
@@ -68,16 +67,7 @@ def comparison_figures(
     jobs: list[Job] = []
     costs: dict[str, int] = {}
     for name in in_order(*(results for _, results in variants)):
-        shown = [
-            Shown(
-                case.title,
-                results[name],
-                () if turning(results[name]) else case.known,
-                case.spindle,
-            )
-            for case, results in variants
-            if name in results
-        ]
+        shown = [shown_of(case, results[name]) for case, results in variants if name in results]
         spec = variants[0][0].analyses.get(name)
         jobs += [*_side_by_side(name, spec, shown), *_laid_over(name, spec, shown, scale)]
         costs |= analysis(name).costs

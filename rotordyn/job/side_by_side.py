@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analyses.registry import headline_numbers
+from rotordyn.analyses.headline import headline_numbers
 from rotordyn.case.case import Case
-from rotordyn.case.varied import Varied, varied
+from rotordyn.case.varied import varied
 from rotordyn.figures.overlays import Scale
-from rotordyn.report.tables import Column, write_table
+from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.headline import changes
 
 MOST_VARIED = 12  # columns of what was varied
@@ -36,7 +36,8 @@ def write_comparison(folder: Path, parts: Parts) -> None:
         for part in parts.values()
     ]
     head: list[Column] = [("variant", list(parts)), ("title", [case.title for case in cases])]
-    head += [_varied(each) for each in varied(cases)[:MOST_VARIED]]
+    for each in varied(cases)[:MOST_VARIED]:
+        head.append((each.label, ["" if value is None else value for value in each.values]))
     write_table(folder / "variants.csv", [*head, *_columns(numbers, lambda name: name)])
     relative = [changes(values, numbers[0]) for values in numbers]
     write_table(folder / "variants_change.csv", [*head, *_columns(relative, _relative)])
@@ -44,17 +45,9 @@ def write_comparison(folder: Path, parts: Parts) -> None:
 
 def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str]) -> list[Column]:
     names = dict.fromkeys(name for row in rows for name in row)
-    return [(heading(name), [_word(row.get(name, math.nan)) for row in rows]) for name in names]
+    return [(heading(n), number_cells(row.get(n, math.nan) for row in rows)) for n in names]
 
 
 def _relative(heading: str) -> str:
     """Heading of the change of a number."""
     return f"{heading.partition(' [')[0]}, change [%]"
-
-
-def _word(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:.7g}"
-
-
-def _varied(each: Varied) -> Column:
-    return each.label, ["" if value is None else value for value in each.values]

@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analyses.registry import analysis, headline_numbers, in_order
+from rotordyn.analyses.headline import headline_numbers
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.results.described import Described, Shown
+from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve, Number
 from rotordyn.results.kinds import Array
 
@@ -32,11 +34,16 @@ def values_of(case: Described, results: Mapping[str, Any]) -> Values:
     return Values(numbers, curves)
 
 
+def shown_of(case: Described, result: Any) -> Shown:
+    """A result of ``case`` as figures and pages show it; what is known is of the fixed frame."""
+    known = () if turning(result) else case.known
+    return Shown(case.title or case.name, result, known, case.spindle)
+
+
 def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
     """Curves of an analysis by what tells them from the others."""
-    shown = Shown(case.title, result, (), case.spindle)
     count: Counter[str] = Counter()
-    for curve in analysis(name).curves(case.analyses.get(name), shown):
+    for curve in analysis(name).curves(case.analyses.get(name), shown_of(case, result)):
         if curve.backdrop:
             continue
         parts = (curve.figure, curve.panel, curve.title or curve.label, curve.key or curve.series)

@@ -10,7 +10,8 @@ from functools import lru_cache
 from typing import Any
 
 from bearings.errors import BearingError
-from rotordyn.analyses.registry import analysis, headline_numbers
+from rotordyn.analyses.headline import headline_numbers
+from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution

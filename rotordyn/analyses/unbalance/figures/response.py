@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.figures import stations
 from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
-from rotordyn.figures.labels import spread
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     CYCLE,
@@ -144,7 +144,6 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
             axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1, label=name)
     if not rpm.size:
         return 0.0
-    low, high = panels[0].get_xlim()
     values = list(zip(result.critical, rpm.tolist(), hertz.tolist(), strict=True))
     long = [f"{shortened(n, 20)}\n{s:.0f} rpm\n{number(f)} Hz" for n, s, f in values]
     short = [f"{s:.0f} rpm\n{number(f)} Hz" for _, s, f in values]
@@ -155,19 +154,7 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
         panels[0].annotate(
             "rpm\nHz", (0.0, 1.0), (-8.0, 2.0), "axes fraction", "offset points", **look
         )
-    sizes = [_wide([word]) * (high - low) / wide for word in words]
-    for place, word in zip(spread(rpm.tolist(), sizes, low, high), words, strict=True):
-        panels[0].annotate(
-            word,
-            (float(place), 1.0),
-            (0.0, 2.0),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            ha="center",
-            va="bottom",
-            fontsize=FONT_SIZE - 1.5,
-            color=GREY,
-        )
+    stations.words_above(panels[0], rpm.tolist(), words, [_wide([word]) for word in words], wide)
     return 1.0 + 3.0 * (1 + max(word.count("\n") for word in words))
 
 
