@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 
 _MARKERS = {"measured": ("o", "p", "8", "H"), "published": ("D", "s", "^", "v", "<", ">", "d", "h")}
 _OTHERS = ("P", "X", "*")
-EDGE = (
-    0.02  # of the axis: room beside marks at its ends, which else lie on the numbers of the other
-)
+EDGE = 0.02  # of the axis: room beside marks at its ends, which lie on numbers of the other else
 
 
 def merged(names: Sequence[str], values: NDArray[np.float64]) -> list[tuple[str, int]]:

@@ -22,7 +22,13 @@ from rotordyn.figures.style import (
     round_ticks,
 )
 from rotordyn.results.headline import Curve
-from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
+from rotordyn.results.interval import (
+    NARROW,
+    OVER_HYPOTHESES,
+    OVER_TOLERANCES,
+    Interval,
+    short_path,
+)
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
@@ -31,7 +37,6 @@ if TYPE_CHECKING:
 
 PANELS, BARS = 6, 8  # numbers in a figure, sources of each
 BAR, ROOM = 4.6, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
-NARROW = 1e-6
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 
 

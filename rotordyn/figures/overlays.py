@@ -121,7 +121,8 @@ def overlay_figure(
             beneath.set_xticks(axes.get_xticks())
             beneath.set_xlim(axes.get_xlim())
     if not looks.named:
-        _bar(figure, scale or _order(variants), boxes)
+        order = Scale("variant, in the order of the case", range(1, len(variants) + 1))
+        _bar(figure, scale or order, boxes)
     top_legend(figure, *figure.axes, above=_room(groups[0].first, boxes[0][0][2]))
     return figure
 
@@ -141,10 +142,6 @@ def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
     values = np.asarray(scale.values if scale else range(count), float)
     share = (values - values.min()) / max(float(np.ptp(values)), 1e-300)
     return Looks(list(colormaps[MAP](share)), series, named=False)
-
-
-def _order(variants: Sequence[Shown]) -> Scale:
-    return Scale("variant, in the order of the case", range(1, len(variants) + 1))
 
 
 def _layout(

@@ -54,7 +54,10 @@ def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]
     Labels of axes are not repeated; the legend stands in the cell that is left over, or above.
     """
     shared, columns = panel.shared(variants), min(len(page), 2)
-    figure, boxes = _cells(panel, math.ceil(len(page) / columns), columns)
+    rows = math.ceil(len(page) / columns)
+    height = panel.margins[2] + panel.margins[3] + rows * panel.tall + (rows - 1) * panel.gaps[1]
+    figure = new_figure(168.0, height)
+    boxes = grid_boxes(figure, rows, columns, margins=panel.margins, gaps=panel.gaps)
     drawn = []
     for place, (variant, box) in enumerate(zip(page, boxes, strict=False)):
         axes = add_axes(figure, box)
@@ -75,10 +78,3 @@ def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]
     else:
         top_legend(figure, *drawn)
     return figure
-
-
-def _cells(panel: Panel, rows: int, columns: int) -> tuple[Figure, list[Box]]:
-    """A figure with boxes [mm] for panels."""
-    height = panel.margins[2] + panel.margins[3] + rows * panel.tall + (rows - 1) * panel.gaps[1]
-    figure = new_figure(168.0, height)
-    return figure, grid_boxes(figure, rows, columns, margins=panel.margins, gaps=panel.gaps)

@@ -328,10 +328,8 @@ def grow(figure: Figure, more: float) -> None:
     figure.set_size_inches(width / 25.4, (height + more) / 25.4)
 
 
-def save(
-    figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL_FORMATS
-) -> list[str]:
-    """Write ``name`` into ``folder`` in each of ``formats``; returns the file names.
+def save(figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL_FORMATS) -> None:
+    """Write ``name`` into ``folder`` in each of ``formats``.
 
     A page of PDF and SVG has the size of the figure, 168 mm wide in a report.
     """
@@ -347,7 +345,6 @@ def save(
                 write_png(figure, path, DPI)
             else:
                 figure.savefig(path, dpi=DPI, **_SAVED[ending])
-    return [f"{name}.{ending}" for ending in formats]
 
 
 def with_zero(axes: Axes, room: float) -> None:

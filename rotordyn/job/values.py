@@ -34,6 +34,11 @@ def values_of(case: Described, results: Mapping[str, Any]) -> Values:
     return Values(numbers, curves)
 
 
+def machine_of(case: Described) -> str:
+    """What the spindle of a case is called; nothing where there is none."""
+    return (case.spindle.title or case.spindle.name) if case.spindle is not None else ""
+
+
 def shown_of(case: Described, result: Any) -> Shown:
     """A result of ``case`` as figures and pages show it; what is known is of the fixed frame."""
     known = () if turning(result) else case.known

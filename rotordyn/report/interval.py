@@ -15,7 +15,7 @@ from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.display import number, rounded_up
 from rotordyn.results.interval import NARROW, Interval
 from rotordyn.results.kinds import Array
-from rotordyn.results.text import wrapped
+from rotordyn.results.text import aligned, wrapped
 
 FILE, NAME = "interval.nc", "interval"
 MOST = 12  # numbers in the summary
@@ -31,9 +31,8 @@ def interval_lines(held: Interval, part: str = "") -> list[str]:
     of = f"of {part} " if part else ""
     lines = wrapped(f"interval   {of}over {interval_over(held)}; machines solved: {held.runs}")
     rows = interval_ranges(held)
-    widths = [max(len(row[k]) for row in rows) for k in range(5)]
     if len(rows) > 1:
-        lines += ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+        lines += aligned(rows)
     if len(rows) <= len(held.number):
         lines.append(f"… and {len(held.number) - len(rows) + 1} more numbers: interval.csv")
     lines += [part for sentence in interval_doubts(held) for part in wrapped(sentence)]

@@ -13,7 +13,7 @@ from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import called
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.text import from_to, opening, wrapped
+from rotordyn.results.text import aligned, from_to, opening, wrapped
 
 Variant = tuple[Described, Mapping[str, Any]]
 T = TypeVar("T")
@@ -35,7 +35,7 @@ def comparison_summary(
         heads, rows = headline_cells(name, variants)
         if heads:
             title = f"{analysis(name).heading}, {_ends(variants, name)}"
-            lines += ["", title, *_aligned(heads, rows)]
+            lines += ["", title, *aligned([["", *heads], *_some(rows)]), *_rest(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
 
@@ -43,13 +43,6 @@ def comparison_summary(
 def _ends(variants: Sequence[Variant], name: str) -> str:
     speed = next(results[name] for _, results in variants if name in results).speed
     return f"{from_to(speed * RPM.factor, 0)} rpm"
-
-
-def _aligned(heads: Sequence[str], rows: Sequence[list[str]]) -> list[str]:
-    """A head and a line per row; columns as wide as their widest entry."""
-    table = [["", *heads], *_some(rows)]
-    widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
-    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table] + _rest(rows)
 
 
 def _some(rows: Sequence[T]) -> Sequence[T]:

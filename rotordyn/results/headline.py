@@ -111,21 +111,25 @@ def curves_of(
 ) -> Iterator[Curve]:
     """Curves of a declared ``field`` over its coordinate ``along``.
 
-    ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each. ``how``:
-    further fields of ``Curve``.
+    ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each; of ``series``
+    several, separated by blanks. ``how``: further fields of ``Curve``.
     """
-    info, below = (declared(result)[name].metadata for name in (field, along))
+    fields = {name: each.metadata for name, each in declared(result).items()}
+    entries = {m["dims"][0]: name for name, m in fields.items() if m["role"] == "coordinate"}
+    info, below = fields[field], fields[along]
     x = getattr(result, along) * below["printed"].factor
     values = np.moveaxis(getattr(result, field), info["dims"].index(along), -1)
     others = [dim for dim in info["dims"] if dim != along]
     for index in product(*(range(n) for n in values.shape[:-1])):
-        names = {dim: str(getattr(result, dim)[k]) for dim, k in zip(others, index, strict=True)}
+        at = zip(others, index, strict=True)
+        names = {dim: str(getattr(result, entries[dim])[k]) for dim, k in at}
+        words = ", ".join(names[dim] for dim in series.split())
         look = {
             "label": info["label"],
             "unit": info["printed"].unit,
             "panel": names.get(panels, ""),
-            "series": names.get(series, ""),
-            "key": names.get(series, ""),
+            "series": words,
+            "key": words,
             "along": f"{below['label']} [{below['printed'].unit}]",
         }
         yield Curve(x=x, y=values[index] * info["printed"].factor, **{**look, **how})
