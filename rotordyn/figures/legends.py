@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.figures.style import FONT_SIZE, grow, mark_lone_points, text_width
+from rotordyn.figures.style import FONT_SIZE, grow, mark_lone_points, measuring, text_width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -59,7 +59,7 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
         handletextpad=BEFORE_TEXT,
         borderpad=EDGE,
     )
-    tall = placed.get_window_extent(figure.canvas.get_renderer()).height  # type: ignore[attr-defined]
+    tall = placed.get_window_extent(measuring(figure.dpi)).height
     _make_room(figure, above + tall * 25.4 / figure.dpi + EDGE * EM)
     placed.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), transform=figure.transFigure)
 

@@ -7,6 +7,7 @@ import math
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -305,11 +306,16 @@ def text_width(figure: Figure, words: str, size: float) -> float:
     """Width of a line of text [mm]."""
     from matplotlib.font_manager import FontProperties
 
-    renderer: Any = figure.canvas.get_renderer()  # type: ignore[attr-defined]
-    font = FontProperties(size=size)
-    return float(
-        renderer.get_text_width_height_descent(words, font, ismath=False)[0] * 25.4 / figure.dpi
-    )
+    measure, font = measuring(figure.dpi).get_text_width_height_descent, FontProperties(size=size)
+    return float(measure(words, font, ismath=False)[0] * 25.4 / figure.dpi)
+
+
+@cache
+def measuring(dpi: float) -> Any:
+    """A renderer that measures texts: without the pixels of a figure, to make which takes 10 ms."""
+    from matplotlib.backends.backend_agg import RendererAgg
+
+    return RendererAgg(1.0, 1.0, dpi)
 
 
 def grow(figure: Figure, more: float) -> None:
