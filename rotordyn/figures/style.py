@@ -315,7 +315,7 @@ def measuring(dpi: float) -> Any:
     """A renderer that measures texts: without the pixels of a figure, to make which takes 10 ms."""
     from matplotlib.backends.backend_agg import RendererAgg
 
-    return RendererAgg(1.0, 1.0, dpi)
+    return RendererAgg(1.0, 1.0, dpi)  # type: ignore[no-untyped-call]
 
 
 def grow(figure: Figure, more: float) -> None:
