@@ -30,8 +30,7 @@ def contact_lines(seat: BearingSeat) -> list[Line]:
     for angle in seat.bearing.contact_lines:
         upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
         rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
-        ends = (-ball, past)
-        lines.append([(seat.x + lean * end, ball + rise * end) for end in ends])
+        lines.append([(seat.x + lean * end, ball + rise * end) for end in (-ball, past)])
     return lines
 
 
