@@ -108,15 +108,15 @@ class Analysis:
 
     - ``panels(spec, variants)``: figures drawn small, once for each variant (``figures.panels``);
     - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
-      (``figures.panels.Shown``), laid over those of the others;
+      (``results.described.Shown``), laid over those of the others;
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
       under ``heading``.
 
     An HTML page shows of it, in a section named ``title`` (by default its name):
 
     - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants of a case, or of its
-      only machine (``page.blocks.Shown``). Where it is left out: its ``curves``, or, without any,
-      its declared quantities over speed.
+      only machine (``results.described.Shown``). Where it is left out: its ``curves``, or, without
+      any, its declared quantities over speed.
 
     Many machines are solved for these numbers and curves alone (intervals):
 

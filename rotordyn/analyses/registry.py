@@ -6,6 +6,7 @@ is not built in, or where all names are listed.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -45,7 +46,12 @@ def analysis(name: str) -> Analysis:
 
 def names() -> tuple[str, ...]:
     """All analyses, by their place."""
-    return tuple(sorted((*built_in(), *_outside()), key=place))
+    return tuple(in_order(built_in(), _outside()))
+
+
+def in_order(*among: Iterable[str]) -> list[str]:
+    """Names of analyses, each once, by their place."""
+    return sorted({name for each in among for name in each}, key=place)
 
 
 def place(name: str) -> tuple[int, str]:

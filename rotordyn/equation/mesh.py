@@ -165,7 +165,7 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     ------
     InvalidInput : something sits off the shaft, or ``element_length`` is not positive
     """
-    parts = {name: spindle.part(name) for name in spindle.ratios}
+    parts = spindle.parts
     meshes = {n: _mesh(p, _longest(p.shaft, element_length)) for n, p in parts.items()}
     return replace(meshes.pop(SPINDLE), further=meshes)
 

@@ -21,6 +21,12 @@ def wrapped_phase(phase: Array) -> Array:
     return broken
 
 
+def phase_axis(axes: Axes) -> None:
+    """From −180 to 180 deg, ticks at every quarter of a turn."""
+    axes.set_ylim(-190.0, 190.0)
+    axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+
+
 def log_axis(axes: Axes) -> None:
     """A logarithmic scale with few round ticks and no superscripts."""
     from matplotlib.ticker import NullFormatter, NullLocator

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from rotordyn.figures.amplitudes import log_axis
 from rotordyn.results.headline import Curve, Known
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 ALIKE = 1e-9  # of the largest value: no difference
 
@@ -53,6 +57,17 @@ def groups_of(sets: Sequence[Sequence[Curve]]) -> list[Group]:
             elif place == 0:
                 behind.setdefault(key, []).append(curve)
     return [Group(each, _changes(each), behind.get(key, [])) for key, each in layers.items()]
+
+
+def limit_ordinate(axes: Axes, curve: Curve) -> None:
+    """Scale and limits of the ordinate that a curve asks for; room above where it gives the bottom
+    alone."""
+    if curve.log:
+        log_axis(axes)
+    bottom, top = curve.limits
+    if top is None and bottom is not None:
+        top = axes.get_ylim()[1] * 1.05
+    axes.set_ylim(bottom, top)
 
 
 def _changes(layers: Sequence[Layer]) -> list[Layer]:

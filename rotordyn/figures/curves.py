@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.figures.style import BLACK, CYCLE, DASHES
+from rotordyn.figures.style import BLACK, line_of
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.results.display import RPM, shown
 
@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 
 _MARKERS = {"measured": ("o", "p", "8", "H"), "published": ("D", "s", "^", "v", "<", ">", "d", "h")}
 _OTHERS = ("P", "X", "*")
-EDGE = (
-    0.02  # of the axis: room beside marks at its ends, which else lie on the numbers of the other
-)
+EDGE = 0.02  # of the axis: room beside marks at its ends, which lie on numbers of the other else
 
 
 def merged(names: Sequence[str], values: NDArray[np.float64]) -> list[tuple[str, int]]:
@@ -44,16 +42,7 @@ def draw_columns(
 ) -> None:
     """A line per column of ``values`` (speed, name), columns alike drawn once."""
     for name, column in merged(names, values):
-        axes.plot(
-            rpm,
-            values[:, column],
-            **{
-                "color": CYCLE[column % len(CYCLE)],
-                "ls": DASHES[column % len(DASHES)],
-                "label": name,
-                **style,
-            },
-        )
+        axes.plot(rpm, values[:, column], **{**line_of(column), "label": name, **style})
 
 
 def draw_references(

@@ -16,7 +16,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, Protocol
 
-from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.figures.style import USUAL_FORMATS, finish, head, own_settings, save
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
@@ -149,8 +149,6 @@ class Drawing:
 
 def drawn(draw: Callable[[], Figure]) -> Figure:
     """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
-    from rotordyn.figures.style import finish, own_settings
-
     load()
     with own_settings():
         return finish(draw())
@@ -158,8 +156,6 @@ def drawn(draw: Callable[[], Figure]) -> Figure:
 
 def titled(draw: Callable[[], Figure], words: str) -> Figure:
     """The figure that ``draw`` draws, with ``words`` at its top."""
-    from rotordyn.figures.style import head
-
     return head(draw(), words)
 
 
@@ -170,8 +166,6 @@ def draw_one(
     formats: Sequence[str] = USUAL_FORMATS,
 ) -> float:
     """Draw and save one figure; returns the seconds it took."""
-    from rotordyn.figures.style import own_settings, save
-
     start = time.perf_counter()
     with own_settings(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $

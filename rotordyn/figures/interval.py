@@ -8,22 +8,27 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rotordyn.figures.amplitudes import log_axis
+from rotordyn.figures.curve_groups import limit_ordinate
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     BLUE,
-    CYCLE,
-    DASHES,
     FONT_SIZE,
     GREY,
     RED,
     add_axes,
     grid_boxes,
+    line_of,
     new_figure,
     round_ticks,
 )
 from rotordyn.results.headline import Curve
-from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
+from rotordyn.results.interval import (
+    NARROW,
+    OVER_HYPOTHESES,
+    OVER_TOLERANCES,
+    Interval,
+    short_path,
+)
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
@@ -32,7 +37,6 @@ if TYPE_CHECKING:
 
 PANELS, BARS = 6, 8  # numbers in a figure, sources of each
 BAR, ROOM = 4.6, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
-NARROW = 1e-6
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 
 
@@ -143,7 +147,6 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence
     x, y = held.x[rows], held.curve_nominal[rows]
     if curve.log:
         y = np.where(y > 0.0, y, np.nan)
-    colour = CYCLE[series.index(curve.series) % len(CYCLE)]
     bands: tuple[tuple[Array, str, str, float], ...] = (
         (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
         (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
@@ -153,8 +156,8 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence
             axes.fill_between(x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha)
         else:
             axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
-    dashes = DASHES[series.index(curve.series) % len(DASHES)]
-    axes.plot(x, y, color=colour, label=curve.series or "as in the case", ls=dashes, lw=1.0)
+    look = line_of(series.index(curve.series))
+    axes.plot(x, y, label=curve.series or "as in the case", lw=1.0, **look)
 
 
 def _finish(axes: Axes, curve: Curve) -> None:
@@ -163,7 +166,4 @@ def _finish(axes: Axes, curve: Curve) -> None:
         low, high = float(curve.x[0]), float(curve.x[-1])
     axes.set_xlim(low, high)
     axes.set_xticks(round_ticks(low, high, 6))
-    if curve.log:
-        log_axis(axes)
-    bottom, top = curve.limits
-    axes.set_ylim(bottom, top if top is not None or bottom is None else axes.get_ylim()[1] * 1.05)
+    limit_ordinate(axes, curve)

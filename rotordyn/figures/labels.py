@@ -26,50 +26,18 @@ def spread(
     all fit they are set evenly over the whole range.
     """
     centres = np.asarray(wanted, float)
-    if not centres.size:
-        return centres
     order = np.argsort(centres, kind="stable")
     width = np.asarray(sizes, float)[order]
     if width.sum() >= high - low:
         width = width * (high - low) / width.sum()
+    before = np.cumsum(width) - width / 2.0  # of a centre, where labels touch from zero on
+    blocks: list[tuple[float, int]] = []  # where each wants to begin so, and how many labels it has
+    for begin in (centres[order] - before).tolist():
+        blocks.append((begin, 1))
+        while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
+            (later, m), (earlier, n) = blocks.pop(), blocks.pop()
+            blocks.append(((n * earlier + m * later) / (n + m), n + m))
+    begins = np.array([begin for begin, count in blocks for _ in range(count)])
     placed = np.empty(centres.size)
-    placed[order] = _blocks(centres[order], width, low, high)
+    placed[order] = before + np.clip(begins, low, max(high - width.sum(), low))
     return placed
-
-
-def _blocks(
-    wanted: NDArray[np.float64], width: NDArray[np.float64], low: float, high: float
-) -> NDArray[np.float64]:
-    """Merge neighbours into blocks until none overlap; returns centres in order."""
-    offset = np.cumsum(width) - width / 2.0
-    blocks: list[tuple[int, int, float]] = []
-    for index in range(wanted.size):
-        block = _placed(wanted, width, offset, low, high, index, index + 1)
-        while blocks and blocks[-1][2] + _length(width, blocks[-1]) > block[2] + 1e-12:
-            first = blocks.pop()[0]
-            block = _placed(wanted, width, offset, low, high, first, index + 1)
-        blocks.append(block)
-    centres = np.empty(wanted.size)
-    for first, last, left in blocks:
-        centres[first:last] = left + offset[first:last] - (offset[first] - width[first] / 2.0)
-    return centres
-
-
-def _length(width: NDArray[np.float64], block: tuple[int, int, float]) -> float:
-    return float(width[block[0] : block[1]].sum())
-
-
-def _placed(
-    wanted: NDArray[np.float64],
-    width: NDArray[np.float64],
-    offset: NDArray[np.float64],
-    low: float,
-    high: float,
-    first: int,
-    last: int,
-) -> tuple[int, int, float]:
-    """The block of labels ``first`` … ``last`` with its left edge where they suffer least."""
-    inside = offset[first:last] - (offset[first] - width[first] / 2.0)
-    left = float((wanted[first:last] - inside).mean())
-    room = high - float(width[first:last].sum())
-    return first, last, min(max(left, low), max(room, low))

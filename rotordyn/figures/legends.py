@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.figures.style import FONT_SIZE, grow, mark_lone_points, text_width
+from rotordyn.figures.style import FONT_SIZE, grow, mark_lone_points, measuring, text_width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,7 +23,6 @@ TITLE = 4.5  # [mm] above the axes
 
 def legend(axes: Axes, **kwargs: Any) -> None:
     """A legend in the report style, where the lines leave room unless ``loc`` is given."""
-    mark_lone_points(axes)
     once = _entries([axes])
     if once:
         axes.legend(
@@ -43,8 +42,6 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
     The figure grows where the legend needs more room than there is above the axes and the words,
     ``above`` [mm] high, that stand on them.
     """
-    for axes in panels:
-        mark_lone_points(axes)
     entries = {textwrap.fill(name, LONGEST): h for name, h in _entries(panels).items()}
     if not entries:
         return
@@ -62,15 +59,13 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
         handletextpad=BEFORE_TEXT,
         borderpad=EDGE,
     )
-    tall = placed.get_window_extent(figure.canvas.get_renderer()).height  # type: ignore[attr-defined]
+    tall = placed.get_window_extent(measuring(figure.dpi)).height
     _make_room(figure, above + tall * 25.4 / figure.dpi + EDGE * EM)
     placed.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), transform=figure.transFigure)
 
 
 def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
     """What the lines of ``panels`` mean, each once, in the middle of an empty ``box`` [mm]."""
-    for axes in panels:
-        mark_lone_points(axes)
     entries = _entries(panels)
     if not entries:
         return
@@ -93,9 +88,11 @@ def shortened(title: str, longest: int = 48) -> str:
 
 
 def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
-    """Handles by name; a name shared by several curves is shown once, as its first curve."""
+    """Handles by name, with the marks of lone points; a name shared by several curves is shown
+    once, as its first curve."""
     entries: dict[str, Any] = {}
     for axes in panels:
+        mark_lone_points(axes)
         for handle, name in zip(*axes.get_legend_handles_labels(), strict=True):
             entries.setdefault(name, handle)
     return entries

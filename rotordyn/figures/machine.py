@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -50,7 +51,8 @@ def machine_figure(spindle: Spindle) -> Figure:
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
     sketch = Sketch()
-    for rank, part in enumerate(_by_size(spindle)):
+    thickest_last = sorted(spindle.parts.values(), key=lambda part: part.shaft.largest_diameter)
+    for rank, part in enumerate(thickest_last):  # it covers the others
         _draw_shaft(sketch, part, _shades(spindle), rank)
         _draw_discs(sketch, part, _shades(spindle), rank)
     sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
@@ -67,22 +69,8 @@ def machine_figure(spindle: Spindle) -> Figure:
     return figure
 
 
-def _parts(spindle: Spindle) -> dict[str, Spindle]:
-    """Every rotor by itself."""
-    return {name: spindle.part(name) for name in spindle.ratios}
-
-
-def _by_size(spindle: Spindle) -> list[Spindle]:
-    """The same, the thickest last: it covers the others."""
-    return sorted(_parts(spindle).values(), key=_radius)
-
-
-def _radius(part: Spindle) -> float:
-    return max(max(section.outer) for section in part.shaft.sections) / 2.0
-
-
 def _extent(spindle: Spindle) -> tuple[float, float]:
-    shafts = [part.shaft for part in _parts(spindle).values()]
+    shafts = [part.shaft for part in spindle.parts.values()]
     start = min(shaft.start for shaft in shafts) * 1e3
     end = max(shaft.end for shaft in shafts) * 1e3
     room = 0.04 * (end - start)
@@ -91,8 +79,8 @@ def _extent(spindle: Spindle) -> tuple[float, float]:
 
 def _reach(spindle: Spindle) -> float:
     """Largest radius of anything drawn [mm]."""
-    parts = _parts(spindle).values()
-    radii = [_radius(part) for part in parts]
+    parts = spindle.parts.values()
+    radii = [part.shaft.largest_diameter / 2.0 for part in parts]
     radii += [d.outer_diameter / 2.0 for part in parts for d in part.discs]
     radii += [(s.bearing.pitch_diameter + 2.1 * s.bearing.ball_diameter) / 2 for s in spindle.seats]
     sleeves = 9.0 if spindle.sleeves else 0.0
@@ -127,7 +115,7 @@ def _draw_section(
 
 
 def _shades(spindle: Spindle) -> dict[str, str]:
-    parts = _parts(spindle).values()
+    parts = spindle.parts.values()
     names = [s.material.name for part in parts for s in part.shaft.sections]
     names += [d.material.name for part in parts for d in part.discs]
     return {n: SHADES[k % len(SHADES)] for k, n in enumerate(dict.fromkeys(names))}
@@ -150,41 +138,43 @@ def _hold(
     scale: float,
 ) -> None:
     """Housing or sleeve above every bearing, with the names over it."""
-    labels: list[tuple[float, str]] = []
     for seat in spindle.seats:
         if spindle.sleeve_of(seat.name) is None:
             top = (seat.bearing.pitch_diameter / 2 + 1.05 * seat.bearing.ball_diameter) * 1e3
             half = bearing_width(seat, spindle.seats) * 500.0
             draw_ground(sketch, seat.x * 1e3, top, half, upright=False, side=1.0)
-        labels.append((seat.x * 1e3, seat.name))
-    sizes = [_text(name, scale) for _, name in labels]
-    for x, (_, name) in zip(spread([x for x, _ in labels], sizes, *limits), labels, strict=True):
-        axes.text(x, lane, name, ha="center", va="bottom", fontsize=FONT_SIZE, weight="bold")
-    for sleeve in spindle.sleeves:
-        _hold_sleeve(sketch, spindle, sleeve)
-    words = [_sleeve_words(s) for s in spindle.sleeves]
-    middles = [_sleeve_middle(spindle, s) for s in spindle.sleeves]
-    words += [f"{r.name}: {r.speed_ratio:g} × the speed" for r in spindle.rotors]
-    middles += [(r.shaft.start + r.shaft.end) * 500.0 for r in spindle.rotors]
-    sizes = [_text(w, scale) for w in words]
-    for x, text in zip(spread(middles, sizes, *limits), words, strict=True):
-        axes.text(
-            x, lane + 5.5 / scale, text, ha="center", va="bottom", fontsize=FONT_SIZE, color=BLUE
-        )
+    named = [(seat.x * 1e3, seat.name) for seat in spindle.seats]
+    _words_in_a_row(axes, named, lane, limits, scale, weight="bold")
+    said = [(_hold_sleeve(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
+    for r in spindle.rotors:
+        middle = (r.shaft.start + r.shaft.end) * 500.0
+        said.append((middle, f"{r.name}: {r.speed_ratio:g} × the speed"))
+    _words_in_a_row(axes, said, lane + 5.5 / scale, limits, scale, color=BLUE)
 
 
-def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> None:
+def _words_in_a_row(
+    axes: Axes,
+    words: Sequence[tuple[float, str]],
+    y: float,
+    limits: tuple[float, float],
+    scale: float,
+    **look: Any,
+) -> None:
+    """Words, each over its place or beside it, above ``y``."""
+    places = spread([x for x, _ in words], [_text(each, scale) for _, each in words], *limits)
+    for x, (_, each) in zip(places, words, strict=True):
+        axes.text(x, y, each, ha="center", va="bottom", fontsize=FONT_SIZE, **look)
+
+
+def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
+    """The sleeve over its bearings; returns the middle of these [mm]."""
     seats = [s for s in spindle.seats if s.name in sleeve.bearings]
     widths = [bearing_width(s, spindle.seats) / 2 for s in seats]
     left = min(s.x - w for s, w in zip(seats, widths, strict=True)) * 1e3
     right = max(s.x + w for s, w in zip(seats, widths, strict=True)) * 1e3
     base = max(s.bearing.pitch_diameter / 2 + 1.05 * s.bearing.ball_diameter for s in seats) * 1e3
     draw_sleeve(sketch, left, right, base, seats[0].thrust, stop=math.isfinite(sleeve.stop_travel))
-
-
-def _sleeve_middle(spindle: Spindle, sleeve: Sleeve) -> float:
-    places = [s.x for s in spindle.seats if s.name in sleeve.bearings]
-    return sum(places) / len(places) * 1e3
+    return sum(s.x for s in seats) / len(seats) * 1e3
 
 
 def _sleeve_words(sleeve: Sleeve) -> str:
@@ -224,7 +214,7 @@ def _supports(sketch: Sketch, spindle: Spindle) -> None:
 
 def _outside(spindle: Spindle, support: LinearSupport) -> float:
     """Radius of what a support holds [mm]."""
-    shaft = _parts(spindle)[support.holds].shaft
+    shaft = spindle.parts[support.holds].shaft
     return shaft.diameters_at(support.x)[0] * 500.0
 
 
@@ -232,7 +222,7 @@ def _ground(spindle: Spindle, support: LinearSupport) -> float:
     """Where a support stands on ground [mm]: below every rotor there."""
     there = [
         part.shaft.diameters_at(support.x)[0] * 500.0
-        for part in _parts(spindle).values()
+        for part in spindle.parts.values()
         if part.shaft.start <= support.x <= part.shaft.end
     ]
     return -max(_outside(spindle, support), *there, 0.0) - _foot(spindle)
@@ -243,13 +233,12 @@ def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
     low, high = _gap(spindle, support)
     half, x = 0.5 * max(high - low, 5.0), support.x * 1e3
     sketch.box(x - half, x + half, low, high, "#FFFFFF", edge=BLUE, z=5)
-    sketch.line([(x - half, low), (x + half, high)], BLUE, 0.7, z=6)
-    sketch.line([(x - half, high), (x + half, low)], BLUE, 0.7, z=6)
+    sketch.cross(x - half, x + half, low, high, BLUE, 0.7, z=6)
 
 
 def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
     """Radii between which a support joins two rotors [mm]."""
-    ends = [_parts(spindle)[end].shaft.diameters_at(support.x) for end in support.ends]
+    ends = [spindle.parts[end].shaft.diameters_at(support.x) for end in support.ends]
     (thin, _), (_, bore) = sorted(ends)
     low, high = thin * 500.0, bore * 500.0
     if high > low:
@@ -298,7 +287,7 @@ def _name_below(
 def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, float, str]]:
     """What is to be named: place of the leader's start [mm] and the words."""
     marks = []
-    for rotor, part in _parts(spindle).items():
+    for rotor, part in spindle.parts.items():
         for mass in part.masses:
             height = _height(part, mass.x, rotor)
             _mass_symbol(sketch, mass, height, size)
@@ -306,15 +295,18 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
             marks.append((mass.x * 1e3, height, words))
         marks += [(joint.x * 1e3, 0.0, joint.name) for joint in part.joints]
     for name, (rotor, x) in spindle.places.items():
-        height = _height(_parts(spindle)[rotor], x, rotor)
+        height = _height(spindle.parts[rotor], x, rotor)
         sketch.circle(x * 1e3, height, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, height, f"{name}\n{x * 1e3:.1f}"))
     foot = -_reach(spindle)
     for support in spindle.supports:
         low = foot if support.against == GROUND else _gap(spindle, support)[0]
         marks.append((support.x * 1e3, low, support.name))
-    marks += [(_middle(spindle, h), foot - 3.0, h.name) for h in _below(spindle)]
-    discs = [disc for part in _parts(spindle).values() for disc in part.discs]
+    for housing in spindle.housings:
+        carried = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
+        if carried:
+            marks.append(((min(carried) + max(carried)) / 2.0, foot - 3.0, housing.name))
+    discs = [disc for part in spindle.parts.values() for disc in part.discs]
     marks += [(disc.x * 1e3, foot, disc.name) for disc in discs]
     if bar := spindle.drawbar:
         marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
@@ -325,18 +317,6 @@ def _height(part: Spindle, x: float, rotor: str) -> float:
     """Where something on a rotor is marked [mm]: on the axis, of a further one in its wall."""
     wall = sum(part.shaft.diameters_at(x)) * 250.0
     return 0.0 if rotor == SPINDLE else wall
-
-
-def _below(spindle: Spindle) -> list[Housing]:
-    """Housings that carry a support."""
-    names = {support.name for support in spindle.supports}
-    return [housing for housing in spindle.housings if names & set(housing.carries)]
-
-
-def _middle(spindle: Spindle, housing: Housing) -> float:
-    """Middle of the supports on a housing [mm]."""
-    places = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
-    return (min(places) + max(places)) / 2.0
 
 
 def _mass_symbol(sketch: Sketch, mass: PointMass, height: float, size: float) -> None:
@@ -362,7 +342,7 @@ def _legend(axes: Axes, spindle: Spindle) -> None:
     shades = _shades(spindle)
     some = shades.items() if len(shades) > 1 else ()
     handles: list[Any] = [Patch(fc=c, ec="#333333", lw=0.5, label=n) for n, c in some]
-    parts = _parts(spindle).values()
+    parts = spindle.parts.values()
     circle: dict[str, Any] = dict(ls="none", ms=4.5, mec=BLACK, mew=0.7, mfc="white")
     halves: dict[str, Any] = dict(fillstyle="left", mfc=BLACK, mfcalt="white")
     symbols: list[tuple[object, str, dict[str, Any]]] = [

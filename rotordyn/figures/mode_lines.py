@@ -100,16 +100,15 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
     from matplotlib.collections import LineCollection
 
     curves = whirl_segments(result)
-    if len(result.speed) < LEAST_SPEEDS:
-        _mark_modes(axes, curves, colour)
-        return
+    few = len(result.speed) < LEAST_SPEEDS
     for look, (usual, dashes, label) in LOOKS.items():
-        paths = [curve for curve in curves.get(look, ()) if len(curve) > 1]
-        points = [curve for curve in curves.get(look, ()) if len(curve) == 1]
+        paths = [curve for curve in curves.get(look, ()) if len(curve) > 1 and not few]
+        points = [curve for curve in curves.get(look, ()) if len(curve) == 1 or few]
         named = None if colour else label
         if points:
-            dots = np.concatenate(points)
-            mark: dict[str, Any] = dict(ms=4.0, ls="none", clip_on=False)
+            dots = np.unique(np.concatenate(points), axis=0)
+            dots = dots[dots[:, 1] <= axes.get_ylim()[1]]
+            mark: dict[str, Any] = dict(ms=4.0, ls="none", clip_on=False, zorder=4 if few else 2)
             mark["label"] = None if paths else named
             axes.plot(*dots.T, marker=LONE[look], color=colour or usual, **mark)
         if paths:
@@ -122,25 +121,6 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
                 zorder=4,
             )
             axes.add_collection(lines, autolim=False)
-
-
-def _mark_modes(axes: Axes, curves: Segments, colour: str) -> None:
-    """A mark for every frequency, by look."""
-    for look, (usual, _, label) in LOOKS.items():
-        if not curves.get(look):
-            continue
-        dots = np.unique(np.concatenate(curves[look]), axis=0)
-        dots = dots[dots[:, 1] <= axes.get_ylim()[1]]
-        axes.plot(
-            *dots.T,
-            marker=LONE[look],
-            color=colour or usual,
-            ms=4.0,
-            ls="none",
-            label=None if colour else label,
-            clip_on=False,
-            zorder=4,
-        )
 
 
 def draw_stops(axes: Axes, result: Modes) -> None:

@@ -1,4 +1,4 @@
-"""Four panels over one speed axis."""
+"""Four panels over one speed axis, or over one load."""
 
 from __future__ import annotations
 
@@ -16,14 +16,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def four_over_speed(names: Sequence[str], speed: NDArray[np.float64]) -> tuple[Figure, list[Axes]]:
-    """The figure and its panels, of quantities so named, over ``speed`` [rad/s]."""
+def four_over_speed(
+    names: Sequence[str], speed: NDArray[np.float64], instead: str = ""
+) -> tuple[Figure, list[Axes]]:
+    """The figure and its panels, of quantities so named, over ``speed`` [rad/s], or over what
+    ``instead`` says."""
     figure = new_figure(168.0, 118.0)
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     panels = []
     for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
-        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
-        speed_ticks(axes, float(speed[-1] * RPM.factor))
+        axes = add_axes(figure, box, (instead or "speed [rpm]") if place > 1 else "", name)
+        if not instead:
+            speed_ticks(axes, float(speed[-1] * RPM.factor))
         axes.tick_params(labelbottom=place > 1)
         panels.append(axes)
     return figure, panels

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rotordyn.figures import stations
-from rotordyn.figures.amplitudes import log_axis
-from rotordyn.figures.curve_groups import Group, Layer, groups_of
+from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box, Shown
@@ -26,12 +25,12 @@ from rotordyn.figures.style import (
     GREY,
     LEAST_POINTS,
     add_axes,
+    colour_scale,
     marked,
     new_figure,
     round_ticks,
 )
-from rotordyn.results.headline import Curve, Known
-from rotordyn.results.kinds import Array
+from rotordyn.results.headline import Curve, fits
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -122,7 +121,8 @@ def overlay_figure(
             beneath.set_xticks(axes.get_xticks())
             beneath.set_xlim(axes.get_xlim())
     if not looks.named:
-        _bar(figure, scale or _order(variants), boxes)
+        order = Scale("variant, in the order of the case", range(1, len(variants) + 1))
+        _bar(figure, scale or order, boxes)
     top_legend(figure, *figure.axes, above=_room(groups[0].first, boxes[0][0][2]))
     return figure
 
@@ -142,10 +142,6 @@ def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
     values = np.asarray(scale.values if scale else range(count), float)
     share = (values - values.min()) / max(float(np.ptp(values)), 1e-300)
     return Looks(list(colormaps[MAP](share)), series, named=False)
-
-
-def _order(variants: Sequence[Shown]) -> Scale:
-    return Scale("variant, in the order of the case", range(1, len(variants) + 1))
 
 
 def _layout(
@@ -198,29 +194,23 @@ def _draw(axes: Axes, group: Group, looks: Looks) -> None:
         axes.plot(curve.x, curve.y, zorder=1.5, scalex=False, scaley=curve.log, **look)
         axes.plot([], [], label=curve.series, **look)
     for place, curve in group.layers:
-        y = np.where(curve.y > 0.0, curve.y, np.nan) if curve.log else curve.y
-        _plot(axes, curve, y, looks.of(place, curve.series))
+        _plot(axes, curve, looks.of(place, curve.series))
 
 
 def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
     axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     for place, curve in changes:
-        _plot(axes, curve, curve.y, looks.of(place, curve.series) | {"lw": 0.9})
+        _plot(axes, curve, looks.of(place, curve.series) | {"lw": 0.9})
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
 
 
-def _plot(axes: Axes, curve: Curve, y: Array, look: dict[str, Any]) -> None:
-    """A line, broken at steps over which it jumps; marks alone where points are too few for one."""
-    x = curve.x
-    if 1 < len(x) < LEAST_POINTS:
-        look |= {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-        axes.plot(x, y, clip_on=False, **look)
-        return
-    if curve.breaks is not None and curve.breaks.any():
-        at = np.flatnonzero(curve.breaks) + 1
-        x, y = np.insert(x, at, x[at]), np.insert(y, at, np.nan)
-    axes.plot(x, y, **look)
+def _plot(axes: Axes, curve: Curve, look: dict[str, Any]) -> None:
+    """A line; marks alone where points are too few for one."""
+    if 1 < len(curve.x) < LEAST_POINTS:
+        marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
+        look |= {"clip_on": False, **marks}
+    axes.plot(*curve.drawn, **look)
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
@@ -238,12 +228,7 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         axes.set_xlim(min(left, start) if beyond else start, right if beyond else high)
         axes.set_xticks(round_ticks(start, high, 8 if wide > 90.0 else 4))
     axes.tick_params(labelbottom=labelled)
-    if curve.log:
-        log_axis(axes)
-    bottom, top = curve.limits
-    if top is None and bottom is not None:
-        top = axes.get_ylim()[1] * 1.05
-    axes.set_ylim(bottom, top)
+    limit_ordinate(axes, curve)
     if curve.title:
         axes.set_title(curve.title, fontsize=FONT_SIZE, pad=4.0)
 
@@ -256,17 +241,11 @@ def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Look
     shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
     for quantity in dict.fromkeys(quantity for quantity, _ in group.known):
         for place, variant in enumerate(variants):
-            alone = [r for r in variant.known if r not in shared and _fits(r, group.known)]
+            alone = [r for r in variant.known if r not in shared and fits(r, group.known)]
             colours = dict.fromkeys((r.subject for r in alone), looks.colours[place])
             draw_references(axes, alone, quantity, top, subject=several, colours=colours)
-        black = [r for r in shared if _fits(r, group.known)]
+        black = [r for r in shared if fits(r, group.known)]
         draw_references(axes, black, quantity, top, subject=several)
-
-
-def _fits(reference: Any, known: set[Known]) -> bool:
-    """Whether it is about a curve, or about none of several in particular."""
-    subjects = {subject for quantity, subject in known if quantity == reference.quantity}
-    return bool(subjects) and (reference.subject in subjects or not reference.subject)
 
 
 def _say(axes: Axes, words: str) -> None:
@@ -302,18 +281,4 @@ def _bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None
     tops = [above[1] + above[3] for above, _ in boxes]
     box = (168.0 - BAR - 2.0, boxes[-1][0][1], 3.0, max(tops) - boxes[-1][0][1])
     low, high = float(min(scale.values)), float(max(scale.values))
-    axes = add_axes(figure, box)
-    axes.imshow(
-        np.linspace(0.0, 1.0, 128)[:, None],
-        origin="lower",
-        aspect="auto",
-        cmap=MAP,
-        rasterized=True,
-        extent=(0.0, 1.0, low, high),
-    )
-    axes.set_xticks([])
-    axes.yaxis.tick_right()
-    axes.yaxis.set_label_position("right")
-    axes.set_ylabel(scale.label, fontsize=FONT_SIZE)
-    axes.grid(visible=False)
-    axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    colour_scale(figure, box, low, high, scale.label, MAP)

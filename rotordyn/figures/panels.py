@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rotordyn.figures.legends import legend_in, shortened, top_legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
-from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Shown as Shown  # noqa: PLC0414 - what panels are drawn of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,15 +17,6 @@ if TYPE_CHECKING:
 ON_A_PAGE, MOST_PAGES = 6, 2
 FAR = 20.0  # [mm] between panels: each has numbers of its own
 Box = tuple[float, float, float, float]
-
-
-class Shown(NamedTuple):
-    """One variant: its title, its result, and what is known of it."""
-
-    title: str
-    result: Any
-    known: Sequence[Reference]
-    spindle: Spindle | None
 
 
 def _none(*_: Any) -> None:
@@ -64,7 +54,10 @@ def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]
     Labels of axes are not repeated; the legend stands in the cell that is left over, or above.
     """
     shared, columns = panel.shared(variants), min(len(page), 2)
-    figure, boxes = _cells(panel, math.ceil(len(page) / columns), columns)
+    rows = math.ceil(len(page) / columns)
+    height = panel.margins[2] + panel.margins[3] + rows * panel.tall + (rows - 1) * panel.gaps[1]
+    figure = new_figure(168.0, height)
+    boxes = grid_boxes(figure, rows, columns, margins=panel.margins, gaps=panel.gaps)
     drawn = []
     for place, (variant, box) in enumerate(zip(page, boxes, strict=False)):
         axes = add_axes(figure, box)
@@ -85,10 +78,3 @@ def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]
     else:
         top_legend(figure, *drawn)
     return figure
-
-
-def _cells(panel: Panel, rows: int, columns: int) -> tuple[Figure, list[Box]]:
-    """A figure with boxes [mm] for panels."""
-    height = panel.margins[2] + panel.margins[3] + rows * panel.tall + (rows - 1) * panel.gaps[1]
-    figure = new_figure(168.0, height)
-    return figure, grid_boxes(figure, rows, columns, margins=panel.margins, gaps=panel.gaps)

@@ -48,21 +48,20 @@ class Sketch:
         """A broken line."""
         self.lines[colour, width, style, z].append(points)
 
+    def cross(self, left: float, right: float, low: float, high: float, *k: Any, **m: Any) -> None:
+        """Both diagonals of a rectangle."""
+        self.line([(left, low), (right, high)], *k, **m)
+        self.line([(left, high), (right, low)], *k, **m)
+
     def draw(self, axes: Axes) -> None:
         """Put everything on ``axes``, one collection per look."""
         from matplotlib.collections import LineCollection, PolyCollection
 
         for (face, edge, width, z), shapes in self.polygons.items():
-            axes.add_collection(
-                PolyCollection(
-                    shapes, facecolors=face, edgecolors=edge, linewidths=width, zorder=z
-                ),
-                autolim=False,
-            )
+            look: dict[str, Any] = dict(facecolors=face, edgecolors=edge)
+            filled = PolyCollection(shapes, linewidths=width, zorder=z, **look)
+            axes.add_collection(filled, autolim=False)
         for (colour, width, style, z), strokes in self.lines.items():
-            axes.add_collection(
-                LineCollection(
-                    strokes, colors=colour, linewidths=width, linestyles=style, zorder=z
-                ),
-                autolim=False,
-            )
+            look = dict(colors=colour, linestyles=style)
+            lines = LineCollection(strokes, linewidths=width, zorder=z, **look)
+            axes.add_collection(lines, autolim=False)

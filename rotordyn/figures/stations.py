@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -37,22 +37,37 @@ def room(marks: Sequence[Mark], upright: bool) -> float:
     return 3.0 + (_LETTER * longest + 1.0 if upright else 3.0)
 
 
-def name(axes: Axes, marks: Sequence[Mark], wide: float, upright: bool) -> None:
-    """The name of every station above a panel of ``wide`` [mm]."""
+def name(
+    axes: Axes, marks: Sequence[Mark], wide: float, upright: bool, foot: str = "bottom"
+) -> None:
+    """The name of every station above a panel of ``wide`` [mm]; ``foot``: what of it stands there,
+    its ``"bottom"`` or its ``"baseline"``."""
+    sizes = [(2.0 if upright else len(n)) * _LETTER + 1.5 for _, n in marks]
+    look = {"rotation": 90.0 if upright else 0.0, "va": foot}
+    words_above(axes, [x for x, _ in marks], [n for _, n in marks], sizes, wide, **look)
+
+
+def words_above(
+    axes: Axes,
+    at: Sequence[float],
+    words: Sequence[str],
+    sizes: Sequence[float],
+    wide: float,
+    **look: Any,
+) -> None:
+    """``words`` above a panel of ``wide`` [mm] near where they belong, each with room of ``sizes``
+    [mm] along the axis."""
     left, right = axes.get_xlim()
-    per_mm = (right - left) / wide
-    sizes = [((2.0 if upright else len(n)) * _LETTER + 1.5) * per_mm for _, n in marks]
-    places = spread([x for x, _ in marks], sizes, left, right)
-    for place, (_, name) in zip(places, marks, strict=True):
+    places = spread(at, [size * (right - left) / wide for size in sizes], left, right)
+    for place, word in zip(places, words, strict=True):
         axes.annotate(
-            name,
+            word,
             (float(place), 1.0),
             (0.0, 2.0),
             xycoords=("data", "axes fraction"),
             textcoords="offset points",
             ha="center",
-            va="bottom",
-            rotation=90.0 if upright else 0.0,
             fontsize=FONT_SIZE - 1.5,
             color=GREY,
+            **{"va": "bottom", **look},
         )

@@ -7,6 +7,7 @@ import math
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -108,6 +109,28 @@ def add_axes(
     return axes
 
 
+def colour_scale(
+    figure: Figure, box: Sequence[float], low: float, high: float, label: str, colours: str
+) -> Axes:
+    """A strip of ``colours`` from ``low`` to ``high`` in ``box`` [mm], its label at the right."""
+    axes = add_axes(figure, box)
+    axes.imshow(
+        np.linspace(0.0, 1.0, 128)[:, None],
+        origin="lower",
+        aspect="auto",
+        cmap=colours,
+        rasterized=True,
+        extent=(0.0, 1.0, low, high),
+    )
+    axes.set_xticks([])
+    axes.yaxis.tick_right()
+    axes.yaxis.set_label_position("right")
+    axes.set_ylabel(label, fontsize=FONT_SIZE)
+    axes.grid(visible=False)
+    axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    return axes
+
+
 def grid_boxes(
     figure: Figure,
     rows: int,
@@ -163,6 +186,13 @@ def mark_few_points(axes: Axes) -> None:
             line.set_marker(MARKS.get(dashes, "D"))
         face = line.get_color() if dashes == "-" else "white"
         line.set(linestyle="", markevery=None, markersize=4.5, markerfacecolor=face, clip_on=False)
+
+
+def line_of(place: int, dash: int | None = None) -> dict[str, Any]:
+    """Colour and dashes of the line at a ``place`` among several; ``dash``: its place among dashes
+    where these mean something else."""
+    dashes = DASHES[(place if dash is None else dash) % len(DASHES)]
+    return {"color": CYCLE[place % len(CYCLE)], "ls": dashes}
 
 
 def marked(place: int) -> dict[str, Any]:
@@ -276,11 +306,16 @@ def text_width(figure: Figure, words: str, size: float) -> float:
     """Width of a line of text [mm]."""
     from matplotlib.font_manager import FontProperties
 
-    renderer: Any = figure.canvas.get_renderer()  # type: ignore[attr-defined]
-    font = FontProperties(size=size)
-    return float(
-        renderer.get_text_width_height_descent(words, font, ismath=False)[0] * 25.4 / figure.dpi
-    )
+    measure, font = measuring(figure.dpi).get_text_width_height_descent, FontProperties(size=size)
+    return float(measure(words, font, ismath=False)[0] * 25.4 / figure.dpi)
+
+
+@cache
+def measuring(dpi: float) -> Any:
+    """A renderer that measures texts: without the pixels of a figure, to make which takes 10 ms."""
+    from matplotlib.backends.backend_agg import RendererAgg
+
+    return RendererAgg(1.0, 1.0, dpi)  # type: ignore[no-untyped-call]
 
 
 def grow(figure: Figure, more: float) -> None:
@@ -299,10 +334,8 @@ def grow(figure: Figure, more: float) -> None:
     figure.set_size_inches(width / 25.4, (height + more) / 25.4)
 
 
-def save(
-    figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL_FORMATS
-) -> list[str]:
-    """Write ``name`` into ``folder`` in each of ``formats``; returns the file names.
+def save(figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL_FORMATS) -> None:
+    """Write ``name`` into ``folder`` in each of ``formats``.
 
     A page of PDF and SVG has the size of the figure, 168 mm wide in a report.
     """
@@ -318,7 +351,6 @@ def save(
                 write_png(figure, path, DPI)
             else:
                 figure.savefig(path, dpi=DPI, **_SAVED[ending])
-    return [f"{name}.{ending}" for ending in formats]
 
 
 def with_zero(axes: Axes, room: float) -> None:

@@ -25,18 +25,13 @@ def contact_lines(seat: BearingSeat) -> list[Line]:
     it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing, the
     pressure centre. A line flatter than ``FLATTEST`` is cut before the axis.
     """
-    return [_contact_line(seat, angle) for angle in seat.bearing.contact_lines]
-
-
-def _contact_line(seat: BearingSeat, angle: float) -> Line:
-    ball = seat.bearing.pitch_diameter / 2.0
-    upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
-    rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
-    past = 1.1 * seat.bearing.ball_diameter
-    return [
-        (seat.x - lean * ball, ball - rise * ball),
-        (seat.x + lean * past, ball + rise * past),
-    ]
+    ball, past = seat.bearing.pitch_diameter / 2.0, 1.1 * seat.bearing.ball_diameter
+    lines = []
+    for angle in seat.bearing.contact_lines:
+        upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
+        rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
+        lines.append([(seat.x + lean * end, ball + rise * end) for end in (-ball, past)])
+    return lines
 
 
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
@@ -49,8 +44,7 @@ def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: 
     sketch.box(left, right, pitch + 0.18 * ball, outside, RING, z=4)
     sketch.circle(x, pitch, ball / 2.0, BALL, z=5)
     sketch.box(left, right, -outside, -bore, RING, z=4)
-    sketch.line([(left, -outside), (right, -bore)], width=0.4, z=5)
-    sketch.line([(left, -bore), (right, -outside)], width=0.4, z=5)
+    sketch.cross(left, right, -outside, -bore, width=0.4, z=5)
     for foot, tip in contact_lines(seat):
         line = [(a * 1e3, r * 1e3) for a, r in (foot, tip)]
         sketch.line(line, RED, 0.9, "dashdot", z=6)
@@ -82,20 +76,19 @@ def draw_ground(
 ) -> None:
     """A hatched wall through (x, y), its hatching, in ``unit`` mm, towards ``side`` (+1 or −1)."""
     count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), 1.8 * unit, 1.2 * unit
-    if upright:
-        sketch.line([(x, y - half), (x, y + half)], GROUND, 1.0)
-    else:
-        sketch.line([(x - half, y), (x + half, y)], GROUND, 1.0)
-    for at in np.linspace(-half, half - step, count):
-        start = (x, y + at) if upright else (x + at, y)
-        end = (x + side * depth, y + at + step) if upright else (x + at + step, y + side * depth)
-        sketch.line([start, end], GROUND, 0.5)
+
+    def at(along: float, into: float) -> tuple[float, float]:
+        return (x + into, y + along) if upright else (x + along, y + into)
+
+    sketch.line([at(-half, 0.0), at(half, 0.0)], GROUND, 1.0)
+    for start in np.linspace(-half, half - step, count):
+        sketch.line([at(start, 0.0), at(start + step, side * depth)], GROUND, 0.5)
 
 
 def draw_sleeve(
     sketch: Sketch, left: float, right: float, base: float, thrust: int, *, stop: bool
-) -> tuple[float, float]:
-    """A sleeve over its bearings, its spring, and its stop; returns the middle of the spring.
+) -> None:
+    """A sleeve over its bearings, its spring, and its stop.
 
     The spring pushes against ``thrust``, so it stands on the ``thrust`` side; the stop waits there.
     """
@@ -110,7 +103,6 @@ def draw_sleeve(
         sketch.line([(near, base + 7.3), (wall, base + 7.3)], GROUND, 1.0)
         sketch.line([(near, base + 5.9), (near, base + 8.7)], GROUND, 1.8)
         draw_ground(sketch, wall, base + 7.3, 1.7, upright=True, side=float(thrust))
-    return (face + wall) / 2.0, base + 2.8
 
 
 def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:

@@ -81,7 +81,8 @@ def write(
     report: bool = False,
 ) -> Delivery:
     """Write ``results`` into ``target``, all or nothing; see ``deliver``."""
-    from rotordyn.report.folder import results_folder
+    from rotordyn.case.archive import archived
+    from rotordyn.report.folder import CASE, results_folder
 
     seconds = dict(results.solution.seconds)
     with results_folder(target) as place:
@@ -95,7 +96,8 @@ def write(
         notes = (*results.notes, *omitted.sentences)
         text = results.summary_with(notes)
         (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
-        _write_case(results.case, place.folder)
+        case = json.dumps(archived(results.case), allow_nan=False)  # to open and draw it anew
+        (place.folder / CASE).write_text(case + "\n", encoding="utf-8")
         if report:
             with _timed(seconds, "report"):
                 results.report(place.folder / REPORT)
@@ -211,15 +213,6 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
         for name, held in results.solution.intervals.items():
             write_interval(folder / name, held)
     return omitted
-
-
-def _write_case(case: Case, folder: Path) -> None:
-    """The case itself, so that the folder can be opened and drawn anew."""
-    from rotordyn.case.archive import archived
-    from rotordyn.report.folder import CASE
-
-    text = json.dumps(archived(case), allow_nan=False)
-    (folder / CASE).write_text(text + "\n", encoding="utf-8")
 
 
 def _write_record(

@@ -7,22 +7,16 @@ from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.overlays import Scale
 from rotordyn.figures.panels import Shown, pages
-from rotordyn.job.values import named_curves
+from rotordyn.job.values import machine_of, named_curves, shown_of
 from rotordyn.results.described import Described
-from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import Interval
 
-MACHINE = Code("rotordyn.figures", "machine:machine_figure")
-PANELS = Code("rotordyn.figures", "panels:panels_figure")
-OVERLAY = Code("rotordyn.figures", "overlays:overlay_figure")
-RULES = Code("rotordyn.figures", "interval:rules_figure")
-SLOPES = Code("rotordyn.figures", "interval:slopes_figure")
-BANDS = Code("rotordyn.figures", "interval:bands_figure")
+code = partial(Code, "rotordyn.figures")
 Variant = tuple[Described, Mapping[str, Any]]
 
 
@@ -33,12 +27,12 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
     """
     jobs: list[Job] = []
     if case.spindle is not None:
-        jobs.append(("machine", partial(MACHINE, case.spindle)))
+        jobs.append(("machine", partial(code("machine:machine_figure"), case.spindle)))
     costs: dict[str, int] = {}
     for name, result in results.items():
         jobs += analysis(name).figures(case, result, results)
         costs |= analysis(name).costs
-    return _titled(jobs, _heading([_machine(case)], case.title or case.name), costs)
+    return _titled(jobs, _heading([machine_of(case)], case.title or case.name), costs)
 
 
 def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval]) -> list[Job]:
@@ -46,17 +40,18 @@ def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval])
     jobs: list[Job] = []
     for part, sure in held.items():
         case, results = parts[part]
-        curves = {k: c for name in results for k, c in named_curves(case, name, results[name])}
         after = f"_{part}" if part else ""
         found: dict[str, dict[str, Curve]] = {}
-        for key, curve in curves.items():
-            found.setdefault(curve.figure, {})[key] = curve
-        made: list[Job] = [(f"interval_rules{after}", partial(RULES, sure))]
+        for name, result in results.items():
+            for key, curve in named_curves(case, name, result):
+                found.setdefault(curve.figure, {})[key] = curve
+        made: list[Job] = [(f"interval_rules{after}", partial(code("interval:rules_figure"), sure))]
         if sure.path:
-            made.append((f"sensitivities{after}", partial(SLOPES, sure)))
+            made.append((f"sensitivities{after}", partial(code("interval:slopes_figure"), sure)))
         for figure, shown in found.items():
-            made.append((f"interval_{figure}{after}", partial(BANDS, sure, shown)))
-        jobs += _titled(made, _heading([_machine(case)], case.title or case.name), {})
+            bands = partial(code("interval:bands_figure"), sure, shown)
+            made.append((f"interval_{figure}{after}", bands))
+        jobs += _titled(made, _heading([machine_of(case)], case.title or case.name), {})
     return jobs
 
 
@@ -67,21 +62,12 @@ def comparison_figures(
     of the case that compares them; ``scale``: what was varied, where that is one number."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
-    for name in sorted({name for _, results in variants for name in results}, key=place):
-        shown = [
-            Shown(
-                case.title,
-                results[name],
-                () if turning(results[name]) else case.known,
-                case.spindle,
-            )
-            for case, results in variants
-            if name in results
-        ]
+    for name in in_order(*(results for _, results in variants)):
+        shown = [shown_of(case, results[name]) for case, results in variants if name in results]
         spec = variants[0][0].analyses.get(name)
         jobs += [*_side_by_side(name, spec, shown), *_laid_over(name, spec, shown, scale)]
         costs |= analysis(name).costs
-    return _titled(jobs, _heading([_machine(case) for case, _ in variants], title), costs)
+    return _titled(jobs, _heading([machine_of(case) for case, _ in variants], title), costs)
 
 
 def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
@@ -89,7 +75,7 @@ def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]
     for panel in analysis(name).panels(spec, shown):
         for number, page in enumerate(pages(shown), start=1):
             file = panel.name if number == 1 else f"{panel.name}_{number}"
-            yield file, partial(PANELS, panel, shown, page)
+            yield file, partial(code("panels:panels_figure"), panel, shown, page)
 
 
 def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None) -> Iterator[Job]:
@@ -97,7 +83,7 @@ def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None
     curves = partial(analysis(name).curves, spec)
     fitting = scale if scale is not None and len(scale.values) == len(shown) else None
     for figure in dict.fromkeys(curve.figure for curve in curves(shown[0])):
-        yield figure, partial(OVERLAY, figure, curves, shown, fitting)
+        yield figure, partial(code("overlays:overlay_figure"), figure, curves, shown, fitting)
 
 
 def _titled(jobs: Sequence[Job], words: str, costs: Mapping[str, int]) -> list[Job]:
@@ -110,7 +96,3 @@ def _heading(machines: Sequence[str], title: str) -> str:
     """What a figure says at its top: the machine, unless variants have several, and the case."""
     shared = set(machines) if len(set(machines)) == 1 else set()
     return "  |  ".join(words for words in (*shared, title) if words)
-
-
-def _machine(case: Described) -> str:
-    return (case.spindle.title or case.spindle.name) if case.spindle is not None else ""

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.headline import headline_numbers
 from rotordyn.case.case import Case
-from rotordyn.case.varied import Varied, varied
+from rotordyn.case.varied import varied
 from rotordyn.figures.overlays import Scale
-from rotordyn.report.tables import Column, write_table
+from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.headline import changes
 
 MOST_VARIED = 12  # columns of what was varied
@@ -31,36 +31,23 @@ def scale_of(cases: Sequence[Case]) -> Scale | None:
 def write_comparison(folder: Path, parts: Parts) -> None:
     """``variants.csv``: a row for each variant; ``variants_change.csv``: relative changes [%]."""
     cases = [case for case, _ in parts.values()]
-    numbers = [_numbers(case, results) for case, results in parts.values()]
+    numbers = [
+        {f"{name}: {number.heading}": number.value for name, number in headline_numbers(*part)}
+        for part in parts.values()
+    ]
     head: list[Column] = [("variant", list(parts)), ("title", [case.title for case in cases])]
-    head += [_varied(each) for each in varied(cases)[:MOST_VARIED]]
+    for each in varied(cases)[:MOST_VARIED]:
+        head.append((each.label, ["" if value is None else value for value in each.values]))
     write_table(folder / "variants.csv", [*head, *_columns(numbers, lambda name: name)])
     relative = [changes(values, numbers[0]) for values in numbers]
     write_table(folder / "variants_change.csv", [*head, *_columns(relative, _relative)])
 
 
-def _numbers(case: Case, results: Mapping[str, Any]) -> dict[str, float]:
-    """Every headline number of a variant, by the heading of its column."""
-    return {
-        f"{name}: {number.heading}": number.value
-        for name in sorted(results, key=place)
-        for number in analysis(name).numbers(results[name], case)
-    }
-
-
 def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str]) -> list[Column]:
     names = dict.fromkeys(name for row in rows for name in row)
-    return [(heading(name), [_word(row.get(name, math.nan)) for row in rows]) for name in names]
+    return [(heading(n), number_cells(row.get(n, math.nan) for row in rows)) for n in names]
 
 
 def _relative(heading: str) -> str:
     """Heading of the change of a number."""
     return f"{heading.partition(' [')[0]}, change [%]"
-
-
-def _word(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:.7g}"
-
-
-def _varied(each: Varied) -> Column:
-    return each.label, ["" if value is None else value for value in each.values]

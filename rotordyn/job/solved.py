@@ -89,10 +89,12 @@ class SolvedResults(Results):
 
     def summary_with(self, notes: tuple[str, ...]) -> str:
         """The summary with these ``notes``."""
+        from rotordyn.report.interval import interval_lines
         from rotordyn.report.side_by_side import comparison_summary
         from rotordyn.report.summary import summary
 
-        sure = [line for part in self.held_intervals.items() for line in ("", *_sure(*part))]
+        held = self.held_intervals.items()
+        sure = [line for part, each in held for line in ("", *interval_lines(each, part))]
         if self.case.variants:
             shown = list(self.parts.values())
             text = comparison_summary(self.case, shown, self.warnings, notes)
@@ -169,12 +171,6 @@ class SolvedResults(Results):
         from rotordyn.report.datasets import dataset
 
         return dataset(self.solution.results[name])
-
-
-def _sure(part: str, held: Interval) -> list[str]:
-    from rotordyn.report.interval import interval_lines
-
-    return interval_lines(held, part)
 
 
 def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from rotordyn.allowance import STOPS, Stop, keeps_finished
 from rotordyn.analyses.solving import Answers, Progress, answer_bearing, answer_spindle
@@ -123,9 +125,5 @@ def labelled(case: Case) -> dict[str, Case]:
 
 def unsolved(results: Mapping[str, Any]) -> tuple[str, ...]:
     """Why speeds have no solution, each reason once, in order of speed."""
-    words = [str(w) for r in results.values() for w in _flat(r.outcome) if str(w)]
+    words = [str(w) for r in results.values() for w in np.ravel(r.outcome) if str(w)]
     return tuple(dict.fromkeys(words))
-
-
-def _flat(outcome: Any) -> Iterator[Any]:
-    return iter(outcome) if isinstance(outcome, tuple) else iter(outcome.flat)

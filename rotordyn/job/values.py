@@ -8,14 +8,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.analyses.registry import analysis, place
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.analyses.headline import headline_numbers
+from rotordyn.analyses.registry import analysis, in_order
+from rotordyn.results.described import Described, Shown
+from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve, Number
-
-Array = NDArray[np.float64]
+from rotordyn.results.kinds import Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,21 +28,27 @@ class Values:
 
 def values_of(case: Described, results: Mapping[str, Any]) -> Values:
     """The values of the results of ``case``."""
-    names = sorted(results, key=place)
-    numbers = {
-        f"{name}: {each.heading.removesuffix(f' [{each.unit}]')}": each
-        for name in names
-        for each in analysis(name).numbers(results[name], case)
-    }
+    numbers = {f"{name}: {each.words}": each for name, each in headline_numbers(case, results)}
+    names = in_order(results)
     curves = {key: each for name in names for key, each in named_curves(case, name, results[name])}
     return Values(numbers, curves)
 
 
+def machine_of(case: Described) -> str:
+    """What the spindle of a case is called; nothing where there is none."""
+    return (case.spindle.title or case.spindle.name) if case.spindle is not None else ""
+
+
+def shown_of(case: Described, result: Any) -> Shown:
+    """A result of ``case`` as figures and pages show it; what is known is of the fixed frame."""
+    known = () if turning(result) else case.known
+    return Shown(case.title or case.name, result, known, case.spindle)
+
+
 def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
     """Curves of an analysis by what tells them from the others."""
-    shown = Shown(case.title, result, (), case.spindle)
     count: Counter[str] = Counter()
-    for curve in analysis(name).curves(case.analyses.get(name), shown):
+    for curve in analysis(name).curves(case.analyses.get(name), shown_of(case, result)):
         if curve.backdrop:
             continue
         parts = (curve.figure, curve.panel, curve.title or curve.label, curve.key or curve.series)

@@ -42,8 +42,8 @@ def part_rows(spindle: Spindle) -> Iterator[Row]:
 
 def _shaft(kind: str, name: str, shaft: Shaft, more: str = "") -> Row:
     ends = f"{_mm(shaft.start)} to {_mm(shaft.end)}"
-    largest = max(max(section.outer) for section in shaft.sections)
-    data = f"{len(shaft.sections)} sections, largest diameter {_mm(largest)} mm"
+    largest = _mm(shaft.largest_diameter)
+    data = f"{len(shaft.sections)} sections, largest diameter {largest} mm"
     return kind, name, ends, f"{data}{more}"
 
 

@@ -105,6 +105,11 @@ class Shaft(Description):
         return self.boundaries[-1]
 
     @property
+    def largest_diameter(self) -> float:
+        """Of any section outside [m]."""
+        return max(max(section.outer) for section in self.sections)
+
+    @property
     def reach(self) -> tuple[float, float]:
         """First and last station [m]."""
         return self.start, self.end

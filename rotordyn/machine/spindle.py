@@ -116,6 +116,11 @@ class Spindle(Description):
             return Place(SPINDLE, at)
         return Place(SPINDLE, self.points[at]) if at in self.points else self.places[at]
 
+    @property
+    def parts(self) -> dict[str, Spindle]:
+        """Every rotor by itself."""
+        return {name: self.part(name) for name in self.ratios}
+
     def part(self, name: str) -> Spindle:
         """A rotor by itself, as a spindle; the only one of a machine is that machine.
 

@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol
+from typing import Any
 
-from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Shown as Shown  # noqa: PLC0414 - what blocks are made of
 from rotordyn.results.kinds import Array, Complex
 from rotordyn.surface.body import Whole
 
@@ -23,19 +22,6 @@ class Markup(str):
     """Text that is not escaped: a template, or what a script sets as text."""
 
     __slots__ = ()
-
-
-class Shown(Protocol):
-    """What a page takes of a variant, or of the only machine of a case."""
-
-    @property
-    def title(self) -> str: ...
-    @property
-    def result(self) -> Any: ...
-    @property
-    def known(self) -> Sequence[Reference]: ...
-    @property
-    def spindle(self) -> Spindle | None: ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ from rotordyn.page.looks import (
     marks_only,
 )
 from rotordyn.results.display import RPM, shown
-from rotordyn.results.headline import Curve
+from rotordyn.results.headline import Curve, fits
 
 Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
@@ -82,7 +82,7 @@ def once_named(traces: list[Any]) -> list[Any]:
 
 
 def _trace(place: int, curve: Curve, series: Sequence[str], titles: Sequence[str]) -> Any:
-    x, y = broken(curve)
+    x, y = curve.drawn
     name = curve.series or curve.key
     if curve.backdrop:
         looks = {"color": FAINT, "width": 1.0, "dash": "dot"}
@@ -104,32 +104,18 @@ def _trace(place: int, curve: Curve, series: Sequence[str], titles: Sequence[str
     }
 
 
-def broken(curve: Curve) -> tuple[Any, Any]:
-    """A curve with a gap at every step over which it jumps."""
-    x, y = np.asarray(curve.x, float), np.asarray(curve.y, float)
-    if curve.log:
-        y = np.where(y > 0.0, y, np.nan)
-    if curve.breaks is None or not curve.breaks.any():
-        return x, y
-    at = np.flatnonzero(curve.breaks) + 1
-    return np.insert(x, at, x[at]), np.insert(y, at, np.nan)
-
-
 def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> list[Any]:
     """Published and measured values of what a chart shows, once each."""
-    wanted = dict.fromkeys(curve.known for _, curve in held if curve.known is not None)
-    about = [subject for quantity, subject in wanted]
+    wanted = {curve.known for _, curve in held if curve.known is not None}
     found: dict[Reference, int] = {}
     for place, variant in enumerate(variants):
         for each in variant.known:
-            fits = (each.quantity, each.subject) in wanted
-            fits |= not each.subject and any(each.quantity == quantity for quantity, _ in wanted)
-            if fits:
+            if fits(each, wanted):
                 found.setdefault(each, place)
     shared = [r for r in found if all(r in variant.known for variant in variants)]
     traces = []
     for each, place in found.items():
-        whose = f" {each.subject}" if each.subject and len(about) > 1 else ""
+        whose = f" {each.subject}" if each.subject and len(wanted) > 1 else ""
         traces.append(
             {
                 "x": np.asarray(each.speeds) * RPM.factor,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from rotordyn.page.blocks import Block, Chart, Shown, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import number
-from rotordyn.results.headline import Curve
+from rotordyn.results.headline import Curve, curves_of
 
 MOST_LINES = 12
 
@@ -27,27 +26,13 @@ def declared_blocks(variants: Sequence[Shown]) -> Iterator[Block]:
 
 def _curves(_: Any, variant: Shown) -> Iterator[Curve]:
     result = variant.result
-    fields = {name: field.metadata for name, field in declared(result).items()}
-    rpm = fields["speed"]["printed"]
-    sizes = {m["dims"][0]: name for name, m in fields.items() if m["role"] == "coordinate"}
-    for name, info in fields.items():
-        values = np.asarray(getattr(result, name))
+    for name, field in declared(result).items():
+        info, values = field.metadata, np.asarray(getattr(result, name))
         if info["role"] != "quantity" or "speed" not in info["dims"] or values.dtype.kind != "f":
             continue
-        others = [d for d in info["dims"] if d != "speed"]
-        lines = np.moveaxis(values, info["dims"].index("speed"), -1)
-        if lines.size == 0 or lines.size // lines.shape[-1] > MOST_LINES:
-            continue
-        for index in product(*map(range, lines.shape[:-1])):
-            words = [str(getattr(result, sizes[d])[k]) for d, k in zip(others, index, strict=True)]
-            yield Curve(
-                figure=name,
-                label=info["label"],
-                unit=info["printed"].unit,
-                x=result.speed * rpm.factor,
-                y=lines[index] * info["printed"].factor,
-                series=", ".join(words),
-            )
+        if 0 < values.size <= MOST_LINES * len(result.speed):
+            others = " ".join(dim for dim in info["dims"] if dim != "speed")
+            yield from curves_of(result, name, series=others, figure=name)
 
 
 def _finite(chart: Chart) -> bool:

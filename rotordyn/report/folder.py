@@ -172,9 +172,7 @@ def _make_workshop(target: Path, stack: ExitStack) -> Path:
     try:
         _recover(target)
         workshop = _new_workshop(target, stack)
-        new = workshop / NEW
-        new.mkdir()
-        new.chmod(0o777 & ~_umask())
+        (workshop / NEW).mkdir()
     except OSError as error:
         raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
     return workshop
@@ -215,12 +213,6 @@ def _recover(target: Path) -> None:
             shutil.rmtree(path, ignore_errors=True)
         if lock is not None:
             os.close(lock)
-
-
-def _umask() -> int:
-    value = os.umask(0)
-    os.umask(value)
-    return value
 
 
 def _take_place(workshop: Path, target: Path) -> Path:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +11,11 @@ import numpy as np
 from rotordyn.figures.legends import shortened
 from rotordyn.report.datasets import restored_as
 from rotordyn.report.netcdf import read_results, write_results
-from rotordyn.report.tables import Column, write_table
+from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.display import number, rounded_up
 from rotordyn.results.interval import NARROW, Interval
-from rotordyn.results.text import wrapped
+from rotordyn.results.kinds import Array
+from rotordyn.results.text import aligned, wrapped
 
 FILE, NAME = "interval.nc", "interval"
 MOST = 12  # numbers in the summary
@@ -30,9 +31,8 @@ def interval_lines(held: Interval, part: str = "") -> list[str]:
     of = f"of {part} " if part else ""
     lines = wrapped(f"interval   {of}over {interval_over(held)}; machines solved: {held.runs}")
     rows = interval_ranges(held)
-    widths = [max(len(row[k]) for row in rows) for k in range(5)]
     if len(rows) > 1:
-        lines += ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+        lines += aligned(rows)
     if len(rows) <= len(held.number):
         lines.append(f"… and {len(held.number) - len(rows) + 1} more numbers: interval.csv")
     lines += [part for sentence in interval_doubts(held) for part in wrapped(sentence)]
@@ -101,24 +101,16 @@ def interval_doubts(held: Interval) -> Iterator[str]:
 def write_interval(folder: Path, held: Interval) -> None:
     """The tables ``interval.csv``, ``interval_effects.csv``, ``interval_hypotheses.csv``,
     ``interval_curves.csv`` and ``sensitivities.csv``, those that have rows."""
-    write_table(folder / "interval.csv", _numbers(held))
-    every = range(len(held.number))
+    named: list[Column] = [("number", list(held.number)), ("unit", list(held.unit))]
+    write_table(folder / "interval.csv", named + _numbers(held))
     if held.source:
-        pairs = [(k, s) for k in every for s in range(len(held.source))]
-        head: list[Column] = [
-            ("number", [held.number[k] for k, _ in pairs]),
-            ("unit", [held.unit[k] for k, _ in pairs]),
-            ("uncertain number", [held.source[s] for _, s in pairs]),
-            ("tolerance", [held.tolerance[s] for _, s in pairs]),
-        ]
-        for place, end in enumerate(held.end):
-            head.append((f"change at {end}", _printed(held.effect[..., place].ravel())))
-        write_table(folder / "interval_effects.csv", head)
+        effects = _pairs(held, "uncertain number", held.source)
+        effects.append(("tolerance", [*held.tolerance] * len(held.number)))
+        effects += _by_end(held, "change at", held.effect.reshape(-1, len(held.end)))
+        write_table(folder / "interval_effects.csv", effects)
     if len(held.combination) > 1:
-        columns: list[Column] = [("number", list(held.number)), ("unit", list(held.unit))]
-        for name, values in zip(held.combination, held.by_combination.T, strict=True):
-            columns.append((name, _printed(values)))
-        write_table(folder / "interval_hypotheses.csv", columns)
+        values = zip(held.combination, map(number_cells, held.by_combination.T), strict=True)
+        write_table(folder / "interval_hypotheses.csv", [*named, *values])
     if held.curve:
         write_table(folder / "interval_curves.csv", _curves(held))
     if held.path:
@@ -126,55 +118,51 @@ def write_interval(folder: Path, held: Interval) -> None:
 
 
 def _numbers(held: Interval) -> list[Column]:
-    columns: list[Column] = [
-        ("number", list(held.number)),
-        ("unit", list(held.unit)),
-        ("nominal", _printed(held.nominal)),
-    ]
-    for words, ends in (
-        ("hypotheses", held.hypotheses),
-        ("95 % of tolerances", held.tolerances),
-        ("worst case of tolerances", held.worst),
-    ):
-        for place, end in enumerate(held.end):
-            columns.append((f"{words}, {end}", _printed(ends[:, place])))
     rules = [held.ruling(k)[:1] for k in range(len(held.number))]
-    columns.append(("ruled by", [rule[0][0] if rule else "" for rule in rules]))
-    columns.append(("its share", [f"{rule[0][1]:.3g}" if rule else "" for rule in rules]))
-    columns.append(("not the sum of effects, over the range", _printed(held.interaction)))
-    columns.append(("numerical error", _printed(held.numerical_error)))
-    return columns
+    return [
+        ("nominal", number_cells(held.nominal)),
+        *_by_end(held, "hypotheses,", held.hypotheses),
+        *_by_end(held, "95 % of tolerances,", held.tolerances),
+        *_by_end(held, "worst case of tolerances,", held.worst),
+        ("ruled by", [rule[0][0] if rule else "" for rule in rules]),
+        ("its share", [f"{rule[0][1]:.3g}" if rule else "" for rule in rules]),
+        ("not the sum of effects, over the range", number_cells(held.interaction)),
+        ("numerical error", number_cells(held.numerical_error)),
+    ]
 
 
 def _curves(held: Interval) -> list[Column]:
-    columns: list[Column] = [
+    return [
         ("curve", [held.curve[k] for k in held.curve_of]),
-        ("abscissa", _printed(held.x)),
-        ("nominal", _printed(held.curve_nominal)),
+        ("abscissa", number_cells(held.x)),
+        ("nominal", number_cells(held.curve_nominal)),
+        *_by_end(held, "hypotheses,", held.curve_hypotheses),
+        *_by_end(held, "95 % of tolerances,", held.curve_tolerances),
     ]
-    for words, ends in (
-        ("hypotheses", held.curve_hypotheses),
-        ("95 % of tolerances", held.curve_tolerances),
-    ):
-        for place, end in enumerate(held.end):
-            columns.append((f"{words}, {end}", _printed(ends[:, place])))
-    return columns
 
 
 def _sensitivities(held: Interval) -> list[Column]:
-    pairs = [(k, p) for k in range(len(held.number)) for p in range(len(held.path))]
     return [
-        ("number", [held.number[k] for k, _ in pairs]),
-        ("unit", [held.unit[k] for k, _ in pairs]),
-        ("by", [held.path[p] for _, p in pairs]),
-        ("derivative, by SI unit", _printed(held.derivative.ravel())),
-        ("relative derivative", _printed(held.elasticity.ravel())),
-        ("change over the range", _printed(held.range_effect.ravel())),
+        *_pairs(held, "by", held.path),
+        ("derivative, by SI unit", number_cells(held.derivative.ravel())),
+        ("relative derivative", number_cells(held.elasticity.ravel())),
+        ("change over the range", number_cells(held.range_effect.ravel())),
     ]
 
 
-def _printed(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> list[str]:
-    return ["" if np.isnan(value) else f"{value:.7g}" for value in values]
+def _pairs(held: Interval, head: str, others: Sequence[str]) -> list[Column]:
+    """A row for every number and each of ``others``, which stand under ``head``."""
+    return [
+        ("number", [name for name in held.number for _ in others]),
+        ("unit", [unit for unit in held.unit for _ in others]),
+        (head, [*others] * len(held.number)),
+    ]
+
+
+def _by_end(held: Interval, words: str, values: Array) -> list[Column]:
+    """A column for each end of a range, of ``values`` (rows, ends)."""
+    ends = zip(held.end, values.T, strict=True)
+    return [(f"{words} {end}", number_cells(each)) for end, each in ends]
 
 
 def keep(folder: Path, held: Mapping[str, Interval]) -> None:

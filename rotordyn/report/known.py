@@ -16,18 +16,14 @@ def known_lines(matched: Sequence[Match], room: int) -> list[str]:
     """Known value against ours, then its remark, as many as fit whole into ``room`` lines."""
     lines: list[str] = []
     for index, each in enumerate(matched):
-        block = _block(each)
+        head = f"{each.reference.kind:10s} {known_beside_ours(each)}"
+        block = [*wrapped(head), *wrapped(INDENT + each.reference.remark)]
         if len(lines) + len(block) + 1 > room:
             left = len(matched) - index
             lines.append(f"… and {left} more published or measured values")
             break
         lines += block
     return lines
-
-
-def _block(match: Match) -> list[str]:
-    head = f"{match.reference.kind:10s} {known_beside_ours(match)}"
-    return [*wrapped(head), *wrapped(INDENT + match.reference.remark)]
 
 
 def known_beside_ours(match: Match) -> str:

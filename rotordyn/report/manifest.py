@@ -11,6 +11,8 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import rotordyn
 from rotordyn.errors import InvalidInput
 from rotordyn.report.folder import MARKER, RECORD, record_in
@@ -68,8 +70,7 @@ def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
     for name, result in results.items():
         words: dict[str, list[float]] = table.setdefault(name, {})
         for speed, word in zip(result.speed, result.outcome, strict=True):
-            each = {str(word)} if isinstance(word, str) else set(map(str, word))
-            for one in sorted(each):
+            for one in sorted(set(map(str, np.ravel(word)))):
                 words.setdefault(one, []).append(round(float(speed) * 30.0 / math.pi, 3))
     return table
 

@@ -31,6 +31,11 @@ OF_FORMAT = {
     *("CLASS", "NAME", "REFERENCE_LIST", "DIMENSION_LIST", "_FillValue", "_NCProperties"),
     *("_Netcdf4Dimid", "_Netcdf4Coordinates"),
 }
+FLAGS: dict[str, Any] = {
+    "dtype": "bool",
+    "flag_values": np.array([0, 1], np.int8),
+    "flag_meanings": "false true",
+}
 
 
 def write_results(
@@ -128,11 +133,10 @@ def _write_group(group: Any, result: Any, number: Iterator[int]) -> None:
     """A result; ``number`` counts the dimensions of the whole file."""
     group.attrs["result"] = type(result).__name__
     parts = [half for variable in variables(result) for half in _storable(variable)]
-    auxiliary = " ".join(v.name for v in parts if v.role == "auxiliary")
     names = {v.name for v in parts}
     stored = {v.name: _stored(group, v) for v in parts}
     for v in parts:
-        if v.role == "quantity" and (covered := _covered(auxiliary, v, parts)):
+        if v.role == "quantity" and (covered := _covered(v, parts)):
             stored[v.name].attrs["coordinates"] = covered
     sizes = {d: n for v in parts for d, n in zip(v.dims, v.values.shape, strict=True)}
     scales = {}
@@ -168,18 +172,17 @@ def _created(group: Any, name: str, shape: tuple[int, ...], kind: Any, gap: Any 
     return group.create_dataset(name, shape, kind, fillvalue=gap, track_order=True, **grows)
 
 
-def _covered(auxiliary: str, variable: Variable, parts: list[Variable]) -> str:
+def _covered(variable: Variable, parts: list[Variable]) -> str:
     """Names of the auxiliary coordinates, which xarray then does not take for data."""
-    dims = {v.name: v.dims for v in parts}
-    fitting = [name for name in auxiliary.split() if set(dims[name]) <= set(variable.dims)]
-    return " ".join(fitting)
+    auxiliary = [v for v in parts if v.role == "auxiliary"]
+    return " ".join(v.name for v in auxiliary if set(v.dims) <= set(variable.dims))
 
 
 def _storable(variable: Variable) -> list[Variable]:
     """The variable in the types NetCDF has: complex in two halves, truth values as bytes."""
     values, attrs = variable.values, variable.attrs
     if values.dtype.kind == "b":
-        return [variable._replace(values=values.astype(np.int8), attrs=attrs | _flags())]
+        return [variable._replace(values=values.astype(np.int8), attrs=attrs | FLAGS)]
     if values.dtype.kind != "c":
         return [variable]
     halves = (("re", "real", values.real), ("im", "imaginary", values.imag))
@@ -191,14 +194,6 @@ def _storable(variable: Variable) -> list[Variable]:
         )
         for ending, part, half in halves
     ]
-
-
-def _flags() -> dict[str, Any]:
-    return {
-        "dtype": "bool",
-        "flag_values": np.array([0, 1], np.int8),
-        "flag_meanings": "false true",
-    }
 
 
 def _restored(group: Any) -> xr.Dataset:

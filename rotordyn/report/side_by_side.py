@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
+from rotordyn.analyses.headline import headline_cells
 from rotordyn.analyses.known import matches
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import called
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import cells
-from rotordyn.results.text import from_to, opening, wrapped
+from rotordyn.results.text import aligned, from_to, opening, wrapped
 
 Variant = tuple[Described, Mapping[str, Any]]
 T = TypeVar("T")
@@ -31,15 +31,11 @@ def comparison_summary(
     Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
     """
     lines = opening(warnings, called(case), notes)
-    for name in sorted({name for _, results in variants for name in results}, key=place):
-        record = analysis(name)
-        rows = [
-            (case.title, cells(record.numbers(results[name], case)))
-            for case, results in variants
-            if name in results
-        ]
-        if any(entries for _, entries in rows):
-            lines += ["", f"{record.heading}, {_ends(variants, name)}", *_aligned(rows)]
+    for name in in_order(*(results for _, results in variants)):
+        heads, rows = headline_cells(name, variants)
+        if heads:
+            title = f"{analysis(name).heading}, {_ends(variants, name)}"
+            lines += ["", title, *aligned([["", *heads], *_some(rows)]), *_rest(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
 
@@ -47,15 +43,6 @@ def comparison_summary(
 def _ends(variants: Sequence[Variant], name: str) -> str:
     speed = next(results[name] for _, results in variants if name in results).speed
     return f"{from_to(speed * RPM.factor, 0)} rpm"
-
-
-def _aligned(rows: Sequence[tuple[str, Mapping[str, str]]]) -> list[str]:
-    """A head and a line per row; columns as wide as their widest entry."""
-    heads = list(dict.fromkeys(head for _, cells in rows for head in cells))
-    shown = [[name, *(c.get(h, "–") for h in heads)] for name, c in _some(rows)]
-    table = [["", *heads], *shown]
-    widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
-    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table] + _rest(rows)
 
 
 def _some(rows: Sequence[T]) -> Sequence[T]:

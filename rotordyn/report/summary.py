@@ -8,7 +8,7 @@ from typing import Any
 
 from bearings.kinds import DEFAULT, kind_of
 from rotordyn.analyses.known import matches
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.seat import BearingSeat
@@ -35,7 +35,7 @@ def summary(
 ) -> str:
     """The summary; ``warnings`` come first, ``notes`` below the title."""
     lines = _machine(case.spindle) if case.spindle else []
-    names = sorted(results, key=place)
+    names = in_order(results)
     if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
         lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
     lines += [line for name in names for line in analysis(name).summary(results[name])]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise, product
 from math import prod
@@ -113,6 +114,11 @@ def _printed(values: list[float]) -> list[str]:
     pairs = zip(pairwise(words), pairwise(values), strict=True)
     alike = any(a == b and x < y for (a, b), (x, y) in pairs)
     return [f"{v:.12g}" for v in values] if alike else words
+
+
+def number_cells(values: Iterable[float]) -> list[str]:
+    """Numbers with 7 digits, nothing where there is none."""
+    return ["" if math.isnan(value) else f"{value:.7g}" for value in values]
 
 
 def write_table(path: Path, columns: Iterable[Column]) -> str:

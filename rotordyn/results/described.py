@@ -1,9 +1,9 @@
-"""What figures, texts and files need to know of a case."""
+"""What figures, texts, pages and files need to know of a case, and of its variants."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -22,3 +22,12 @@ class Described(Protocol):
     def known(self) -> Sequence[Reference]: ...
     @property
     def analyses(self) -> Mapping[str, Any]: ...
+
+
+class Shown(NamedTuple):
+    """A variant, or the only machine of a case: its title, its result, and what is known of it."""
+
+    title: str
+    result: Any
+    known: Sequence[Reference]
+    spindle: Spindle | None

@@ -5,12 +5,13 @@ Both are plain data: summary, table and figures of variants read them of any ana
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from rotordyn.machine.reference import Reference
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM, number
 from rotordyn.results.kinds import Array, Flags
@@ -37,11 +38,15 @@ class Number(NamedTuple):
     absent: str = "none"
 
     @property
+    def words(self) -> str:
+        """What tells it from all others of its analysis."""
+        at = f"at {self.speed:.0f} rpm" if self.speed is not None else ""
+        return " ".join(word for word in (self.name, self.part, at) if word)
+
+    @property
     def heading(self) -> str:
         """Of its column where every number has one."""
-        at = f"at {self.speed:.0f} rpm" if self.speed is not None else ""
-        words = " ".join(word for word in (self.name, self.part, at) if word)
-        return f"{words} [{self.unit}]" if self.unit else words
+        return f"{self.words} [{self.unit}]" if self.unit else self.words
 
 
 class Curve(NamedTuple):
@@ -71,6 +76,26 @@ class Curve(NamedTuple):
     backdrop: bool = False
     places: Sequence[Place] = ()
 
+    @property
+    def drawn(self) -> tuple[Array, Array]:
+        """x and y with a gap at every step over which it jumps, and where it has no logarithm."""
+        x, y = np.asarray(self.x, float), np.asarray(self.y, float)
+        if self.log:
+            y = np.where(y > 0.0, y, np.nan)
+        return (x, y) if self.breaks is None else broken(x, y, self.breaks)
+
+
+def broken(x: Array, y: Array, breaks: Flags) -> tuple[Array, Array]:
+    """x and y with a gap at every step between points over which no line is drawn."""
+    at = np.flatnonzero(breaks) + 1
+    return np.insert(x, at, x[at]), np.insert(y, at, np.nan)
+
+
+def fits(reference: Reference, known: Collection[Known]) -> bool:
+    """Whether it is about a curve of these ``known``, or about none of them in particular."""
+    about = {subject for quantity, subject in known if quantity == reference.quantity}
+    return bool(about) and (reference.subject in about or not reference.subject)
+
 
 def ends(
     result: Any, name: str, unit: str, values: Array, *, part: str = "", digits: int = 1
@@ -86,21 +111,25 @@ def curves_of(
 ) -> Iterator[Curve]:
     """Curves of a declared ``field`` over its coordinate ``along``.
 
-    ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each. ``how``:
-    further fields of ``Curve``.
+    ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each; of ``series``
+    several, separated by blanks. ``how``: further fields of ``Curve``.
     """
-    info, below = (declared(result)[name].metadata for name in (field, along))
+    fields = {name: each.metadata for name, each in declared(result).items()}
+    entries = {m["dims"][0]: name for name, m in fields.items() if m["role"] == "coordinate"}
+    info, below = fields[field], fields[along]
     x = getattr(result, along) * below["printed"].factor
     values = np.moveaxis(getattr(result, field), info["dims"].index(along), -1)
     others = [dim for dim in info["dims"] if dim != along]
     for index in product(*(range(n) for n in values.shape[:-1])):
-        names = {dim: str(getattr(result, dim)[k]) for dim, k in zip(others, index, strict=True)}
+        at = zip(others, index, strict=True)
+        names = {dim: str(getattr(result, entries[dim])[k]) for dim, k in at}
+        words = ", ".join(names[dim] for dim in series.split())
         look = {
             "label": info["label"],
             "unit": info["printed"].unit,
             "panel": names.get(panels, ""),
-            "series": names.get(series, ""),
-            "key": names.get(series, ""),
+            "series": words,
+            "key": words,
             "along": f"{below['label']} [{below['printed'].unit}]",
         }
         yield Curve(x=x, y=values[index] * info["printed"].factor, **{**look, **how})

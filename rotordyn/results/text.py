@@ -36,6 +36,12 @@ def wrapped(line: str) -> list[str]:
     return [part.replace(_NO_BREAK, " ") for part in lines]
 
 
+def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+    """A line per row, columns as wide as their widest entry."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+
+
 def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
     """The first and the last value over speed; where there is but one speed, its value."""
     ends = values[[0, -1]] if len(values) > 1 else values

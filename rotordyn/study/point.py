@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pickle
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
 from bearings.errors import BearingError
-from rotordyn.analyses.registry import analysis, place
+from rotordyn.analyses.headline import headline_numbers
+from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
@@ -99,7 +100,10 @@ def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, poin
     answers, error = neighbours.solve(case, checked=bool(study.results), further=points)
     return Outcome(
         number,
-        numbers=dict(_numbers(case, answers.results)),
+        numbers={
+            f"{name}: {each.words}": (float(each.value), each.unit)
+            for name, each in headline_numbers(case, answers.results)
+        },
         sentence="; ".join(unsolved(answers.results)),
         warnings=(*answers.warnings, *result_warnings(answers.results)),
         error=error,
@@ -114,14 +118,6 @@ def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
         for name, spec in case.analyses.items()
     }
     return replace(case, analyses=specs)
-
-
-def _numbers(case: Case, results: Any) -> Iterator[tuple[str, tuple[float, str]]]:
-    """Every headline number as variants show it."""
-    for name in sorted(results, key=place):
-        for each in analysis(name).numbers(results[name], case):
-            words = each.heading.removesuffix(f" [{each.unit}]")
-            yield f"{name}: {words}", (float(each.value), each.unit)
 
 
 def _varies_analyses(study: Study) -> bool:

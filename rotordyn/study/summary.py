@@ -12,7 +12,7 @@ import numpy as np
 
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
-from rotordyn.results.text import wrapped
+from rotordyn.results.text import aligned, wrapped
 from rotordyn.study.design import Design
 from rotordyn.study.parameter import Parameter
 from rotordyn.study.point import Outcome, Study
@@ -38,8 +38,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     rows = [*_ranges(design, outcomes)]
     if rows:
         head = ("", "lowest", "highest", "lowest at", "highest at")
-        widths = [max(len(row[k]) for row in (head, *rows)) for k in range(5)]
-        lines += ["", *("  ".join(map(str.ljust, row, widths)).rstrip() for row in (head, *rows))]
+        lines += ["", *aligned([head, *rows])]
     return "\n".join(lines)
 
 

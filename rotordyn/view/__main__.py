@@ -8,12 +8,17 @@ from __future__ import annotations
 import os
 import pickle
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.view.order import Order, moving_name, still_name
+
+if TYPE_CHECKING:
+    from rotordyn.view.scene import RotorScene
 
 STILL, MOVING = 1200, 640  # pixels across
 WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
@@ -32,20 +37,22 @@ def main() -> None:
 def render(order: Order, number: int, folder: Path) -> None:
     """One picture of every mode at every speed, then the animations."""
     from rotordyn.surface.orbit import phases
-    from rotordyn.view.scene import RotorScene
 
-    scene = RotorScene(order.spindle, order.amplitude, order.colours, STILL)
-    for speed, mode in order.places:
-        scene.show(order.node, order.rotor, order.shape[speed, mode])
+    for speed, mode, scene in _shown(order, STILL):
         np.save(folder / still_name(number, speed, mode), scene.picture(0.0))
-    scene.close()
-    if not order.frames:
-        return
-    scene = RotorScene(order.spindle, order.amplitude, order.colours, 2 * MOVING)
-    for speed, mode in order.places:
-        scene.show(order.node, order.rotor, order.shape[speed, mode])
+    for speed, mode, scene in _shown(order, 2 * MOVING) if order.frames else ():
         frames = [_halved(scene.picture(float(phase))) for phase in phases(order.frames)]
         np.save(folder / moving_name(number, speed, mode), np.stack(frames))
+
+
+def _shown(order: Order, width: int) -> Iterator[tuple[int, int, RotorScene]]:
+    """Speed and mode of every picture with the scene, ``width`` pixels wide, that shows it."""
+    from rotordyn.view.scene import RotorScene
+
+    scene = RotorScene(order.spindle, order.amplitude, order.colours, width)
+    for speed, mode in order.places:
+        scene.show(order.node, order.rotor, order.shape[speed, mode])
+        yield speed, mode, scene
     scene.close()
 
 

@@ -43,7 +43,7 @@ class RotorScene:
         self._pixel = width / 1200.0  # width of lines
         self._parts = surfaces(spindle)
         self._surface = together(list(self._parts.values()))
-        parts = {name: spindle.part(name) for name in spindle.ratios}
+        parts = spindle.parts
         self._orbits = {name: np.array(orbit_stations(part)) for name, part in parts.items()}
         self._along = {
             name: np.linspace(part.shaft.start, part.shaft.end, ALONG_AXIS)
@@ -61,7 +61,7 @@ class RotorScene:
         self._skins = [_split(surface) for surface in self._parts.values()]
         shade = dict(ambient=0.35, diffuse=0.7, specular=0.15)
         colour = dict(scalars="motion", cmap=colours, clim=(0.0, 1.0), show_scalar_bar=False)
-        widest = {name: _widest(part) for name, part in parts.items()}
+        widest = {name: part.shaft.largest_diameter for name, part in parts.items()}
         for name, skin in zip(parts, self._skins, strict=True):
             opacity = 1.0 if widest[name] == min(widest.values()) else THROUGH
             self._add(skin, **shade, **colour, opacity=opacity).prop.interpolation = "Phong"
@@ -229,10 +229,6 @@ def _rgb(colour: str) -> NDArray[np.uint8]:
 def _rows(points: Array) -> Any:
     """One line through every ``ALONG_AXIS`` of ``points``."""
     return _polylines(points, tuple(np.arange(len(points)).reshape(-1, ALONG_AXIS)))
-
-
-def _widest(part: Spindle) -> float:
-    return max(max(section.outer) for section in part.shaft.sections)
 
 
 def _on_axis(x: Array) -> Array:

@@ -18,11 +18,11 @@ from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.mode_lines import KNOWN, LONE, jumps, look_of
 from rotordyn.machine.spindle import Spindle
 from rotordyn.page.blocks import Block, Chart, Control, Shapes, Shown, Table, Text
-from rotordyn.page.curves import broken, curve_charts, once_named
+from rotordyn.page.curves import curve_charts, once_named
 from rotordyn.page.looks import COLOURS, FAINT, FEW_POINTS, INK, axis
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
-from rotordyn.results.headline import Curve
+from rotordyn.results.headline import broken
 from rotordyn.results.kinds import Array, Complex
 from rotordyn.results.text import from_to
 from rotordyn.surface.body import together
@@ -103,7 +103,7 @@ def _mode(result: CampbellResult, k: int) -> dict[str, Any]:
     look = look_of(result.kind[k], result.whirl[-1, k])
     colour, dash = _LINES[look]
     breaks = jumps(result)[:, k]
-    x, y = broken(Curve("", "", "", rpm, hertz, breaks=breaks))
+    x, y = broken(rpm, hertz, breaks)
     words = [
         f"{_WHIRL.get(_sign(w), result.kind[k])}, damping ratio {100.0 * ratio:.3g} %"
         for w, ratio in zip(result.whirl[:, k], result.damping_ratio[:, k], strict=True)

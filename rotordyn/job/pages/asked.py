@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import numpy as np
+
 from rotordyn.analyses.contract import Analysis
-from rotordyn.analyses.registry import analysis, place
-from rotordyn.figures.panels import Shown
+from rotordyn.analyses.headline import headline_cells
+from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.job.results import Part
+from rotordyn.job.values import shown_of
 from rotordyn.page.blocks import Block, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.page.declared import declared_blocks
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM
-from rotordyn.results.frames import turning
-from rotordyn.results.headline import cells
 from rotordyn.results.text import from_to
 
 MOST = 12  # variants whose curves a page shows
@@ -22,23 +24,14 @@ MOST = 12  # variants whose curves a page shows
 
 def analysis_blocks(parts: Sequence[Part]) -> Iterator[tuple[str, Block]]:
     """Section and block, by the place of the analysis."""
-    for name in sorted({name for part in parts for name in part.results}, key=place):
+    for name in in_order(*(part.results for part in parts)):
         record = analysis(name)
         title = record.title or name.replace("_", " ").capitalize()
-        shown = [_shown(part, name) for part in parts if name in part.results][:MOST]
-        good = [each for each in shown if not all(map(_failed, each.result.outcome))]
+        held = [part for part in parts if name in part.results][:MOST]
+        shown = [shown_of(part.case, part.results[name]) for part in held]
+        good = [each for each in shown if np.any(np.ravel(each.result.outcome) == "")]
         for block in _blocks(record, parts[0].case.analyses.get(name), good) if good else ():
             yield title, block
-
-
-def _shown(part: Part, name: str) -> Shown:
-    result = part.results[name]
-    known = () if turning(result) else part.case.known
-    return Shown(part.case.title or part.case.name, result, known, part.case.spindle)
-
-
-def _failed(word: Any) -> bool:
-    return bool(word) if isinstance(word, str) else all(map(_failed, word))
 
 
 def _blocks(record: Analysis, spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
@@ -51,19 +44,13 @@ def _blocks(record: Analysis, spec: Any, variants: Sequence[Shown]) -> Iterator[
 
 def numbers_table(parts: Sequence[Part], name: str) -> Table | None:
     """Headline numbers of an analysis, a row for each variant; None where it has none."""
-    record = analysis(name)
-    rows = [
-        (part.case.title or part.case.name, cells(record.numbers(part.results[name], part.case)))
-        for part in parts
-        if name in part.results
-    ]
-    heads = list(dict.fromkeys(head for _, row in rows for head in row))
+    heads, rows = headline_cells(name, parts)
     if not heads:
         return None
-    title = f"{record.heading[:1].upper()}{record.heading[1:]}"
-    if len(rows) == 1:
-        speed = next(part.results[name].speed for part in parts if name in part.results)
-        values, ends = rows[0][1], from_to(speed * RPM.factor, 0)
-        return Table(title, ("", f"{ends} rpm"), [(head, values[head]) for head in heads])
-    lines = [(label, *(row.get(head, "–") for head in heads)) for label, row in rows]
-    return Table(title, ("variant", *heads), lines)
+    heading = analysis(name).heading
+    title = f"{heading[:1].upper()}{heading[1:]}"
+    if len(rows) > 1:
+        return Table(title, ("variant", *heads), rows)
+    speed = next(part.results[name].speed for part in parts if name in part.results)
+    ends = from_to(speed * RPM.factor, 0)
+    return Table(title, ("", f"{ends} rpm"), list(zip(heads, rows[0][1:], strict=True)))

@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.figures.panels import Shown
 from rotordyn.job.results import Part
-from rotordyn.job.values import named_curves
+from rotordyn.job.values import named_curves, shown_of
 from rotordyn.page.blocks import Block, Chart, Control, Table, Text
 from rotordyn.page.curves import MOST_CHARTS, known_marks
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, marks_only
@@ -121,8 +120,7 @@ def _band_chart(of: str, part: Part, held: Interval, curves: list[tuple[Curve, i
         traces.append({"x": x, "y": y, "name": name, **drawn})
     for k, trace in enumerate(traces):
         trace["showlegend"] = trace["name"] not in [other["name"] for other in traces[:k]]
-    shown = Shown(part.case.title, None, part.case.known, part.case.spindle)
-    traces += known_marks([(0, curve) for curve, _ in curves], [shown])
+    traces += known_marks([(0, curve) for curve, _ in curves], [shown_of(part.case, None)])
     ordinate = logarithmic if first.log else axis
     layout = {"xaxis": axis(first.along), "yaxis": ordinate(first.label, first.unit)}
     title = first.title or (f"{first.panel}: {first.label}" if first.panel else first.label)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rotordyn.analyses.registry import place
+from rotordyn.analyses.registry import in_order
 from rotordyn.case.varied import varied
 from rotordyn.job.pages.asked import MOST, numbers_table
 from rotordyn.job.results import Part
@@ -24,7 +24,7 @@ def variant_blocks(parts: Mapping[str, Part]) -> Iterator[Block]:
             for k, case in enumerate(cases)
         ]
         yield Table("What differs", heads, rows)
-    for name in sorted({name for part in parts.values() for name in part.results}, key=place):
+    for name in in_order(*(part.results for part in parts.values())):
         table = numbers_table(list(parts.values()), name)
         if table is not None:
             yield table

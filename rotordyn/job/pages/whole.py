@@ -13,6 +13,7 @@ from rotordyn.job.pages.machine import bearings_table, machine_blocks, single_ta
 from rotordyn.job.pages.origin import known_table, origin_blocks
 from rotordyn.job.pages.variants import variant_blocks
 from rotordyn.job.results import Origin, Part, Results
+from rotordyn.job.values import machine_of
 from rotordyn.page.blocks import BEARINGS, Block, Printed, Table, Text, sections
 from rotordyn.page.html import Page, write
 
@@ -32,14 +33,10 @@ def page_of(results: Results) -> Page:
     """What the page of ``results`` shows."""
     case, origin = results.case, results.origin
     named = [*_verdict(results), *_blocks(results, origin)]
-    machines = {
-        (part.case.spindle.title or part.case.spindle.name): None
-        for part in results.parts.values()
-        if part.case.spindle is not None
-    }
+    machines = dict.fromkeys(machine_of(part.case) for part in results.parts.values())
     return Page(
         title=case.title or case.name,
-        about=[", ".join(machines), f"Case {case.name}; {origin.date}".rstrip("; ")],
+        about=[", ".join(filter(None, machines)), f"Case {case.name}; {origin.date}".rstrip("; ")],
         verdict=verdict(results),
         grave=bool(results.unsolved),
         sections=sections(named),
@@ -59,12 +56,10 @@ def verdict(results: Results) -> str:
 
 def _verdict(results: Results) -> Iterator[tuple[str, Block]]:
     title = "Verdict"
-    if results.unsolved:
-        yield title, Text(results.unsolved, listed=True, title="Not solved")
-    if results.warnings:
-        yield title, Text(results.warnings, listed=True, title="Warnings")
-    if results.notes:
-        yield title, Text(results.notes, listed=True, title="Notes")
+    said = {"Not solved": results.unsolved, "Warnings": results.warnings, "Notes": results.notes}
+    for heading, sentences in said.items():
+        if sentences:
+            yield title, Text(sentences, listed=True, title=heading)
     for name, part in results.parts.items():
         for each in part.results if not name else ():
             table = numbers_table([part], each)

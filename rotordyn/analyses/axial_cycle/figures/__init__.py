@@ -10,9 +10,8 @@ import numpy as np
 
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
 from rotordyn.preload.arrangement import SHAFT
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
 from rotordyn.results.headline import Curve
 

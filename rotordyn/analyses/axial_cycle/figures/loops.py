@@ -10,12 +10,11 @@ from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.figures.curves import draw_columns, merged
 from rotordyn.figures.legends import legend
 from rotordyn.figures.style import (
-    CYCLE,
-    DASHES,
     FONT_SIZE,
     add_axes,
     evenly,
     grid_boxes,
+    line_of,
     mark_few_points,
     new_figure,
     speed_ticks,
@@ -45,15 +44,11 @@ def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
             "axial load [N]" * first,
         )
         for k, name in enumerate(result.branch):
-            upper.plot(result.force, shift[k], color=CYCLE[0], ls=DASHES[k], label=f"force {name}")
+            upper.plot(result.force, shift[k], label=f"force {name}", **line_of(0, k))
             for bearing, column in merged(result.bearing, result.axial_load[index, k]):
-                lower.plot(
-                    shift[k],
-                    result.axial_load[index, k, :, column],
-                    color=CYCLE[column % len(CYCLE)],
-                    ls=DASHES[k],
-                    label=bearing if k == 0 else None,
-                )
+                load = result.axial_load[index, k, :, column]
+                name_once = bearing if k == 0 else None
+                lower.plot(shift[k], load, label=name_once, **line_of(column, k))
         rpm = result.speed[index] * RPM.factor
         upper.set_title(f"{rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
         if first:
@@ -88,13 +83,8 @@ def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
         figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"
     )
     for place, index in enumerate(picked):
-        axes.plot(
-            result.held_mean[index],
-            result.held_force[index],
-            color=CYCLE[place % len(CYCLE)],
-            ls=DASHES[place % len(DASHES)],
-            label=f"{result.speed[index] * RPM.factor:.0f} rpm",
-        )
+        name = f"{result.speed[index] * RPM.factor:.0f} rpm"
+        axes.plot(result.held_mean[index], result.held_force[index], label=name, **line_of(place))
     axes.set_ylim(bottom=0.0)
     legend(axes)
     return figure

@@ -13,8 +13,7 @@ from rotordyn.analyses.bearing.solve import under
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.labels import axis_label
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import GIGAPASCAL, RPM, STIFFNESS
 from rotordyn.results.headline import Curve
 from rotordyn.results.kinds import Array

@@ -15,7 +15,7 @@ from rotordyn.analyses.bearing.figures.groove_ends import (
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.figures.legends import top_legend
-from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
+from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_figure
 from rotordyn.results.display import DEGREE, RPM
 
 if TYPE_CHECKING:
@@ -33,8 +33,7 @@ def azimuth_figure(result: BearingMapResult) -> Figure:
     """
     figure = new_figure(168.0, 122.0)
     solved = np.flatnonzero(result.outcome[-1] == "")
-    picks = solved[np.linspace(0, solved.size - 1, MOST_COLUMNS).round().astype(int)]
-    columns = list(dict.fromkeys(picks.tolist())) if solved.size else [0]
+    columns = solved[evenly(solved.size, MOST_COLUMNS)].tolist() if solved.size else [0]
     boxes = grid_boxes(figure, 2, len(columns), margins=(15.0, 4.0, 12.0, 10.0), gaps=(5.0, 6.0))
     top = np.nanmax(result.contact_load[-1], initial=0.0) / 1e3
     panels = []

@@ -26,6 +26,7 @@ from rotordyn.figures.style import (
     PURPLE,
     SKY,
     add_axes,
+    evenly,
     grid_boxes,
     marked,
     new_figure,
@@ -93,17 +94,12 @@ def contacts_figure(result: BearingMapResult) -> Figure:
 def _sweep(result: BearingMapResult) -> Sweep:
     rpm = result.speed * RPM.factor
     if along_load(result):
-        rows = _few(rpm.size)
+        rows = tuple(evenly(rpm.size, MOST_CURVES).tolist())
         names = tuple(f"{rpm[k]:.0f} rpm" for k in rows)
         return Sweep(result.load, axis_label(result, "load"), rows, names, True)
-    rows = _few(result.load.size)
+    rows = tuple(evenly(result.load.size, MOST_CURVES).tolist())
     names = tuple(under(result, k, " axial") for k in rows)
     return Sweep(rpm, "speed [rpm]", rows, names, False)
-
-
-def _few(count: int) -> tuple[int, ...]:
-    """First, middle and last."""
-    return tuple(dict.fromkeys(np.linspace(0, count - 1, MOST_CURVES).round().astype(int).tolist()))
 
 
 def _abscissa(axes: Axes, run: Sweep) -> None:

@@ -14,13 +14,14 @@ from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.over_speed import four_over_speed
 from rotordyn.figures.style import (
     BLACK,
-    CYCLE,
     DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    line_of,
     marked,
     new_figure,
     speed_ticks,
@@ -40,18 +41,12 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     loaded ball where balls differ; with several contacts a race, the angle is that of their
     resultant.
     """
-    figure = new_figure(168.0, 118.0)
     kind = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
     of = ", most loaded ball" if result.ball.size > 1 else ""
     names = [f"stiffness Kxx{kind} [N/µm]", f"stiffness Kyy{kind} [N/µm]"]
     angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
     names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
-    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
-    below = axis_label(result, "load") if along_load(result) else "speed [rpm]"
-    axes = [
-        add_axes(figure, box, below if place > 1 else "", name)
-        for place, (box, name) in enumerate(zip(boxes, names, strict=True))
-    ]
+    figure, axes = _panels(names, result)
     stiffness = result.stiffness * STIFFNESS.factor
     _curves(axes[0], result, _entry(result, stiffness, "x"), label=True)
     _curves(axes[1], result, _entry(result, stiffness, "y"))
@@ -61,10 +56,7 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     ):
         _curves(axes[place], result, inner * factor, of_ball=True)
         _curves(axes[place], result, outer * factor, dash=1, of_ball=True)
-    for place, each in enumerate(axes):
-        if not along_load(result):
-            speed_ticks(each, float(result.speed[-1] * RPM.factor))
-        each.tick_params(labelbottom=place > 1)
+    for each in axes:
         low, high = each.get_ylim()
         each.set_ylim(min(0.0, low), high * 1.05)
     for dash, race in enumerate(("inner race", "outer race")):
@@ -113,7 +105,7 @@ def life_figure(result: BearingMapResult) -> Figure:
 def heat_figure(result: BearingMapResult) -> Figure:
     """Temperatures, load at work and heat of a bearing that warms up, and its speed limit."""
     names = ["temperature [°C]", "axial load at work [N]", "heat, order of magnitude [W]"]
-    figure, axes = _panels([*names, "speed limit [rpm]"], result, heads=("",) * 3 + ("load",))
+    figure, axes = _beside_limit([*names, "speed limit [rpm]"], result)
     _curves(axes[0], result, result.ball_temperature)
     _curves(axes[0], result, result.inner_temperature, dash=1)
     _curves(axes[0], result, result.outer_temperature, dash=2)
@@ -140,25 +132,22 @@ def heat_figure(result: BearingMapResult) -> Figure:
     return figure
 
 
-def _panels(
-    names: Sequence[str], result: BearingMapResult, heads: Sequence[str] = ("",) * 4
-) -> tuple[Figure, list[Axes]]:
-    """Four panels over one abscissa; ``heads``: "load" where it is the load all the same."""
-    mixed = "load" in heads and not along_load(result)
-    figure = new_figure(168.0, 126.0 if mixed else 118.0)
-    gaps = (18.0, 13.0 if mixed else 5.0)
-    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=gaps)
-    loads = axis_label(result, "load")
-    axes = []
-    for place, (box, name, head) in enumerate(zip(boxes, names, heads, strict=True)):
-        over = along_load(result) or head == "load"
-        below = loads if over else "speed [rpm]"
-        labelled = mixed or place > 1
-        each = add_axes(figure, box, below if labelled else "", name)
-        if not over:
-            speed_ticks(each, float(result.speed[-1] * RPM.factor))
-        each.tick_params(labelbottom=labelled)
-        axes.append(each)
+def _panels(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, list[Axes]]:
+    """Four panels over speed, or over load."""
+    loads = axis_label(result, "load") if along_load(result) else ""
+    return four_over_speed(names, result.speed, loads)
+
+
+def _beside_limit(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, list[Axes]]:
+    """The same, the last one over load in any case."""
+    if along_load(result):
+        return _panels(names, result)
+    figure = new_figure(168.0, 126.0)
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 13.0))
+    below = [*["speed [rpm]"] * 3, axis_label(result, "load")]
+    axes = [add_axes(figure, *each) for each in zip(boxes, below, names, strict=True)]
+    for each in axes[:3]:
+        speed_ticks(each, float(result.speed[-1] * RPM.factor))
     return figure, axes
 
 
@@ -179,15 +168,15 @@ def _curves(
     label: bool = False,
 ) -> None:
     """A curve per load over speed, or per speed over load; ``of_ball``: the most loaded one."""
-    rpm, style = result.speed * RPM.factor, DASHES[dash]
+    rpm = result.speed * RPM.factor
     ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
     if along_load(result):
         for row, speed in enumerate(rpm):
             name = f"{speed:.0f} rpm" if label else None
-            look = {"color": CYCLE[row % len(CYCLE)], "ls": style, "label": name, **marked(row)}
-            draw_runs(axes, result.load, values[row], ball[row], **look)
+            look = {**line_of(row, dash), **marked(row)}
+            draw_runs(axes, result.load, values[row], ball[row], label=name, **look)
         return
     for place in range(result.load.size):
         name = under(result, place, " axial") if label else None
-        look = {"color": CYCLE[place % len(CYCLE)], "ls": style, "label": name, **marked(place)}
-        draw_runs(axes, rpm, values[:, place], ball[:, place], **look)
+        look = {**line_of(place, dash), **marked(place)}
+        draw_runs(axes, rpm, values[:, place], ball[:, place], label=name, **look)

@@ -14,12 +14,11 @@ from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
     BLACK,
-    CYCLE,
-    DASHES,
     FONT_SIZE,
     GREY,
     add_axes,
     grid_boxes,
+    line_of,
     new_figure,
     round_ticks,
     speed_ticks,
@@ -81,9 +80,7 @@ def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = 
 def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
     rpm = result.speed * RPM.factor
     for column in range(result.load.size):
-        colour = CYCLE[column % len(CYCLE)]
-        dashes = DASHES[column % len(DASHES)]
-        axes.plot(rpm, error[:, column], color=colour, ls=dashes, label=under(result, column))
+        axes.plot(rpm, error[:, column], label=under(result, column), **line_of(column))
     speed_ticks(axes, float(rpm[-1]))
 
 

@@ -8,12 +8,11 @@ import numpy as np
 
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.figures.style import (
-    CYCLE,
-    DASHES,
     FONT_SIZE,
     add_axes,
     evenly,
     grid_boxes,
+    line_of,
     new_figure,
 )
 from rotordyn.results.display import RPM
@@ -66,8 +65,7 @@ def _rose(axes: Any, result: BearingLoadsResult, index: int, k: int, place: int)
     axes.plot(
         azimuth[closed],
         load[closed],
-        color=CYCLE[place],
-        ls=DASHES[place % len(DASHES)],
+        **line_of(place),
         marker="o",
         ms=2.0,
         lw=1.0,

@@ -10,7 +10,6 @@ import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.legends import top_legend
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
@@ -21,7 +20,9 @@ from rotordyn.figures.style import (
     new_figure,
     speed_ticks,
 )
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM
+from rotordyn.results.headline import broken
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
@@ -92,8 +93,7 @@ def _at_jumps(rpm: Array, ratio: Array, range_: float) -> tuple[Array, Array]:
     if step.size < 3:
         return rpm, ratio
     beside = np.maximum(np.append(0.0, step[:-1]), np.append(step[1:], 0.0))
-    at = np.flatnonzero((step > JUMP * beside) & (step > 0.05 * range_)) + 1
-    return np.insert(rpm, at, rpm[at]), np.insert(ratio, at, np.nan)
+    return broken(rpm, ratio, (step > JUMP * beside) & (step > 0.05 * range_))
 
 
 def limits(results: Sequence[CampbellResult]) -> tuple[float, float]:

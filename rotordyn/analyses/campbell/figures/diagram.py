@@ -12,7 +12,6 @@ from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.labels import axis_label, spread
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.mode_lines import LOOKS, draw_known, draw_modes, draw_stops, look_of
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     FONT_SIZE,
     GREY,
@@ -24,6 +23,7 @@ from rotordyn.figures.style import (
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.modes.excitation import exciting
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
 

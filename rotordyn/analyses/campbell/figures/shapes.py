@@ -161,11 +161,11 @@ def _motion(
 def _outline(axes: Axes, spindle: Spindle) -> None:
     """Shafts and discs to their own scale along x and a common one across; bearings as marks."""
     sketch = Sketch()
-    parts = [spindle.part(name) for name in spindle.ratios]
+    parts = spindle.parts.values()
     shafts = [part.shaft for part in parts]
     discs = [disc for part in parts for disc in part.discs]
-    widest = max(max(s.outer) for shaft in shafts for s in shaft.sections)
-    widest = max([widest, *(disc.outer_diameter for disc in discs)])
+    outside = [*(s.largest_diameter for s in shafts), *(d.outer_diameter for d in discs)]
+    widest = max(outside)
     for disc in discs:
         a, b = ((disc.x + side * disc.width / 2.0) * 1e3 for side in (-1.0, 1.0))
         low, high = (0.55 * d / widest for d in (disc.inner_diameter, disc.outer_diameter))

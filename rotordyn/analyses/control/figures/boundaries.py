@@ -9,7 +9,6 @@ import numpy as np
 from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fitted
 from rotordyn.figures.legends import top_legend
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     BLACK,
     BLUE,
@@ -21,6 +20,7 @@ from rotordyn.figures.style import (
     new_figure,
     speed_ticks,
 )
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:

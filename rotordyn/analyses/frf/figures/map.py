@@ -13,15 +13,16 @@ from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import Modes, draw_known, draw_modes
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
+    colour_scale,
     grid_boxes,
     log_ticks,
     new_figure,
     speed_ticks,
 )
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, shown
 
 if TYPE_CHECKING:
@@ -158,22 +159,10 @@ def draw_scale(
 ) -> None:
     """What the colours of ``image`` mean, beside its ``box`` [mm]."""
     left, bottom, wide, tall = box
-    scale = add_axes(figure, (left + wide + 2.5, bottom, 3.0, tall))
+    beside = (left + wide + 2.5, bottom, 3.0, tall)
     low, high = image.get_clim()
-    scale.imshow(
-        np.linspace(low, high, 128)[:, None],
-        origin="lower",
-        aspect="auto",
-        cmap=COLOURS,
-        rasterized=True,
-        extent=(0.0, 1.0, low, high),
+    scale = colour_scale(
+        figure, beside, low, high, f"|H| [{shown(result.unit(pair)).unit}]", COLOURS
     )
     ticks = log_ticks(10.0**low, 10.0**high)
     scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])
-    scale.set_xticks([])
-    scale.yaxis.tick_right()
-    scale.yaxis.set_label_position("right")
-    unit = shown(result.unit(pair)).unit
-    scale.set_ylabel(f"|H| [{unit}]", fontsize=FONT_SIZE)
-    scale.grid(visible=False)
-    scale.tick_params(labelsize=FONT_SIZE - 0.5)

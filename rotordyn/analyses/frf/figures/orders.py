@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.figures.amplitudes import log_axis, wrapped_phase
+from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
-    CYCLE,
-    DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    line_of,
     new_figure,
     speed_ticks,
 )
@@ -44,8 +43,7 @@ def orders_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
             speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 4)
         if above.get_lines():
             log_axis(above)
-        below.set_ylim(-190.0, 190.0)
-        below.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+        phase_axis(below)
     top_legend(figure, *figure.axes)
     return figure
 
@@ -57,11 +55,7 @@ def _draw(above: Axes, below: Axes, result: FrequencyResponse, row: int, pair: i
     size[~(np.isfinite(size) & (size > 0.0))] = np.nan
     if np.isnan(size).all():
         return  # nothing couples the two ends
-    look: dict[str, Any] = {
-        "color": CYCLE[row % len(CYCLE)],
-        "ls": DASHES[row % len(DASHES)],
-        "lw": 1.1,
-    }
+    look = {**line_of(row), "lw": 1.1}
     if np.isfinite(size).sum() == 1:
         look |= {"marker": "o", "ls": "none"}
     above.plot(rpm, size, label=result.line[row], **look)

@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.figures.amplitudes import log_axis, wrapped_phase
+from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
-    CYCLE,
     DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    line_of,
     marked,
     new_figure,
     round_ticks,
@@ -76,9 +76,8 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
         axes.plot(
             frequency,
             _part(curve * factor, part),
-            color=CYCLE[place % len(CYCLE)],
-            ls=DASHES[place % len(DASHES)],
             lw=1.1,
+            **line_of(place),
             **marked(place),
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
@@ -86,8 +85,7 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
     axes.set_xlim(0.0, top)
     axes.set_xticks(round_ticks(0.0, top, 4))
     if part == "phase":
-        axes.set_ylim(-190.0, 190.0)
-        axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+        phase_axis(axes)
     elif part == "amplitude":
         log_axis(axes)
     else:

@@ -19,9 +19,9 @@ from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.mode_lines import KNOWN
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import BLACK, FONT_SIZE, add_axes, log_ticks, new_figure, round_ticks
 from rotordyn.machine.reference import Reference
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, shown
 
 if TYPE_CHECKING:

@@ -12,8 +12,7 @@ import numpy as np
 from rotordyn.analyses.contract import Code
 from rotordyn.analyses.life.result import HOUR
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import GIGAPASCAL, RPM
 from rotordyn.results.headline import Curve
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,8 @@ from rotordyn.figures.curves import merged
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.over_speed import four_over_speed
 from rotordyn.figures.style import (
-    CYCLE,
-    DASHES,
     GREY,
+    line_of,
     mark_few_points,
     marked,
     with_zero,
@@ -80,9 +79,6 @@ def _lines(axes: Axes, result: LifeResult, values: Array) -> None:
     rpm = result.speed * RPM.factor
     shown = np.where(np.isfinite(values), values, np.nan)
     for place, (name, column) in enumerate(merged(result.bearing, result.life)):
-        look: dict[str, Any] = {
-            "color": CYCLE[column % len(CYCLE)],
-            "ls": DASHES[place % len(DASHES)],
-        }
-        axes.plot(rpm, shown[:, column], label=name, **look, **marked(place))
+        look = {**line_of(column, place), **marked(place)}
+        axes.plot(rpm, shown[:, column], label=name, **look)
     mark_few_points(axes)

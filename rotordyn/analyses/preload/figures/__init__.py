@@ -9,8 +9,7 @@ from typing import Any
 from rotordyn.analyses.contract import Code
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import MICROMETRE, RPM
 from rotordyn.results.headline import Curve
 

@@ -15,8 +15,8 @@ from rotordyn.figures.over_speed import four_over_speed
 from rotordyn.figures.style import (
     BLUE,
     CYCLE,
-    DASHES,
     GREY,
+    line_of,
     mark_few_points,
     marked,
     with_zero,
@@ -98,9 +98,9 @@ def _inner_outer(
     """Inner race solid, outer race dashed, a colour and marks per bearing or group alike."""
     rpm = result.speed * RPM.factor
     for place, (name, column) in enumerate(merged(result.bearing, result.axial_load)):
-        look = {"color": CYCLE[column % len(CYCLE)], **marked(place)}
-        axes.plot(rpm, inner[:, column], ls=DASHES[0], label=f"{name}, inner", **look)
-        axes.plot(rpm, outer[:, column], ls=DASHES[1], label=f"{name}, outer", **look)
+        for dash, (race, values) in enumerate((("inner", inner), ("outer", outer))):
+            look = {**line_of(column, dash), **marked(place)}
+            axes.plot(rpm, values[:, column], label=f"{name}, {race}", **look)
 
 
 def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:

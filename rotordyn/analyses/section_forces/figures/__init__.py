@@ -9,8 +9,7 @@ from typing import Any
 from rotordyn.analyses.contract import Code
 from rotordyn.analyses.section_forces.figures.diagrams import FORCES, speeds_shown, stations_of
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,11 +15,11 @@ from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
-    DASHES,
     FONT_SIZE,
     add_axes,
     evenly,
     grid_boxes,
+    line_of,
     new_figure,
 )
 from rotordyn.machine.spindle import Spindle
@@ -143,12 +143,8 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
     for place, (curve, quantity) in enumerate((c, q) for c in curves for q in quantities):
         values = curve.values(quantity)
         label = declared(curve.result)[quantity].metadata["label"]
-        look: Mapping[str, Any] = {
-            "color": CYCLE[place % len(CYCLE)],
-            "ls": DASHES[place % len(DASHES)],
-            "label": label if len(quantities) > 1 else curve.name,
-        }
-        axes.plot(curve.x, values, **look)
+        name = label if len(quantities) > 1 else curve.name
+        axes.plot(curve.x, values, label=name, **line_of(place))
         if fill:
             axes.fill_between(curve.x, values, color=CYCLE[0], alpha=0.12, lw=0.0)
         largest = max(largest, float(np.abs(values).max()))

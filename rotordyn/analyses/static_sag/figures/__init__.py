@@ -10,8 +10,7 @@ import numpy as np
 
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import MICROMETRE, MILLIMETRE
 from rotordyn.results.headline import Curve, curves_of
 

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
-from rotordyn.figures.labels import spread
+from rotordyn.figures import stations
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.overlays import colour, dash
-from rotordyn.figures.panels import Shown
-from rotordyn.figures.style import BLACK, FONT_SIZE, GREY, add_axes, new_figure
+from rotordyn.figures.style import BLACK, FONT_SIZE, add_axes, new_figure
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Shown
 from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 SEEN = 1e-9  # of the largest deflection
 WIDE = 145.0  # [mm] of a panel
-LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name, on average
 
 
 def line_figure(variants: Sequence[Shown]) -> Figure:
@@ -108,18 +107,6 @@ def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: st
 def _mark(axes: Axes, spindle: Spindle | None) -> None:
     """A thin line where a bearing or support is, with its name, names beside each other."""
     held = sorted(spindle.connections, key=lambda each: each.x) if spindle else []
-    stations = [each.x * MILLIMETRE.factor for each in held]
-    left, right = axes.get_xlim()
-    sizes = [(len(each.name) * LETTER + 1.5) * (right - left) / WIDE for each in held]
-    for each, x, place in zip(held, stations, spread(stations, sizes, left, right), strict=True):
-        axes.axvline(x, color=GREY, lw=0.6, ls=":", zorder=1)
-        axes.annotate(
-            each.name,
-            (float(place), 1.0),
-            (0.0, 2.0),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            ha="center",
-            fontsize=FONT_SIZE - 1.5,
-            color=GREY,
-        )
+    marks = [(each.x * MILLIMETRE.factor, each.name) for each in held]
+    stations.mark(axes, marks)
+    stations.name(axes, marks, WIDE, upright=False, foot="baseline")

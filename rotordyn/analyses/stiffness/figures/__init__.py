@@ -8,8 +8,7 @@ from typing import Any
 
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)

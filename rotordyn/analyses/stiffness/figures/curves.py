@@ -12,11 +12,11 @@ from rotordyn.figures.curves import draw_columns, draw_references
 from rotordyn.figures.legends import legend
 from rotordyn.figures.style import (
     CYCLE,
-    DASHES,
     FONT_SIZE,
     add_axes,
     evenly,
     grid_boxes,
+    line_of,
     mark_few_points,
     new_figure,
     speed_ticks,
@@ -71,9 +71,8 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
             axes.plot(
                 result.deflection[index, variant] * MICROMETRE.factor,
                 result.force,
-                color=CYCLE[variant % len(CYCLE)],
-                ls=DASHES[variant % len(DASHES)],
                 label=name.replace("_", " "),
+                **line_of(variant),
             )
         axes.set(xlim=(0.0, largest * 1.04), ylim=(0.0, float(result.force[-1])))
         _contact_losses(axes, result, index)

@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
-from rotordyn.figures.amplitudes import log_axis, wrapped_phase
-from rotordyn.figures.labels import spread
+from rotordyn.figures import stations
+from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     CYCLE,
-    DASHES,
     FONT_SIZE,
     GREY,
     add_axes,
     grid_boxes,
+    line_of,
     marked,
     new_figure,
     speed_ticks,
@@ -71,8 +71,7 @@ def response_figure(result: UnbalanceResult) -> Figure:
                 *_turning(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
             )
     _finish(panels[0])
-    panels[1].set_ylim(-190.0, 190.0)
-    panels[1].set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+    phase_axis(panels[1])
     if ellipses:
         panels[2].set_ylim(-1.08, 1.08)
         panels[2].set_yticks([-1.0, -0.5, 0.0, 0.5, 1.0])
@@ -86,11 +85,7 @@ def forces_figure(result: UnbalanceResult) -> Figure:
     axes = _panel(figure, (17.0, 12.0, 145.0, 62.0), "force, zero to peak [N]", result, last=True)
     for column, name in enumerate(result.support):
         x, values = _positive(result, result.fine_force_amplitude[:, column])
-        look: dict[str, Any] = {
-            "color": CYCLE[column % len(CYCLE)],
-            "ls": DASHES[column % len(DASHES)],
-        }
-        axes.plot(x, values, label=name, **look)
+        axes.plot(x, values, label=name, **line_of(column))
     _finish(axes)
     top_legend(figure, axes, above=_criticals([axes], result, 145.0))
     return figure
@@ -149,7 +144,6 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
             axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1, label=name)
     if not rpm.size:
         return 0.0
-    low, high = panels[0].get_xlim()
     values = list(zip(result.critical, rpm.tolist(), hertz.tolist(), strict=True))
     long = [f"{shortened(n, 20)}\n{s:.0f} rpm\n{number(f)} Hz" for n, s, f in values]
     short = [f"{s:.0f} rpm\n{number(f)} Hz" for _, s, f in values]
@@ -160,19 +154,7 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
         panels[0].annotate(
             "rpm\nHz", (0.0, 1.0), (-8.0, 2.0), "axes fraction", "offset points", **look
         )
-    sizes = [_wide([word]) * (high - low) / wide for word in words]
-    for place, word in zip(spread(rpm.tolist(), sizes, low, high), words, strict=True):
-        panels[0].annotate(
-            word,
-            (float(place), 1.0),
-            (0.0, 2.0),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            ha="center",
-            va="bottom",
-            fontsize=FONT_SIZE - 1.5,
-            color=GREY,
-        )
+    stations.words_above(panels[0], rpm.tolist(), words, [_wide([word]) for word in words], wide)
     return 1.0 + 3.0 * (1 + max(word.count("\n") for word in words))
 
 
