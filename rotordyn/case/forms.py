@@ -21,14 +21,14 @@ from rotordyn.analyses.measured_spindle import MeasuredSpindle
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
-from rotordyn.case.expand import Reader
+from rotordyn.case.expand import Reader, asked
 from rotordyn.case.keys import keys_of
 from rotordyn.case.leaf import unknown
 from rotordyn.case.matrices import matrix
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.ranges import sweep
-from rotordyn.case.reading import Reading, exact, unknown_key
-from rotordyn.case.reduced import ReducedModel
+from rotordyn.case.reading import Reading, unknown_key
+from rotordyn.case.reduced import reduced_model
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -65,25 +65,11 @@ def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     return reading.description(Tool, node, others, name=Path(node.file).stem)
 
 
-def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A housing by its reduced model, which is read from its files already."""
-    held = node.child("model")
-    model = held.value if held is not None and isinstance(held.value, ReducedModel) else None
-    rows: dict[str, Any] = dict.fromkeys(("shape", "mass", "stiffness", "damping"), ())
-    places: tuple[str, ...] = ()
-    if model is not None:
-        rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
-        places = model.places
-    if held is not None:
-        held.value = UNKNOWN
-    return reading.description(ReducedHousing, node, others, places=places, **rows)
-
-
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Known values, in units of their quantity; one speed serves them all."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-    quantity = exact(node, ("quantity",))
+    quantity = node.child("quantity")
     unit = (
         QUANTITIES.get(quantity.value)
         if quantity is not None and isinstance(quantity.value, str)
@@ -105,7 +91,7 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
             "conditions": Any,
         },
     )
-    conditions = exact(node, ("conditions",))
+    conditions = node.child("conditions")
     values["conditions"] = {} if conditions is None else reading.given(Conditions, conditions)
     if len(values["speeds"]) == 1:
         values["speeds"] *= len(values["values"])
@@ -152,23 +138,17 @@ def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Frequency responses, the pairs of a matrix among them."""
-    matrix, pairs = exact(node, ("matrix",)), exact(node, ("pairs",))
+    matrix, pairs = node.child("matrix"), node.child("pairs")
     if matrix is not None and (pairs is None or isinstance(pairs.value, list)):
-        listed = [*(pairs.value if pairs is not None else ())]
+        listed = [*node.listed("pairs")]
         seen = {tuple(item.at(key).raw for key in ("response", "excitation")) for item in listed}
-        rows, columns = (matrix.child(key) for key in ("responses", "excitations"))
-        for row, column in product(
-            *(
-                held.value if held and isinstance(held.value, list) else ()
-                for held in (rows, columns)
-            )
-        ):
+        for row, column in product(matrix.listed("responses"), matrix.listed("excitations")):
             if (row.raw, column.raw) not in seen:
                 seen.add((row.raw, column.raw))
                 listed.append(replace(matrix, value={"response": row, "excitation": column}))
         whole = pairs or matrix
         node.value["pairs"] = replace(whole, value=listed if listed else UNKNOWN)
-    _numbered(exact(node, ("measured",)))
+    _numbered(node.listed("measured"))
     return reading.description(FrfSpec, node)
 
 
@@ -176,40 +156,15 @@ def measured_spindle(
     reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 ) -> Any:
     """A spindle by its measured responses."""
-    if isinstance(node.value, dict):
-        _numbered(exact(node, ("responses",)))
+    _numbered(node.listed("responses"))
     return reading.description(MeasuredSpindle, node, others)
 
 
-def _numbered(node: Node | None) -> None:
+def _numbered(responses: list[Node]) -> None:
     """Gives measured responses without a name their number."""
-    for index, item in enumerate(_listed(node)):
+    for index, item in enumerate(responses):
         if isinstance(item.value, dict):
             item.value.setdefault("name", replace(item, value=f"measured {index + 1}"))
-
-
-def _listed(node: Node | None) -> list[Node]:
-    return node.value if node is not None and isinstance(node.value, list) else []
-
-
-def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Specs by the name of their analysis; one without keys may be left empty."""
-    if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        return {"": Spec()}
-    specs: dict[str, Any] = {}
-    for name, child in node.value.items():
-        try:
-            spec = analysis(name).spec
-        except InvalidInput:
-            reading.faults.at_key(child, (), unknown_key(name, [*names()]))
-            continue
-        entry = replace(child, value={}) if child.value is None else child
-        node.value[name] = entry
-        specs[name] = reading.value(spec, entry)
-    if node.value and not specs:
-        return {"": Spec()}
-    return specs
 
 
 def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -219,6 +174,22 @@ def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, f"{AS_USUAL}, or a mapping (key: value)")
     return reading.description(Uncertain, node)
+
+
+def reduced(files: Reader) -> Any:
+    """The form of a housing by its reduced model, which stands in files of its own."""
+
+    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+        rows: dict[str, Any] = dict.fromkeys(("shape", "mass", "stiffness", "damping"), ())
+        places: tuple[str, ...] = ()
+        if (held := node.child("model")) is not None:
+            if (model := reduced_model(held, reading, files)) is not None:
+                rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
+                places = model.places
+            held.value = UNKNOWN
+        return reading.description(ReducedHousing, node, others, places=places, **rows)
+
+    return form
 
 
 def measured(files: Reader) -> Any:
@@ -231,7 +202,7 @@ def measured(files: Reader) -> Any:
         values = reading.fields(MeasuredResponse, node)
         if len(reading.faults.reported) > before:
             return unknown(MeasuredResponse)
-        name, number = node.at("file"), exact(node, ("record",))
+        name, number = node.at("file"), node.child("record")
         path = files.folders[name.file].parent / name.value
         pair = f"{values['response']} / {values['excitation']}"
         try:
@@ -253,9 +224,38 @@ def measured(files: Reader) -> Any:
     return form
 
 
+def by_name(files: Reader) -> Any:
+    """The form of specs by the name of their analysis; one without keys may be left empty."""
+
+    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+        if not isinstance(node.value, dict):
+            reading.wrong_shape(annotation, node, "a mapping (key: value)")
+            return {"": Spec()}
+        specs: dict[str, type] = {}
+        for name, child in node.value.items():
+            try:
+                specs[name] = analysis(name).spec
+            except InvalidInput:
+                reading.faults.at_key(child, (), unknown_key(name, [*names()]))
+                continue
+            if child.value is None:
+                node.value[name] = replace(child, value={})
+            asked(node.value[name], specs[name], files)
+        if node.value and not specs:
+            return {"": Spec()}
+        return {name: reading.value(spec, node.value[name]) for name, spec in specs.items()}
+
+    return form
+
+
 def reading_of(files: Reader) -> Reading:
     """What reads the files of a case."""
-    return Reading(files.faults, {**FORMS, MeasuredResponse: measured(files)})
+    with_files = {
+        ByName: by_name(files),
+        MeasuredResponse: measured(files),
+        ReducedHousing: reduced(files),
+    }
+    return Reading(files.faults, {**FORMS, **with_files})
 
 
 FORMS: dict[type, Any] = {
@@ -264,13 +264,11 @@ FORMS: dict[type, Any] = {
     Pair: pair,
     FrfSpec: frf,
     MeasuredSpindle: measured_spindle,
-    ByName: by_name,
     Material: material,
     Tool: tool,
     BearingSeat: seat,
     BallBearing: bearing,
     Matrix: matrix,
-    ReducedHousing: reduced,
     Reference: reference,
     Worded: uncertain,
 }

@@ -10,7 +10,7 @@ from bearings.bearing import BallBearing
 from rotordyn.case.arranged import arrange
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.reading import Reading, exact
+from rotordyn.case.reading import Reading
 from rotordyn.description import unchecked
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
@@ -67,15 +67,13 @@ def read_bearing(reading: Reading, tree: Node | None) -> BallBearing | None:
 def _clamped(spindle: Node, tool: Node) -> Node:
     """The tree of a spindle with the tool's sections, masses, points and joints in it."""
     held: dict[str, Any] = dict(spindle.value)
-    shaft = held.get("shaft")
-    if shaft is not None and isinstance(shaft.value, dict):
-        sections = _joined(tool.child("sections"), shaft.child("sections"))
-        held["shaft"] = replace(shaft, value={**shaft.value, "sections": sections})
+    if shaft := spindle.entries("shaft"):
+        sections = _joined(tool.child("sections"), spindle.child("shaft", "sections"))
+        held["shaft"] = replace(held["shaft"], value={**shaft, "sections": sections})
     for key in _ADDED:
         held[key] = _joined(spindle.child(key), tool.child(key))
-    points = [node.value for node in (spindle.child("points"), tool.child("points")) if node]
-    entries = {k: v for each in points if isinstance(each, dict) for k, v in each.items()}
-    held["points"] = replace(spindle.child("points") or tool, value=entries)
+    points = {**spindle.entries("points"), **tool.entries("points")}
+    held["points"] = replace(spindle.child("points") or tool, value=points)
     return replace(spindle, value={key: node for key, node in held.items() if node is not None})
 
 
@@ -94,7 +92,7 @@ def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
     for index, seat in enumerate(made.seats):
         bearing: object = seat.bearing
         both = isinstance(bearing, BallBearing) and bearing.both_ways
-        node = exact(tree, ("bearings", index))
+        node = tree.child("bearings", index)
         if both and seat.name in on_sleeves and node is not None and node.child("thrust") is None:
             reading.faults.missing(
                 node,

@@ -51,7 +51,7 @@ def model(kind: str, reference: str | Path) -> Model:
     root, reader = _document(known_kind(kind), reference)
     reading = reading_of(reader)
     described: Any = None
-    if kind == "spindles" and (tree := expand.spindle(root, None, reader)):
+    if kind == "spindles" and (tree := expand.spindle(root, {}, reader)):
         described = read_spindle(reading, tree, None)[0]
     elif kind == "tools" and (tree := expand.tool(root, reader)):
         described = read_tool(reading, tree)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from rotordyn.case.faults import Faults
@@ -9,15 +10,13 @@ from rotordyn.case.node import Node, joined
 from rotordyn.quantity import suggestion
 
 
-def apply(changes: Node | None, target: Node, faults: Faults) -> None:
+def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
     """Writes each entry of ``changes`` (dotted path: value) into ``target``, in place.
 
     A path names keys, and items of a list by their ``name``; ``*`` stands for every item or entry.
     Mappings on the way are made where they are missing. Anything else the path meets is a fault.
     """
-    if changes is None or not isinstance(changes.value, dict):
-        return
-    for path, value in changes.value.items():
+    for path, value in changes.items():
         _put(value, path.split("."), target, faults)
 
 

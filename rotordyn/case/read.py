@@ -88,12 +88,11 @@ def _sources(trees: Mapping[Path, Any]) -> Iterator[tuple[str, tuple[str, ...]]]
 
 
 def _require_few(root: Any, reader: Any) -> None:
-    compared = root.child("compare")
-    many = len(compared.value) if compared is not None and isinstance(compared.value, dict) else 0
+    many = len(root.entries("compare"))
     if many > MOST_VARIANTS:
         reader.faults.at_key(
-            compared,
-            (),
+            root,
+            ("compare",),
             f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
             "(rotordyn sweep)",
         )
@@ -126,14 +125,14 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
         return None
     named_once(root, faults)
     reading = reading_of(reader)
-    override, tree = root.child("override"), root
+    override, tree = root.entries("override"), root
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
         expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
         clamped = expand.tool(tool, reader) if tool is not None else None
-        if clamped is not None and override is not None and override.child("references"):
+        if clamped is not None and "references" in override:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
@@ -143,7 +142,6 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
         expanded = expand.bearing(reference, (override,), reader)
         bearing = read_bearing(reading, expanded)
         usable = usable or bearing is not None
-    expand.asked(root, reader)
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}

@@ -198,11 +198,11 @@ class Reading:
             return {}
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, ())
-        held = [(field, exact(node, field.keys)) for field in keys]
+        held = [(field, node.child(*field.keys)) for field in keys]
         return {f.name: self.value(f.annotation, child) for f, child in held if child is not None}
 
     def _field(self, field: Field, node: Node, others: tuple[type, ...]) -> Any:
-        child = exact(node, field.keys)
+        child = node.child(*field.keys)
         if not field.keys:
             return unknown(field.annotation) if field.default is REQUIRED else field.default
         if child is not None:
@@ -219,7 +219,7 @@ class Reading:
     def at(self, node: Node, path: Path, sentence: str) -> None:
         """A fault of what is at ``path``, or should be."""
         message = filled(sentence, path, lambda way: _written(node, way))
-        entry = exact(node, path)
+        entry = node.child(*path)
         if entry is None and message.startswith("missing key"):
             self.faults.missing(node, path, message)
         elif entry is not None and entry.key and isinstance(entry.value, dict | list):
@@ -297,7 +297,7 @@ def _within(
 def spread(kind: type, node: Node) -> None:
     """Gives items of a list, where they have none of their own, what stands beside it for all."""
     for common in COMMON.get(kind, ()):
-        source = exact(node, common.keys)
+        source = node.child(*common.keys)
         if source is None and _reported(node, common.keys):
             source = replace(node, value=UNKNOWN)
         if source is None:
@@ -311,7 +311,7 @@ def _reported(node: Node, path: Path) -> bool:
     """On the way along ``path`` stands a value whose fault is reported already."""
     return any(
         entry is not None and entry.value is UNKNOWN
-        for entry in (exact(node, path[:end]) for end in range(1, len(path)))
+        for entry in (node.child(*path[:end]) for end in range(1, len(path)))
     )
 
 
@@ -329,16 +329,8 @@ def _mapping(kind: type) -> str:
     )
 
 
-def exact(node: Node, path: Path) -> Node | None:
-    """The node at the end of ``path``; None where there is none."""
-    entry: Node | None = node
-    for key in path:
-        entry = entry.child(key) if entry is not None else None
-    return entry
-
-
 def _written(node: Node, path: Path) -> str:
-    entry = exact(node, path)
+    entry = node.child(*path)
     return "nothing" if entry is None else units.shown(entry.raw or entry.plain())
 
 
@@ -347,7 +339,7 @@ def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
     if not field.keys or field.default is not REQUIRED:
         return False
     held = {f.keys for other in others for f in keys_of(other)}
-    return field.keys not in held and (bool(others) == (exact(node, field.keys) is not None))
+    return field.keys not in held and (bool(others) == (node.child(*field.keys) is not None))
 
 
 def _is_leaf(inner: Any) -> bool:

@@ -19,11 +19,10 @@ from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.analyses.registry import analysis, names
-from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.identification import IdentificationFile
-from rotordyn.case.keys import COMMON, Range, Variant, keys_of
+from rotordyn.case.keys import COMMON, MODELS, Range, Variant, keys_of
 from rotordyn.case.library import known
 from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.study import OptimumFile, StudyFile
@@ -47,14 +46,6 @@ FILES: dict[str, type] = {
     "study": StudyFile,
     "optimum": OptimumFile,
     "identification": IdentificationFile,
-}
-# Descriptions that stand in files of their own, and the folder of the library that holds these.
-_MODELS = {
-    Spindle: "spindles",
-    Tool: "tools",
-    BallBearing: "bearings",
-    Material: "materials",
-    Workpiece: "workpieces",
 }
 _MACHINES = {"spindle": Spindle, "tool": Tool, "bearing": BallBearing}
 # What a mapping needs besides the keys that each must be given.
@@ -216,7 +207,7 @@ def _of_one(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     inner = bare(annotation)
     if inner in _FORMS:
         return _FORMS[inner](annotation, shapes)
-    if inner in _MODELS:
+    if inner in MODELS:
         return _reference(inner, shapes)
     if isinstance(inner, type) and is_dataclass(inner):
         return {"$ref": f"#/$defs/{_defined(inner, shapes)}"}
@@ -303,8 +294,8 @@ def _plain_number(limits: Quantity) -> Shape:
 def _reference(kind: type, shapes: dict[str, Shape]) -> Shape:
     """A model: a name of the library, the path of a file, or a mapping in place."""
     path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
-    names: list[str | int] = [*known(_MODELS[kind])]
-    names += [int(name) for name in known(_MODELS[kind]) if name.isdecimal()]
+    names: list[str | int] = [*known(MODELS[kind])]
+    names += [int(name) for name in known(MODELS[kind]) if name.isdecimal()]
     return {"anyOf": [{"enum": names}, path, {"$ref": f"#/$defs/{_defined(kind, shapes)}"}]}
 
 

@@ -41,18 +41,13 @@ def variant_trees(root: Node) -> dict[str, Node]:
     Machine and title are replaced; overrides and conditions are merged key by key; references are
     added. Every node keeps its place in the file.
     """
-    compared = root.child("compare")
-    if compared is None or not isinstance(compared.value, dict):
-        return {}
-    return {name: _changed(root, changes) for name, changes in compared.value.items()}
+    return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
 
 
 def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     del tree.value["compare"]
-    if not isinstance(changes.value, dict):
-        return tree
-    for key, value in changes.value.items():
+    for key, value in changes.entries().items():
         entry = tree.child(key)
         tree.value[key] = _merged(entry, value) if entry is not None and key in _MERGED else value
     return tree
