@@ -44,7 +44,6 @@ def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
         if name is not None and name.value == word and given.child("preload") is not None:
             faults.at(
                 name,
-                (),
                 f"the sleeve {units.shown(word)} is that of the arrangement: say in the preload "
                 "of the arrangement what it shall be, or name one of both otherwise",
             )
@@ -76,7 +75,7 @@ def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     if not why and "class_force" in preload:
         why = "a class gives a class_force: given both; leave one of both out"
     if why:
-        faults.at(asked, (), why)
+        faults.at(asked, why)
         preload["class_force"] = replace(asked, value="1 N")  # its fault is reported
     else:
         preload["class_force"] = replace(printed[0][asked.value], key=asked.key)

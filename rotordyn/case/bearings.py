@@ -7,11 +7,11 @@ from typing import Any
 
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
-from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.estimated import estimated
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of
+from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
 from rotordyn.errors import InvalidInput
@@ -57,8 +57,7 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     values = reading.fields(model, node)
     optional = {field.name for field in keys_of(model) if field.default is None}
     for name, value in values.items():
-        unclear = value.young_modulus if isinstance(value, Material) else value
-        if (value is None and name not in optional) or unclear != unclear:
+        if (value is None and name not in optional) or is_unknown(value):
             return None
         if isinstance(value, int) and node.child(name) is not None and value == 0:
             return None
@@ -66,7 +65,7 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
         made = model(**values)
     except InvalidBearing as error:
         place, hint = _named(str(error), model, node)
-        reading.faults.at(node, place, f"impossible bearing: {error}{hint}")
+        reading.faults.at(node.at(*place), f"impossible bearing: {error}{hint}")
         return None
     _rings(reading.faults, node, made)
     return made
@@ -96,4 +95,4 @@ def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
     for which, _, allowed in no_ring_left(made, *sizes):
         key = f"{which}_diameter"
         given = f"given '{node.at(key).raw}'; allowed: {allowed}"
-        faults.at(node, (key,), f"no ring left beside the balls: {given}")
+        faults.at(node.at(key), f"no ring left beside the balls: {given}")

@@ -19,6 +19,7 @@ from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
 from rotordyn.case.table import tabled
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
@@ -53,12 +54,12 @@ class Reader:
             return reference
         name = _named(reference)
         if name is None:
-            self.faults.at(reference, (), "not a model: a name, a path or a mapping is needed")
+            self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
             return None
         try:
             path = find(kind, name, self.folders[reference.file])
         except UnknownModel as error:
-            self.faults.at(reference, (), str(error))
+            self.faults.at(reference, str(error))
             return None
         return self.document(path) if self._exists(path, reference) else None
 
@@ -70,8 +71,22 @@ class Reader:
     def _exists(self, path: Path, reference: Node) -> bool:
         if os.path.exists(path):
             return True
-        self.faults.at(reference, (), f"no such file: given '{reference.value}'")
+        self.faults.at(reference, f"no such file: given '{reference.value}'")
         return False
+
+
+def opened(path: Path) -> tuple[Node, Reader]:
+    """A file, and what reads the files that it names.
+
+    Raises
+    ------
+    InvalidInput : it cannot be used
+    """
+    reader = Reader(Faults())
+    root = reader.document(path)
+    if root is None:
+        raise InvalidInput(reader.faults.reported)
+    return root, reader
 
 
 def _named(reference: Node) -> str | None:
@@ -192,7 +207,7 @@ def bearing(
     kind = root.child("kind")
     if kind is not None and kind.value not in tuple(KINDS):
         for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
-            reader.faults.at(root, ("kind",), why)
+            reader.faults.at(root.at("kind"), why)
         return None
     _forget_nulls(root)
     _fill(root, ways_to(Material, _kind_of(root)), Material, reader)

@@ -5,7 +5,6 @@ Each form reads a node as what its annotation says; which annotation has which f
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -22,8 +21,8 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
 from rotordyn.case.expand import Reader, asked
-from rotordyn.case.keys import keys_of
-from rotordyn.case.leaf import unknown
+from rotordyn.case.keys import PortPair
+from rotordyn.case.leaf import is_unknown, unknown
 from rotordyn.case.matrices import matrix
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.ranges import sweep
@@ -37,7 +36,7 @@ from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import Quantity, Sweep, suggestion
+from rotordyn.quantity import Items, Quantity, Sweep, suggestion
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
@@ -56,8 +55,7 @@ def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     values = reading.fields(Material, node)
-    numbers = [value for value in values.values() if isinstance(value, float)]
-    return unknown(Material) if any(map(math.isnan, numbers)) else Material(**values)
+    return unknown(Material) if any(map(is_unknown, values.values())) else Material(**values)
 
 
 def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -70,27 +68,10 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
     quantity = node.child("quantity")
-    unit = (
-        QUANTITIES.get(quantity.value)
-        if quantity is not None and isinstance(quantity.value, str)
-        else None
-    )
-    kind = Quantity(KIND_OF_UNIT[unit]) if unit else Quantity("number")
-    keys = keys_of(Reference)
-    plain = {field.name: field.annotation for field in keys}
-    values = reading.fields(
-        Reference,
-        node,
-        annotations={
-            "values": Annotated[
-                (
-                    tuple[Annotated[float, kind], ...] if unit else tuple[Any, ...],
-                    *plain["values"].__metadata__,
-                )
-            ],
-            "conditions": Any,
-        },
-    )
+    unit = "" if quantity is None else QUANTITIES.get(str(quantity.value), "")
+    known: Any = Annotated[float, Quantity(KIND_OF_UNIT[unit])] if unit else Any
+    taken = {"values": Annotated[tuple[known, ...], Items()], "conditions": Any}
+    values = reading.fields(Reference, node, annotations=taken)
     conditions = node.child("conditions")
     values["conditions"] = {} if conditions is None else reading.given(Conditions, conditions)
     if len(values["speeds"]) == 1:
@@ -112,7 +93,7 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
             f"{suggestion(direction, DOFS)}"
         )
     if why:
-        reading.faults.at(node, (), why)
+        reading.faults.at(node, why)
         return unknown(annotation)
     with unchecked():
         return Port(point, direction)
@@ -120,20 +101,8 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A response and an excitation."""
-    ports = []
-    if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping with response and excitation")
-        return unknown(Port), unknown(Port)
-    keys = ("response", "excitation")
-    for key, child in node.value.items():
-        if key not in keys:
-            reading.faults.at_key(child, (), unknown_key(key, [*keys]))
-    for key in keys:
-        written = node.child(key)
-        if written is None:
-            reading.faults.missing(node, (key,), "missing key: it must be given")
-        ports.append(unknown(Port) if written is None else reading.value(Port, written))
-    return tuple(ports)
+    ports: PortPair = reading.description(PortPair, node)
+    return ports.response, ports.excitation
 
 
 def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -208,7 +177,7 @@ def measured(files: Reader) -> Any:
         try:
             record = read_record(path, pair, number.value if number else None)
         except InvalidInput as fault:
-            reading.faults.at(name, (), f"{name.value}: {fault}")
+            reading.faults.at(name, f"{name.value}: {fault}")
             with unchecked():
                 return MeasuredResponse(**values)  # its pair is still held against the others
         files.contents[path] = path.read_bytes()
@@ -236,7 +205,7 @@ def by_name(files: Reader) -> Any:
             try:
                 specs[name] = analysis(name).spec
             except InvalidInput:
-                reading.faults.at_key(child, (), unknown_key(name, [*names()]))
+                reading.faults.at_key(child, unknown_key(name, [*names()]))
                 continue
             if child.value is None:
                 node.value[name] = replace(child, value={})

@@ -53,11 +53,11 @@ def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         allowed = ", ".join(names) or "the list as a whole, its items have no names"
         where = target.path or "the list"
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
-        faults.at_key(value, (), message)
+        faults.at_key(value, message)
     return named
 
 
 def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:
     faults.at_key(
-        value, (), f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
+        value, f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
     )

@@ -64,7 +64,7 @@ class Reading:
         try:
             return leaf(annotation, node.value)
         except Refused as refusal:
-            self.faults.at(node, (), refusal.why)
+            self.faults.at(node, refusal.why)
             return unknown(annotation)
 
     def _form(self, annotation: Any) -> Form | None:
@@ -76,7 +76,7 @@ class Reading:
     def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
         """Reports a value of another shape than is needed."""
         message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
-        self.faults.at(node, (), message)
+        self.faults.at(node, message)
         return unknown(annotation)
 
     def _one_of(self, annotation: Any, forms: tuple[Any, ...], node: Node) -> Any:
@@ -112,11 +112,11 @@ class Reading:
         for kind in (Quantity,) if number else (Choice, Words):
             for limit, why in refusals.items():
                 if isinstance(limit, kind):
-                    self.faults.at(node, (), why)
+                    self.faults.at(node, why)
                     return unknown(annotation)
         wanted_words = ", or ".join(map(wanted, forms))
         given = units.shown(node.value)
-        self.faults.at(node, (), f"wrong kind of value: given {given}; allowed: {wanted_words}")
+        self.faults.at(node, f"wrong kind of value: given {given}; allowed: {wanted_words}")
         return unknown(annotation)
 
     def items(self, annotation: Any, node: Node) -> Any:
@@ -127,7 +127,7 @@ class Reading:
         items = tuple(self.value(inner[0], item) for item in node.value)
         for limit in metadata(annotation):
             if isinstance(limit, Items) and (why := limit.refusal(items, _count(items))):
-                self.faults.at(node, (), why)
+                self.faults.at(node, why)
                 return unknown(annotation)
         return items
 
@@ -140,7 +140,7 @@ class Reading:
             try:
                 entries[leaf(key, name)] = self.value(entry, child)
             except Refused as refusal:
-                self.faults.at_key(child, (), refusal.why)
+                self.faults.at_key(child, refusal.why)
         return entries
 
     def description(
@@ -192,14 +192,18 @@ class Reading:
         return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:
-        """Values of those fields of a description that a mapping gives."""
+        """Values of those keys of a description that a mapping gives."""
         if not isinstance(node.value, dict):
             self.wrong_shape(kind, node, "a mapping (key: value)")
             return {}
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, ())
         held = [(field, node.child(*field.keys)) for field in keys]
-        return {f.name: self.value(f.annotation, child) for f, child in held if child is not None}
+        return {
+            ".".join(field.keys): self.value(field.annotation, child)
+            for field, child in held
+            if child is not None
+        }
 
     def _field(self, field: Field, node: Node, others: tuple[type, ...]) -> Any:
         child = node.child(*field.keys)
@@ -221,11 +225,11 @@ class Reading:
         message = filled(sentence, path, lambda way: _written(node, way))
         entry = node.child(*path)
         if entry is None and message.startswith("missing key"):
-            self.faults.missing(node, path, message)
+            self.faults.missing(node.at(*path[:-1]), path[-1], message)
         elif entry is not None and entry.key and isinstance(entry.value, dict | list):
-            self.faults.at_key(entry, (), message)
+            self.faults.at_key(entry, message)
         else:
-            self.faults.at(node, path, message)
+            self.faults.at(node.at(*path), message)
 
     def _unknown_keys(
         self, kind: type, keys: tuple[Field, ...], node: Node, others: tuple[type, ...]
@@ -241,10 +245,10 @@ class Reading:
             elif held and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 noun = node_noun(node)
-                self.faults.at_key(child, (), f"given beside {alternative}: {noun} is one of both")
+                self.faults.at_key(child, f"given beside {alternative}: {noun} is one of both")
             else:
                 holder = place[-1] if place else last_key(node)
-                self.faults.at_key(child, (), unknown_key(name, known, holder))
+                self.faults.at_key(child, unknown_key(name, known, holder))
 
     def _key_of_bearing(self, node: Node, name: str, known: list[str]) -> None:
         """A key of another kind of bearing than is written, or than an override has made it."""
@@ -254,9 +258,9 @@ class Reading:
             sentence += f"; is 'kind: {kinds[0]}' missing?"
         elif kinds and kind is not None and key.file == node.file != kind.file:
             sentence += f"; the model gives it: add {name}: null to the override"
-            self.faults.at(kind, (), sentence)
+            self.faults.at(kind, sentence)
             return
-        self.faults.at_key(key, (), sentence)
+        self.faults.at_key(key, sentence)
 
 
 def unknown_key(given: str, allowed: list[str], holder: str = "") -> str:

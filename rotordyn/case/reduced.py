@@ -49,7 +49,7 @@ def reduced_model(reference: Node, reading: Reading, files: Reader) -> ReducedMo
         named = {key: node for key, node in named.items() if getattr(listed, key)}
     elif not isinstance(reference.value, str):
         needed = "not a model: a .npz file or a mapping of files is needed"
-        files.faults.at(reference, (), needed)
+        files.faults.at(reference, needed)
         return None
     raw: dict[str, bytes] = {}
     for key, node in named.items():
@@ -61,5 +61,5 @@ def reduced_model(reference: Node, reading: Reading, files: Reader) -> ReducedMo
     try:
         return from_market(raw, places) if places else from_archive(raw[""])
     except NoModel as error:
-        files.faults.at(reference, (), f"no reduced model: {error}")
+        files.faults.at(reference, f"no reduced model: {error}")
         return None

@@ -20,16 +20,16 @@ def tools_compared(root: Node, faults: Faults) -> Node:
     held = {key: value for key, value in root.value.items() if key != "tools"}
     for key in ("tool", "compare"):
         if key in held:
-            faults.at_key(root, (key,), "given beside tools, which are compared: leave one out")
+            faults.at_key(root.at(key), "given beside tools, which are compared: leave one out")
             return replace(root, value=held)
     if not isinstance(tools.value, list) or not tools.value:
-        faults.at(tools, (), "not a list of tools: allowed: names or paths, at least one")
+        faults.at(tools, "not a list of tools: allowed: names or paths, at least one")
         return replace(root, value=held)
     variants: dict[str, Node] = {}
     for number, item in enumerate(tools.value, start=1):
         name = Path(item.value).stem if isinstance(item.value, str) else f"tool {number}"
         if name in variants:
-            faults.at(item, (), f"tool given twice: '{name}'")
+            faults.at(item, f"tool given twice: '{name}'")
         variants[name] = replace(item, value={"tool": item})
     held["tool"], held["compare"] = tools.value[0], replace(tools, value=variants)
     return replace(root, value=held)
