@@ -29,7 +29,7 @@ class Faults:
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, node.path, message))
 
-    def missing(self, node: Node, key: object, message: str) -> None:
+    def missing(self, node: Node, key: str | int, message: str) -> None:
         """A fault of a key that is not there, at the mapping that should hold it."""
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, joined(node.path, str(key)), message))

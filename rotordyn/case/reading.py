@@ -217,7 +217,7 @@ class Reading:
         if others and sentence == "it must be given":
             instead = [f.keys[0] for kind in others for f in keys_of(kind) if _distinct(f, node)]
             sentence += "".join(f", or {key}" for key in instead[:1])
-        self.faults.missing(node, field.keys, f"missing key: {sentence}")
+        self.faults.missing(node.at(*field.keys[:-1]), field.keys[-1], f"missing key: {sentence}")
         return unknown(field.annotation)
 
     def at(self, node: Node, path: Path, sentence: str) -> None:
