@@ -149,20 +149,21 @@ def quantity_of(annotation: Any) -> Quantity | None:
     return quantity if isinstance(quantity, Quantity) else None
 
 
-def repeated(names: Iterable[str]) -> Iterator[tuple[int, str]]:
-    """Place and sentence of each name that came before; empty ones aside."""
+def repeated(key: str, names: Iterable[str], *inner: str, said: str = "repeated: given") -> Faults:
+    """Path and sentence for each name of a list that came before; empty ones aside.
+
+    ``inner``: where in each item they stand.
+    """
     seen: set[str] = set()
     for index, name in enumerate(names):
         if name and name in seen:
-            yield index, f"repeated: given '{name}'"
+            yield (key, index, *inner), f"{said} '{name}'"
         seen.add(name)
 
 
 def named_twice(key: str, items: Iterable[Any]) -> Faults:
     """Path and sentence for each item of a list that bears the name of an earlier one."""
-    names = [item.name for item in items]
-    for index, _ in repeated(names):
-        yield (key, index, "name"), f"name given twice: '{names[index]}'"
+    return repeated(key, (item.name for item in items), "name", said="name given twice:")
 
 
 def ascending(key: str, values: Sequence[float]) -> Faults:

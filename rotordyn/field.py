@@ -106,6 +106,12 @@ def members(annotation: Any) -> tuple[Any, ...]:
     return tuple(Annotated[(form, *beside)] if beside else form for form in forms)
 
 
+def parts_of(annotation: Any, origin: Any) -> tuple[Any, ...]:
+    """What a row (``tuple``) or a ``Mapping`` holds, where that is one of the forms."""
+    forms = map(bare, members(annotation))
+    return next((get_args(form) for form in forms if get_origin(form) is origin), ())
+
+
 def optional(annotation: Any) -> bool:
     """None is one of the values that are taken."""
     return type(None) in get_args(bare(annotation))

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated
+from typing import Annotated, Any
 
 from bearings import errors
 from rotordyn import units
@@ -20,8 +20,22 @@ from rotordyn.errors import InvalidInput
 NAME = re.compile(r"[^\W\d][\w \-]{0,199}")
 
 
+class Limit:
+    """What a single value must be, said alike of Python and of files."""
+
+    def refusal(self, value: Any, given: str = "") -> str:
+        """Why ``value``, in a file written as ``given``, is not taken; empty where it is."""
+        raise NotImplementedError
+
+    def read(self, given: object) -> Any:
+        """The value of what a file says; raises InvalidInput."""
+        if why := self.refusal(given, units.shown(given)):
+            raise InvalidInput(why)
+        return given
+
+
 @dataclass(frozen=True)
-class Quantity:
+class Quantity(Limit):
     """A range of values of one ``kind`` of unit (a key of ``units.KINDS``), open or closed.
 
     ``infinite``: the word by which a file may say that the value is infinite; empty = it may not.
@@ -123,13 +137,12 @@ class Quantity:
 
 
 @dataclass(frozen=True)
-class Choice:
+class Choice(Limit):
     """One of a few words or numbers."""
 
     allowed: tuple[object, ...]
 
     def refusal(self, value: object, given: str = "") -> str:
-        """Why ``value``, written as ``given``, is not taken; empty where it is."""
         if any(type(value) is type(word) and value == word for word in self.allowed):
             return ""
         words = [str(word) or '""' for word in self.allowed]
@@ -137,38 +150,24 @@ class Choice:
         shown = given or errors.shown(value)
         return f"not one of its choices: given {shown}; allowed: {', '.join(words)}{hint}"
 
-    def read(self, given: object) -> object:
-        """The word as given; raises InvalidInput."""
-        if why := self.refusal(given, units.shown(given)):
-            raise InvalidInput(why)
-        return given
-
 
 @dataclass(frozen=True)
-class Whole:
+class Whole(Limit):
     """A whole number from ``at_least`` to ``at_most``."""
 
     at_least: int
     at_most: int
 
-    def refusal(self, value: int, given: str = "") -> str:
-        """Why ``value``, written as ``given``, is not taken; empty where it is."""
-        if self.at_least <= value <= self.at_most:
+    def refusal(self, value: object, given: str = "") -> str:
+        if type(value) is int and self.at_least <= value <= self.at_most:
             return ""
-        return f"out of range: given {given or value}; allowed: {self.at_least} to {self.at_most}"
-
-    def read(self, given: object) -> int:
-        """The number as given; raises InvalidInput."""
-        if not isinstance(given, int) or isinstance(given, bool) or self.refusal(given):
-            raise InvalidInput(
-                f"not a whole number in its range: given {units.shown(given)}; "
-                f"allowed: {self.at_least} to {self.at_most}"
-            )
-        return given
+        what = "not a whole number in its range" if given else "out of range"  # the type is known
+        allowed = f"{self.at_least} to {self.at_most}"
+        return f"{what}: given {given or errors.shown(value)}; allowed: {allowed}"
 
 
 @dataclass(frozen=True)
-class Named:
+class Named(Limit):
     """A name by which paths and messages can call a thing.
 
     ``optional``: or none; ``dotted``: or a name of something and one within it.
@@ -177,22 +176,15 @@ class Named:
     optional: bool = False
     dotted: bool = False
 
-    def refusal(self, value: str, given: str = "") -> str:
-        """Why ``value``, written as ``given``, is not taken; empty where it is."""
-        parts = value.split(".", 1) if self.dotted else [value]
-        if all(NAME.fullmatch(part) for part in parts) or (self.optional and not value):
+    def refusal(self, value: object, given: str = "") -> str:
+        text = value if isinstance(value, str) else "."  # what is no text is no name
+        parts = text.split(".", 1) if self.dotted else [text]
+        if all(NAME.fullmatch(part) for part in parts) or (self.optional and not text):
             return ""
         shown = given or errors.shown(value)
         if self.dotted:
             return f"no name of a point: given {shown}; allowed: POINT, or ROTOR.POINT"
         return f"not a name: given {shown}; allowed: a letter, then letters, digits, _, -"
-
-    def read(self, given: object) -> str:
-        """The name as given; raises InvalidInput."""
-        name = given if isinstance(given, str) else "."
-        if why := self.refusal(name, units.shown(given)):
-            raise InvalidInput(why)
-        return name
 
 
 @dataclass(frozen=True)
@@ -213,14 +205,13 @@ class Items:
 
 
 @dataclass(frozen=True)
-class Words:
+class Words(Limit):
     """Words for a few values: ``"+x"`` for 1; ``silent``: the value where nothing is said."""
 
     values: tuple[tuple[str, object], ...]
     silent: object = None
 
     def refusal(self, value: object, given: str = "") -> str:
-        """Why ``value``, written as ``given``, is not taken; empty where it is."""
         known = (self.silent, *(meant for _, meant in self.values))
         if isinstance(value, str | int | float | tuple | None) and value in known:
             return ""

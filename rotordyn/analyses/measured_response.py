@@ -33,9 +33,6 @@ class Port(Description):
 class Pair:
     """Marks a response and an excitation, which files write under these keys."""
 
-    response = "a point and one of x, y, z, thx, thy, thz"
-    excitation = "a point and the direction of its force or moment"
-
 
 @dataclass(frozen=True, slots=True)
 class MeasuredResponse(Description):

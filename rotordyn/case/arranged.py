@@ -7,7 +7,6 @@ from dataclasses import replace
 from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.reading import exact
 from rotordyn.machine.bearing_set import SETS, patterns
 
 CLASSES = ("light", "medium", "heavy")
@@ -20,15 +19,14 @@ def arrange(tree: Node, faults: Faults) -> None:
 
     Where the name does not fit its bearings, that is the fault, and not that thrusts are missing.
     """
-    if not isinstance(tree.value, dict) or "arrangement" not in tree.value:
+    if tree.child("arrangement") is None:
         return
     for key in ("arrangement", "bearings"):  # variants may share what an override wrote
         if key in tree.value:
             tree.value[key] = tree.value[key].copy()
     given = tree.value["arrangement"]
-    name, listed = given.child("set"), given.child("bearings")
-    names = listed.plain() if listed is not None and isinstance(listed.value, list) else []
-    seats = {seat.name: seat for seat in _seats(tree)}
+    name, names = given.child("set"), [each.value for each in given.listed("bearings")]
+    seats = {seat.name: seat for seat in tree.listed("bearings") if seat.entries()}
     held = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
         _thrusts(name, held)
@@ -37,22 +35,15 @@ def arrange(tree: Node, faults: Faults) -> None:
         _class(given, held, faults)
 
 
-def _seats(tree: Node) -> list[Node]:
-    listed = tree.child("bearings")
-    found = listed.value if listed is not None and isinstance(listed.value, list) else []
-    return [seat for seat in found if isinstance(seat.value, dict)]
-
-
 def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
     """A sleeve of the set's name would be replaced by the one that the set makes."""
-    called, sleeves = given.child("name"), tree.child("sleeves")
+    called = given.child("name")
     word = "set" if called is None else called.value
-    for sleeve in sleeves.value if sleeves is not None and isinstance(sleeves.value, list) else []:
-        name = sleeve.child("name") if isinstance(sleeve.value, dict) else None
+    for sleeve in tree.listed("sleeves"):
+        name = sleeve.child("name")
         if name is not None and name.value == word and given.child("preload") is not None:
             faults.at(
                 name,
-                (),
                 f"the sleeve {units.shown(word)} is that of the arrangement: say in the preload "
                 "of the arrangement what it shall be, or name one of both otherwise",
             )
@@ -75,19 +66,19 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
 
 def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     """Replaces the class of a preload by the force that the bearings' model prints for it."""
-    preload = given.child("preload")
-    if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
+    preload = given.entries("preload")
+    if "class" not in preload:
         return
-    asked = preload.value.pop("class")
+    asked = preload.pop("class")
     printed = [_printed(seat) for seat in seats]
     why = _unclear(asked, seats, printed)
-    if not why and "class_force" in preload.value:
+    if not why and "class_force" in preload:
         why = "a class gives a class_force: given both; leave one of both out"
     if why:
-        faults.at(asked, (), why)
-        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
+        faults.at(asked, why)
+        preload["class_force"] = replace(asked, value="1 N")  # its fault is reported
     else:
-        preload.value["class_force"] = replace(printed[0][asked.value], key=asked.key)
+        preload["class_force"] = replace(printed[0][asked.value], key=asked.key)
 
 
 def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> str:
@@ -110,6 +101,6 @@ def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> 
 
 def _printed(seat: Node) -> dict[str, Node]:
     """Forces of the classes that the model of a bearing prints."""
-    printed = exact(seat, ("model", "preloads")) or exact(seat, ("model", "estimate", "preloads"))
-    forces = printed.value if printed is not None and isinstance(printed.value, list) else []
+    own = seat.child("model", "preloads") is not None
+    forces = seat.listed("model", *(() if own else ("estimate",)), "preloads")
     return dict(zip(CLASSES, forces, strict=False))

@@ -85,7 +85,7 @@ def asked_of(case: Case) -> Asked:
         hypotheses |= {path: each for path, each in HYPOTHESES.items() if path not in known}
         held = {place for path in tolerances for place in _places(case, path)}
         for entry in usual_of(case):
-            if not held & _places(case, entry.path) and _possible(case, entry.path, entry.text):
+            if not held & _places(case, entry.path) and not _refusal(case, entry.path, entry.text):
                 tolerances[entry.path] = entry.text
     choices = (_hypothesis(case, name, values) for name, values in hypotheses.items())
     return Asked(
@@ -126,13 +126,8 @@ def faults_of(case: Case) -> Faults:
     yield from _hypotheses(case, given.hypotheses)
     for key in ("tolerances", "sensitivities"):
         for path, text in getattr(given, key).items():
-            try:
-                found = tolerance(case, path, STEP if text is None else text)
-                for share in (0.0, 1.0):
-                    vary(case, found.at(share))
-            except InvalidInput as refusal:
-                sentence = str(refusal).removeprefix(f"{path}: ").replace("{", "(")
-                yield ("uncertain", key, path), sentence
+            if why := _refusal(case, path, STEP if text is None else text):
+                yield ("uncertain", key, path), why.removeprefix(f"{path}: ").replace("{", "(")
     yield from _twice(case, given.hypotheses, given.tolerances)
 
 
@@ -207,15 +202,15 @@ def _of_conditions() -> list[str]:
     return [f.name for f in declared(Conditions) if found_in(f.annotation, Choice) is not None]
 
 
-def _possible(case: Case, path: str, text: str) -> bool:
-    """Whether a usual tolerance leads to machines that there may be."""
+def _refusal(case: Case, path: str, text: str) -> str:
+    """Why a tolerance leads to no machine that there may be; empty where it does."""
     try:
         found = tolerance(case, path, text)
         for share in (0.0, 1.0):
             vary(case, found.at(share))
-    except InvalidInput:
-        return False
-    return True
+    except InvalidInput as refusal:
+        return str(refusal)
+    return ""
 
 
 def _places(case: Case, path: str) -> set[str]:

@@ -7,17 +7,16 @@ from typing import Any
 
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
-from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.estimated import estimated
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of
+from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
-from rotordyn.case.reading import Reading, exact
+from rotordyn.case.reading import Reading
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.seat import BearingSeat, no_ring_left
 from rotordyn.machine.spindle import Spindle
-from rotordyn.units import format_quantity
 
 SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
 RINGS = tuple(common.fills[-1] for common in COMMON[BearingSeat] if common.fills[0] == "fits")
@@ -25,13 +24,13 @@ RINGS = tuple(common.fills[-1] for common in COMMON[BearingSeat] if common.fills
 
 def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A bearing on the shaft, called by the name that its model has."""
-    given = {key: exact(node, (key,)) for key in SHARED}
+    given = {key: node.child(key) for key in SHARED}
     own = tuple(key for key, child in given.items() if child is not None and not child.shared)
-    read = {key: _size(exact(node, ("model", key))) for key in RINGS}
+    read = {key: _size(node.child("model", key)) for key in RINGS}
     sizes = {key: size for key, size in read.items() if size is not None}
-    named = exact(node, ("model", "name"))
+    named = node.child("model", "name")
     model = named.value if named is not None and isinstance(named.value, str) else ""
-    if exact(node, ("model", "estimate")) is not None:
+    if node.child("model", "estimate") is not None:
         model += " (estimate)"
     return reading.description(BearingSeat, node, model=model, own=own, sizes=sizes)
 
@@ -58,16 +57,15 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     values = reading.fields(model, node)
     optional = {field.name for field in keys_of(model) if field.default is None}
     for name, value in values.items():
-        unclear = value.young_modulus if isinstance(value, Material) else value
-        if (value is None and name not in optional) or unclear != unclear:
+        if (value is None and name not in optional) or is_unknown(value):
             return None
-        if isinstance(value, int) and exact(node, (name,)) is not None and value == 0:
+        if isinstance(value, int) and node.child(name) is not None and value == 0:
             return None
     try:
         made = model(**values)
     except InvalidBearing as error:
         place, hint = _named(str(error), model, node)
-        reading.faults.at(node, place, f"impossible bearing: {error}{hint}")
+        reading.faults.at(node.at(*place), f"impossible bearing: {error}{hint}")
         return None
     _rings(reading.faults, node, made)
     return made
@@ -93,17 +91,8 @@ def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[s
 
 def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
     """Bore and outside leave a ring beside the balls."""
-    inner, outer = 2.0 * made.inner_raceway_radius, 2.0 * made.outer_raceway_radius
-    for key, side, limit in (
-        ("bore_diameter", "below", inner),
-        ("outside_diameter", "above", outer),
-    ):
-        child = node.child(key)
-        value = _size(child)
-        if value is not None and (value >= limit if side == "below" else value <= limit):
-            faults.at(
-                node,
-                (key,),
-                f"no ring left beside the balls: given '{node.at(key).raw}'; allowed: {side} "
-                f"{format_quantity(limit, 'mm')}",
-            )
+    sizes = (_size(node.child(key)) for key in ("bore_diameter", "outside_diameter"))
+    for which, _, allowed in no_ring_left(made, *sizes):
+        key = f"{which}_diameter"
+        given = f"given '{node.at(key).raw}'; allowed: {allowed}"
+        faults.at(node.at(key), f"no ring left beside the balls: {given}")

@@ -11,8 +11,9 @@ import difflib
 import os
 import re
 import stat
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import yaml
 
@@ -21,6 +22,7 @@ from rotordyn.case.node import Node, joined, set_paths
 from rotordyn.case.scalars import resolve
 from rotordyn.errors import Fault
 
+T = TypeVar("T")
 MAX_BYTES = 4_000_000
 MAX_DEPTH = 40
 MAX_VALUES = 100_000
@@ -35,31 +37,27 @@ def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> No
 
     ``contents`` receives the bytes read, by path.
     """
-    file = shown(path)
-    try:
-        raw = _bytes(path)
-        contents[path] = raw
-        return _Composer(file, faults).root(_text(raw))
-    except _Refused as refusal:
-        faults.add(Fault(file, refusal.line, refusal.column, "", refusal.message))
-    return None
+    return _read(
+        path, faults, contents, lambda raw: _Composer(shown(path), faults).root(_text(raw))
+    )
 
 
 def read_bytes(path: Path, faults: Faults, contents: dict[Path, bytes]) -> bytes | None:
     """The bytes of a file that is no YAML, likewise."""
-    try:
-        contents[path] = raw = _bytes(path)
-    except _Refused as refusal:
-        faults.add(Fault(shown(path), refusal.line, refusal.column, "", refusal.message))
-        return None
-    return raw
+    return _read(path, faults, contents, lambda raw: raw)
 
 
 def read_text(path: Path, faults: Faults, contents: dict[Path, bytes]) -> str | None:
     """The text of a file that is no YAML, likewise."""
+    return _read(path, faults, contents, lambda raw: _text(raw) if raw.strip() else "")
+
+
+def _read(
+    path: Path, faults: Faults, contents: dict[Path, bytes], parsed: Callable[[bytes], T | None]
+) -> T | None:
     try:
         contents[path] = raw = _bytes(path)
-        return _text(raw) if raw.strip() else ""
+        return parsed(raw)
     except _Refused as refusal:
         faults.add(Fault(shown(path), refusal.line, refusal.column, "", refusal.message))
     return None

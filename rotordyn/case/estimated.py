@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
 from bearings.catalogue.printed import Catalogue
 from bearings.errors import InvalidBearing
 from bearings.kinds import DEFAULT, kind_class
-from bearings.materials import Material
-from rotordyn.case.keys import Printed, keys_of
+from rotordyn.case.keys import Printed
+from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
 
@@ -32,27 +31,19 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     if kind is not None and kind.value != DEFAULT:
         faults.at(
             kind,
-            (),
             f"no estimate of this kind: given '{kind.raw}'; allowed: {DEFAULT}, or leave "
             "out estimate and give balls and grooves",
         )
         return None
-    reading.given(model, node)
+    values = reading.given(model, node)
     for key in NEEDED:
         if node.child(key) is None:
-            faults.missing(node, (key,), "missing key: an estimate needs it")
+            faults.missing(node, key, "missing key: an estimate needs it")
     if len(faults.reported) > before:
         return None
-    values = {
-        field.keys[0]: reading.value(field.annotation, node.at(field.keys[0]))
-        for field in keys_of(model)
-        if node.child(field.keys[0]) is not None
-    }
-    if any(isinstance(v, Material) and math.isnan(v.young_modulus) for v in values.values()):
-        return None  # a material whose fault is reported already
     printed = values.pop("estimate") or Printed()
     values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
-    if any(map(_faulty, values.values())):
+    if any(map(is_unknown, values.values())):
         return None
     taken = {field.name for field in fields(Catalogue)}
     named = {_CALLED.get(key, key): value for key, value in values.items()}
@@ -63,11 +54,5 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
         shoulders = {key: values[key] for key in _SHOULDERS if key in values}
         return replace(bearing, **shoulders) if shoulders else bearing
     except InvalidBearing as error:
-        faults.at_key(node.at("estimate"), (), f"no estimate: {error}")
+        faults.at_key(node.at("estimate"), f"no estimate: {error}")
         return None
-
-
-def _faulty(value: Any) -> bool:
-    """A number, or one of several, whose fault is reported already."""
-    several = value if isinstance(value, tuple) else (value,)
-    return any(isinstance(each, float) and math.isnan(each) for each in several)

@@ -3,42 +3,27 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
+from typing import Any
 
 from bearings.kinds import KINDS
+from bearings.materials import Material
 from rotordyn import units
-from rotordyn.case.document import read_bytes, read_document
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
+from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, ModelFiles, bearing_class, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, MODELS, Way, bearing_class, keys_of, kinds_with, ways_to
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
-from rotordyn.case.reading import Reading, exact
-from rotordyn.case.reduced import NoModel, ReducedModel
 from rotordyn.case.table import tabled
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-
-_MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
-_MATERIALS_OF_SEAT = tuple(("model", *way) for way in _MATERIALS_OF_BEARING)
-_MATERIALS_OF_SPINDLE = (
-    ("shaft", "material"),
-    ("shaft", "sections", "*", "material"),
-    ("discs", "*", "material"),
-    ("fits", "housing_material"),
-    ("bearings", "*", "fits", "housing_material"),
-    ("rotors", "*", "shaft", "material"),
-    ("rotors", "*", "shaft", "sections", "*", "material"),
-    ("rotors", "*", "discs", "*", "material"),
-)
-_WORKPIECES = (("analyses", "stability_lobes", "workpiece"),)
-_MEASURED_SPINDLES = tuple(
-    ("analyses", name, "measured_spindle") for name in ("frf", "stability_lobes")
-)
-_MATERIALS_OF_TOOL = (("material",), ("sections", "*", "material"))
+from rotordyn.machine.tool import Tool
 
 
 @dataclass
@@ -69,20 +54,39 @@ class Reader:
             return reference
         name = _named(reference)
         if name is None:
-            self.faults.at(reference, (), "not a model: a name, a path or a mapping is needed")
+            self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
             return None
         try:
             path = find(kind, name, self.folders[reference.file])
         except UnknownModel as error:
-            self.faults.at(reference, (), str(error))
+            self.faults.at(reference, str(error))
             return None
-        return self._referred(path, reference)
+        return self.document(path) if self._exists(path, reference) else None
 
-    def _referred(self, path: Path, reference: Node) -> Node | None:
-        if not os.path.exists(path):
-            self.faults.at(reference, (), f"no such file: given '{reference.value}'")
-            return None
-        return self.document(path)
+    def beside(self, reference: Node) -> Path | None:
+        """The file that ``reference`` names, relative to the one it is written in."""
+        path = self.folders[reference.file].parent / Path(reference.value).expanduser()
+        return path if self._exists(path, reference) else None
+
+    def _exists(self, path: Path, reference: Node) -> bool:
+        if os.path.exists(path):
+            return True
+        self.faults.at(reference, f"no such file: given '{reference.value}'")
+        return False
+
+
+def opened(path: Path) -> tuple[Node, Reader]:
+    """A file, and what reads the files that it names.
+
+    Raises
+    ------
+    InvalidInput : it cannot be used
+    """
+    reader = Reader(Faults())
+    root = reader.document(path)
+    if root is None:
+        raise InvalidInput(reader.faults.reported)
+    return root, reader
 
 
 def _named(reference: Node) -> str | None:
@@ -92,40 +96,37 @@ def _named(reference: Node) -> str | None:
     return reference.value if isinstance(reference.value, str) else None
 
 
-def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | None:
+def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
     """The spindle with overrides, bearing models and materials filled in."""
     root = reader.model("spindles", reference)
     if root is None:
         return None
     whole = _override(root, override, reader)
-    _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
-    for holder in matching(root, ("bearings", "*")):
-        if id(holder) not in whole:
-            _bearing_of_seat(root, holder, reader)
-        _fill(holder, _MATERIALS_OF_SEAT, "materials", reader)  # named by an override of its model
-    for holder in matching(root, ("supports", "*")):
-        _table_of_support(holder, reader)
-    for holder in matching(root, ("housings", "*")):
-        _model_of_housing(holder, reader)
+    _fill(root, ways_to(Material, Spindle), Material, reader)
+    for seat in root.listed("bearings"):
+        if id(seat) not in whole:
+            _bearing_of_seat(root, seat, reader)
+        if (model := seat.child("model")) is not None:  # an override of it may name materials
+            _fill(model, ways_to(Material, _kind_of(model)), Material, reader)
+    for support in root.listed("supports"):
+        _table_of_support(support, reader)
     return root
 
 
-def _override(root: Node, override: Node | None, reader: Reader) -> set[int]:
+def _override(root: Node, override: Mapping[str, Node], reader: Reader) -> set[int]:
     """Applies the overrides of a case; those of what stands for all items before single ones.
 
     Gives the seats (by id) whose models are filled in already, because a path leads through them.
     """
     whole: set[int] = set()
-    if override is None or not isinstance(override.value, dict):
-        return whole
     shared = [*(fills for _, fills in _SHARED), ("bearings", "*", "model")]
-    single = {p for p in override.value if any(_leads(p.split("."), fills) for fills in shared)}
-    for paths in (override.value.keys() - single, single):
-        values = {path: value for path, value in override.value.items() if path in paths}
-        for path in values:
+    single = {p for p in override if any(_leads(p.split("."), fills) for fills in shared)}
+    for paths in (override.keys() - single, single):
+        changes = {path: value for path, value in override.items() if path in paths}
+        for path in changes:
             _share(root, path.split("."))
             _open(root, path.split("."), reader, whole)
-        apply(replace(override, value=values), root, reader.faults)
+        apply(changes, root, reader.faults)
     return whole
 
 
@@ -138,12 +139,12 @@ def _leads(steps: list[str], fills: tuple[str, ...]) -> bool:
 def _share(root: Node, steps: list[str]) -> None:
     """Gives an item, on a path that leads into what it shares with others, a value of its own."""
     for keys, fills in _SHARED:
-        source = exact(root, keys)
+        source = root.child(*keys)
         if source is None or not _leads(steps, fills):
             continue
         *way, _, key = fills
-        listed, called = exact(root, tuple(way)), steps[len(way)]
-        for holder in listed.value if listed and isinstance(listed.value, list) else ():
+        called = steps[len(way)]
+        for holder in root.listed(*way):
             if isinstance(holder.value, dict) and called in ("*", holder.name):
                 holder.value.setdefault(key, source.copy())
 
@@ -161,69 +162,66 @@ def _open(root: Node, steps: list[str], reader: Reader, whole: set[int]) -> None
     ``whole``: seats (by id) whose models are filled in.
     """
     if len(steps) > 3 and steps[0] == "bearings" and steps[2] == "model":
-        for seat in matching(root, ("bearings", "*")):
+        for seat in root.listed("bearings"):
             if steps[1] in ("*", seat.name) and id(seat) not in whole:
                 _bearing_of_seat(root, seat, reader)
                 whole.add(id(seat))
-    elif "material" in steps[:-1]:
-        place = steps.index("material")
-        for *way, _ in _MATERIALS_OF_SPINDLE:
-            fits = len(way) == place and all(
-                a in ("*", b) for a, b in zip(way, steps, strict=False)
-            )
-            for holder in matching(root, tuple(way)) if fits else ():
-                if steps[place - 1] in ("*", holder.name, way[-1]):
-                    _fill(holder, (("material",),), "materials", reader)
+        return
+    for way in ways_to(Material, Spindle):
+        for holder in matching(root, way[:-1]) if _leads(steps, way) else ():
+            if steps[len(way) - 2] in ("*", holder.name, way[-2]):
+                _fill(holder, [way[-1:]], Material, reader)
 
 
 def tool(reference: Node, reader: Reader) -> Node | None:
     """The tool with its materials filled in."""
     root = reader.model("tools", reference)
     if root is not None:
-        _fill(root, _MATERIALS_OF_TOOL, "materials", reader)
+        _fill(root, ways_to(Material, Tool), Material, reader)
     return root
 
 
-def asked(root: Node, reader: Reader) -> None:
-    """Fills in the models that analyses of a case name; one that cannot be read, whose fault is
-    reported, by any, so that its absence is not reported as well."""
-    _fill(root, _WORKPIECES, "workpieces", reader)
-    for place in _MEASURED_SPINDLES:
-        for holder in matching(root, place):
-            if (blank := holder.child("blank")) is not None:
-                _set(holder, "blank", tool(blank, reader))
-    for *way, key in _WORKPIECES:
-        for holder in matching(root, tuple(way)):
-            given = holder.child(key)
-            if given is not None and given.value is UNKNOWN:
-                any_pair = {
-                    name: replace(given, value="1 MPa") for name in ("tangential", "radial")
-                }
-                pairs = replace(given, value=[replace(given, value=any_pair)])
-                holder.value[key] = replace(given, value={"coefficients": pairs})
+def asked(node: Node, spec: type, reader: Reader) -> None:
+    """Fills in the models that an analysis names.
+
+    A workpiece that cannot be read, whose fault is reported, is one of unknown coefficients, so
+    that its absence is not reported as well.
+    """
+    for holder, key, named in _naming(node, ways_to(Tool, spec)):
+        _set(holder, key, tool(named, reader))
+    for holder, key, named in _naming(node, ways_to(Workpiece, spec)):
+        _set(holder, key, reader.model(MODELS[Workpiece], named))
+        if (held := holder.at(key)).value is UNKNOWN:
+            holder.value[key] = replace(named, value={"coefficients": held})
 
 
-def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) -> Node | None:
+def bearing(
+    reference: Node, overrides: Iterable[Mapping[str, Node]], reader: Reader
+) -> Node | None:
     """The bearing model with overrides and materials filled in."""
     root = reader.model("bearings", reference)
     if root is None:
         return None
-    for changes in override:
+    for changes in overrides:
         apply(changes, root, reader.faults)
     kind = root.child("kind")
     if kind is not None and kind.value not in tuple(KINDS):
         for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
-            reader.faults.at(root, ("kind",), why)
+            reader.faults.at(root.at("kind"), why)
         return None
     _forget_nulls(root)
-    _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
+    _fill(root, ways_to(Material, _kind_of(root)), Material, reader)
     return root
+
+
+def _kind_of(bearing: Node) -> Any:
+    kind = bearing.child("kind")
+    return bearing_class(None if kind is None else kind.value)
 
 
 def _forget_nulls(bearing: Node) -> None:
     """Takes out keys of other kinds that an override has set to null."""
-    kind = bearing.child("kind")
-    kept = {field.keys for field in keys_of(bearing_class(kind.value if kind else None))}
+    kept = {field.keys for field in keys_of(_kind_of(bearing))}
     for key in [k for k, v in bearing.items() if v.value is None and v.file != bearing.file]:
         if (key,) not in kept and kinds_with(str(key)):
             del bearing.value[key]
@@ -232,80 +230,34 @@ def _forget_nulls(bearing: Node) -> None:
 def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
     reference = seat.child("model")
     if reference is not None:
-        override = (root.child("bearing_override"), seat.child("model_override"))
-        _set(seat, "model", bearing(reference, override, reader))
+        overrides = (root.entries("bearing_override"), seat.entries("model_override"))
+        _set(seat, "model", bearing(reference, overrides, reader))
 
 
 def _table_of_support(support: Node, reader: Reader) -> None:
     reference = support.child("table")
     if reference is None or not isinstance(reference.value, str):
         return
-    path = _beside(reference, reader)
+    path = reader.beside(reference)
     if path is None:
         support.value["table"] = replace(reference, value=UNKNOWN)
         return
     tabled(support, path, reader.faults, reader.contents)
 
 
-def _beside(reference: Node, reader: Reader) -> Path | None:
-    """The file that ``reference`` names, relative to the one it is written in."""
-    path = reader.folders[reference.file].parent / Path(reference.value).expanduser()
-    if os.path.exists(path):
-        return path
-    reader.faults.at(reference, (), f"no such file: given '{reference.value}'")
-    return None
+def _fill(root: Node, ways: Iterable[Way], model: type, reader: Reader) -> None:
+    """Fills in the models of one kind that are named at the end of ``ways``."""
+    for holder, key, named in _naming(root, ways):
+        _set(holder, key, reader.model(MODELS[model], named))
 
 
-def _model_of_housing(housing: Node, reader: Reader) -> None:
-    reference = housing.child("model")
-    if reference is not None:
-        model = _reduced(reference, reader)
-        housing.value["model"] = replace(reference, value=UNKNOWN if model is None else model)
-
-
-def _reduced(reference: Node, reader: Reader) -> ReducedModel | None:
-    """The reduced model of a housing, from an archive or from Matrix Market files."""
-    from rotordyn.case.reduced_files import from_archive, from_market
-
-    if isinstance(reference.value, dict):
-        before = len(reader.faults.reported)
-        files = Reading(reader.faults, {}).value(ModelFiles, reference)
-        if len(reader.faults.reported) > before:
-            return None
-        raw = {}
-        for name in ("mass", "stiffness", "damping"):
-            if getattr(files, name):
-                content = _raw(reference.at(name), reader)
-                if content is None:
-                    return None
-                raw[name] = content
-        read = partial(from_market, raw, files.places)
-    elif isinstance(reference.value, str):
-        content = _raw(reference, reader)
-        if content is None:
-            return None
-        read = partial(from_archive, content)
-    else:
-        reader.faults.at(reference, (), "not a model: a .npz file or a mapping of files is needed")
-        return None
-    try:
-        return read()
-    except NoModel as error:
-        reader.faults.at(reference, (), f"no reduced model: {error}")
-        return None
-
-
-def _raw(reference: Node, reader: Reader) -> bytes | None:
-    path = _beside(reference, reader)
-    return None if path is None else read_bytes(path, reader.faults, reader.contents)
-
-
-def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Reader) -> None:
-    for *way, key in places:
+def _naming(root: Node, ways: Iterable[Way]) -> Iterator[tuple[Node, str, Node]]:
+    """At the end of each of ``ways``: the mapping, the key in it, and the name of a model."""
+    for *way, key in ways:
         for holder in matching(root, tuple(way)):
-            reference = holder.child(key)
-            if reference is not None and reference.value is not UNKNOWN:
-                _set(holder, key, reader.model(kind, reference))
+            named = holder.child(key)
+            if named is not None and named.value is not UNKNOWN:
+                yield holder, key, named
 
 
 def _set(holder: Node, key: str, model: Node | None) -> None:

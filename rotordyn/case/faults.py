@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotordyn.case.node import Node, joined
-from rotordyn.errors import Fault, TooManyFaults, printable
+from rotordyn.errors import Fault, InvalidInput, TooManyFaults, printable
 
 MOST = 200  # faults, after which nothing more is read
 LONGEST_PATH, LONGEST = 160, 700  # characters of a fault
@@ -20,22 +20,19 @@ class Faults:
         self.reported: list[Fault] = []
         self.variant = ""
 
-    def at(self, root: Node, keys: tuple[object, ...], message: str) -> None:
-        """A fault of the value reached from ``root`` by ``keys`` (as far as they exist)."""
-        node = root.at(*keys)
+    def at(self, node: Node, message: str) -> None:
+        """A fault of a value."""
         self.add(Fault(node.file, node.line, node.column, node.path, message))
 
-    def at_key(self, root: Node, keys: tuple[object, ...], message: str) -> None:
+    def at_key(self, node: Node, message: str) -> None:
         """A fault of a key itself, not of its value."""
-        node = root.at(*keys)
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, node.path, message))
 
-    def missing(self, root: Node, keys: tuple[object, ...], message: str) -> None:
+    def missing(self, node: Node, key: str | int, message: str) -> None:
         """A fault of a key that is not there, at the mapping that should hold it."""
-        node = root.at(*keys[:-1])
         line, column = node.key or (node.line, node.column)
-        self.add(Fault(node.file, line, column, joined(node.path, str(keys[-1])), message))
+        self.add(Fault(node.file, line, column, joined(node.path, str(key)), message))
 
     def add(self, fault: Fault) -> None:
         """Keeps ``fault`` on one line, unless it is known."""
@@ -48,6 +45,14 @@ class Faults:
             self.reported.append(line)
         if len(self.reported) >= MOST:
             raise TooManyFaults(self.reported)
+
+    def require_none(self, first: str = "") -> None:
+        """Raises InvalidInput where there are any: those of the file ``first``, then by the files
+        as they were met, and by line."""
+        files = [first, *(fault.file for fault in self.reported)]
+        if self:
+            order = sorted(self.reported, key=lambda f: (files.index(f.file), f.line, f.column))
+            raise InvalidInput(order)
 
     def __bool__(self) -> bool:
         return bool(self.reported)

@@ -5,7 +5,6 @@ Each form reads a node as what its annotation says; which annotation has which f
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -21,14 +20,14 @@ from rotordyn.analyses.measured_spindle import MeasuredSpindle
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
-from rotordyn.case.expand import Reader
-from rotordyn.case.keys import keys_of
-from rotordyn.case.leaf import unknown
+from rotordyn.case.expand import Reader, asked
+from rotordyn.case.keys import PortPair
+from rotordyn.case.leaf import is_unknown, unknown
 from rotordyn.case.matrices import matrix
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.ranges import sweep
-from rotordyn.case.reading import Reading, exact, unknown_key
-from rotordyn.case.reduced import ReducedModel
+from rotordyn.case.reading import Reading, unknown_key
+from rotordyn.case.reduced import reduced_model
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -37,7 +36,7 @@ from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import Quantity, Sweep, suggestion
+from rotordyn.quantity import Items, Quantity, Sweep, suggestion
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
@@ -56,8 +55,7 @@ def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     values = reading.fields(Material, node)
-    numbers = [value for value in values.values() if isinstance(value, float)]
-    return unknown(Material) if any(map(math.isnan, numbers)) else Material(**values)
+    return unknown(Material) if any(map(is_unknown, values.values())) else Material(**values)
 
 
 def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -65,47 +63,16 @@ def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     return reading.description(Tool, node, others, name=Path(node.file).stem)
 
 
-def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A housing by its reduced model, which is read from its files already."""
-    held = node.child("model")
-    model = held.value if held is not None and isinstance(held.value, ReducedModel) else None
-    rows: dict[str, Any] = dict.fromkeys(("shape", "mass", "stiffness", "damping"), ())
-    places: tuple[str, ...] = ()
-    if model is not None:
-        rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
-        places = model.places
-    if held is not None:
-        held.value = UNKNOWN
-    return reading.description(ReducedHousing, node, others, places=places, **rows)
-
-
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Known values, in units of their quantity; one speed serves them all."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-    quantity = exact(node, ("quantity",))
-    unit = (
-        QUANTITIES.get(quantity.value)
-        if quantity is not None and isinstance(quantity.value, str)
-        else None
-    )
-    kind = Quantity(KIND_OF_UNIT[unit]) if unit else Quantity("number")
-    keys = keys_of(Reference)
-    plain = {field.name: field.annotation for field in keys}
-    values = reading.fields(
-        Reference,
-        node,
-        annotations={
-            "values": Annotated[
-                (
-                    tuple[Annotated[float, kind], ...] if unit else tuple[Any, ...],
-                    *plain["values"].__metadata__,
-                )
-            ],
-            "conditions": Any,
-        },
-    )
-    conditions = exact(node, ("conditions",))
+    quantity = node.child("quantity")
+    unit = "" if quantity is None else QUANTITIES.get(str(quantity.value), "")
+    known: Any = Annotated[float, Quantity(KIND_OF_UNIT[unit])] if unit else Any
+    taken = {"values": Annotated[tuple[known, ...], Items()], "conditions": Any}
+    values = reading.fields(Reference, node, annotations=taken)
+    conditions = node.child("conditions")
     values["conditions"] = {} if conditions is None else reading.given(Conditions, conditions)
     if len(values["speeds"]) == 1:
         values["speeds"] *= len(values["values"])
@@ -126,7 +93,7 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
             f"{suggestion(direction, DOFS)}"
         )
     if why:
-        reading.faults.at(node, (), why)
+        reading.faults.at(node, why)
         return unknown(annotation)
     with unchecked():
         return Port(point, direction)
@@ -134,41 +101,23 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A response and an excitation."""
-    ports = []
-    if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping with response and excitation")
-        return unknown(Port), unknown(Port)
-    keys = ("response", "excitation")
-    for key, child in node.value.items():
-        if key not in keys:
-            reading.faults.at_key(child, (), unknown_key(key, [*keys]))
-    for key in keys:
-        written = node.child(key)
-        if written is None:
-            reading.faults.missing(node, (key,), "missing key: it must be given")
-        ports.append(unknown(Port) if written is None else reading.value(Port, written))
-    return tuple(ports)
+    ports: PortPair = reading.description(PortPair, node)
+    return ports.response, ports.excitation
 
 
 def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Frequency responses, the pairs of a matrix among them."""
-    matrix, pairs = exact(node, ("matrix",)), exact(node, ("pairs",))
+    matrix, pairs = node.child("matrix"), node.child("pairs")
     if matrix is not None and (pairs is None or isinstance(pairs.value, list)):
-        listed = [*(pairs.value if pairs is not None else ())]
+        listed = [*node.listed("pairs")]
         seen = {tuple(item.at(key).raw for key in ("response", "excitation")) for item in listed}
-        rows, columns = (matrix.child(key) for key in ("responses", "excitations"))
-        for row, column in product(
-            *(
-                held.value if held and isinstance(held.value, list) else ()
-                for held in (rows, columns)
-            )
-        ):
+        for row, column in product(matrix.listed("responses"), matrix.listed("excitations")):
             if (row.raw, column.raw) not in seen:
                 seen.add((row.raw, column.raw))
                 listed.append(replace(matrix, value={"response": row, "excitation": column}))
         whole = pairs or matrix
         node.value["pairs"] = replace(whole, value=listed if listed else UNKNOWN)
-    _numbered(exact(node, ("measured",)))
+    _numbered(node.listed("measured"))
     return reading.description(FrfSpec, node)
 
 
@@ -176,40 +125,15 @@ def measured_spindle(
     reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 ) -> Any:
     """A spindle by its measured responses."""
-    if isinstance(node.value, dict):
-        _numbered(exact(node, ("responses",)))
+    _numbered(node.listed("responses"))
     return reading.description(MeasuredSpindle, node, others)
 
 
-def _numbered(node: Node | None) -> None:
+def _numbered(responses: list[Node]) -> None:
     """Gives measured responses without a name their number."""
-    for index, item in enumerate(_listed(node)):
+    for index, item in enumerate(responses):
         if isinstance(item.value, dict):
             item.value.setdefault("name", replace(item, value=f"measured {index + 1}"))
-
-
-def _listed(node: Node | None) -> list[Node]:
-    return node.value if node is not None and isinstance(node.value, list) else []
-
-
-def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Specs by the name of their analysis; one without keys may be left empty."""
-    if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        return {"": Spec()}
-    specs: dict[str, Any] = {}
-    for name, child in node.value.items():
-        try:
-            spec = analysis(name).spec
-        except InvalidInput:
-            reading.faults.at_key(child, (), unknown_key(name, [*names()]))
-            continue
-        entry = replace(child, value={}) if child.value is None else child
-        node.value[name] = entry
-        specs[name] = reading.value(spec, entry)
-    if node.value and not specs:
-        return {"": Spec()}
-    return specs
 
 
 def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -219,6 +143,22 @@ def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, f"{AS_USUAL}, or a mapping (key: value)")
     return reading.description(Uncertain, node)
+
+
+def reduced(files: Reader) -> Any:
+    """The form of a housing by its reduced model, which stands in files of its own."""
+
+    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+        rows: dict[str, Any] = dict.fromkeys(("shape", "mass", "stiffness", "damping"), ())
+        places: tuple[str, ...] = ()
+        if (held := node.child("model")) is not None:
+            if (model := reduced_model(held, reading, files)) is not None:
+                rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
+                places = model.places
+            held.value = UNKNOWN
+        return reading.description(ReducedHousing, node, others, places=places, **rows)
+
+    return form
 
 
 def measured(files: Reader) -> Any:
@@ -231,13 +171,13 @@ def measured(files: Reader) -> Any:
         values = reading.fields(MeasuredResponse, node)
         if len(reading.faults.reported) > before:
             return unknown(MeasuredResponse)
-        name, number = node.at("file"), exact(node, ("record",))
+        name, number = node.at("file"), node.child("record")
         path = files.folders[name.file].parent / name.value
         pair = f"{values['response']} / {values['excitation']}"
         try:
             record = read_record(path, pair, number.value if number else None)
         except InvalidInput as fault:
-            reading.faults.at(name, (), f"{name.value}: {fault}")
+            reading.faults.at(name, f"{name.value}: {fault}")
             with unchecked():
                 return MeasuredResponse(**values)  # its pair is still held against the others
         files.contents[path] = path.read_bytes()
@@ -253,9 +193,38 @@ def measured(files: Reader) -> Any:
     return form
 
 
+def by_name(files: Reader) -> Any:
+    """The form of specs by the name of their analysis; one without keys may be left empty."""
+
+    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+        if not isinstance(node.value, dict):
+            reading.wrong_shape(annotation, node, "a mapping (key: value)")
+            return {"": Spec()}
+        specs: dict[str, type] = {}
+        for name, child in node.value.items():
+            try:
+                specs[name] = analysis(name).spec
+            except InvalidInput:
+                reading.faults.at_key(child, unknown_key(name, [*names()]))
+                continue
+            if child.value is None:
+                node.value[name] = replace(child, value={})
+            asked(node.value[name], specs[name], files)
+        if node.value and not specs:
+            return {"": Spec()}
+        return {name: reading.value(spec, node.value[name]) for name, spec in specs.items()}
+
+    return form
+
+
 def reading_of(files: Reader) -> Reading:
     """What reads the files of a case."""
-    return Reading(files.faults, {**FORMS, MeasuredResponse: measured(files)})
+    with_files = {
+        ByName: by_name(files),
+        MeasuredResponse: measured(files),
+        ReducedHousing: reduced(files),
+    }
+    return Reading(files.faults, {**FORMS, **with_files})
 
 
 FORMS: dict[type, Any] = {
@@ -264,13 +233,11 @@ FORMS: dict[type, Any] = {
     Pair: pair,
     FrfSpec: frf,
     MeasuredSpindle: measured_spindle,
-    ByName: by_name,
     Material: material,
     Tool: tool,
     BearingSeat: seat,
     BallBearing: bearing,
     Matrix: matrix,
-    ReducedHousing: reduced,
     Reference: reference,
     Worded: uncertain,
 }

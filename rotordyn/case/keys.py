@@ -7,19 +7,19 @@ value given once for several items of a list, which get it where they have none 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Annotated, Any
+from typing import Annotated, Any, get_origin
 
 from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
-from bearings.materials import Material
+from bearings.materials import STEEL, Material
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
-from rotordyn.field import REQUIRED, Field, declared
+from rotordyn.field import Field, bare, declared, descriptions, members
 from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import (
@@ -44,12 +44,14 @@ from rotordyn.quantity import (
     Name,
     Quantity,
     Station,
+    ThermalExpansion,
     TopSpeed,
     Whole,
 )
 from rotordyn.scene.conditions import Conditions
 
 Overrides = Mapping[str, Any]
+Way = tuple[str, ...]  # keys, one within the other; ``*``: every item of a list
 Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
 
@@ -81,6 +83,14 @@ class Range:
 
 
 @dataclass(frozen=True, slots=True)
+class PortPair:
+    """A response and what excites it."""
+
+    response: Annotated[Port, "a point and one of x, y, z, thx, thy, thz"]
+    excitation: Annotated[Port, "a point and the direction of its force or moment"]
+
+
+@dataclass(frozen=True, slots=True)
 class PortMatrix(Description):
     """Every response to every excitation."""
 
@@ -93,8 +103,7 @@ class PortMatrix(Description):
 
     def _faults(self) -> Faults:
         for key in ("responses", "excitations"):
-            for index, sentence in repeated(map(str, getattr(self, key))):
-                yield (key, index), sentence
+            yield from repeated(key, map(str, getattr(self, key)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,6 +246,19 @@ class _Bearing:
 
 
 @dataclass
+class _Elastic:
+    """The fields of a material, which ``bearings`` keeps without units."""
+
+    name: Annotated[str, "as printed"]
+    young_modulus: Annotated[float, Quantity("pressure", at_least="1 GPa", at_most="2000 GPa"), "E"]
+    poisson_ratio: Annotated[float, Quantity("number", above="-1", below="0.5"), "ν"]
+    density: Annotated[
+        float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3"), "ρ"
+    ]
+    thermal_expansion: Annotated[ThermalExpansion, "linear, α"] = STEEL.thermal_expansion
+
+
+@dataclass
 class _Material:
     source: Source = ""
     note: Note = ""
@@ -278,24 +300,6 @@ def extra(kind: type) -> tuple[Field, ...]:
     """Keys of files that are no fields of this kind of description."""
     source = next((_EXTRA[base] for base in kind.__mro__ if base in _EXTRA), None)
     return () if source is None else tuple(replace(field, name="") for field in declared(source))
-
-
-_MATERIAL = {
-    "name": (str, "as printed"),
-    "young_modulus": (
-        Annotated[float, Quantity("pressure", at_least="1 GPa", at_most="2000 GPa")],
-        "E",
-    ),
-    "poisson_ratio": (Annotated[float, Quantity("number", above="-1", below="0.5")], "ν"),
-    "density": (
-        Annotated[float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3")],
-        "ρ",
-    ),
-    "thermal_expansion": (
-        Annotated[float, Quantity("thermal expansion", at_least="-1e-4 1/K", at_most="1e-3 1/K")],
-        "linear, α",
-    ),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -355,23 +359,11 @@ COMMON: dict[type, tuple[Common, ...]] = {
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """Every key of a file, or of a mapping in one, that is read as this kind of description."""
-    keys = _of_material() if kind is Material else declared(kind)
+    keys = declared(_Elastic if kind is Material else kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
         return (*extra(kind), *keys)
     return (*keys, *extra(kind), *common)
-
-
-def _of_material() -> tuple[Field, ...]:
-    given = {field.name: field.default for field in fields(Material)}
-    assert {*given} == {*_MATERIAL}
-    return tuple(
-        Field(
-            *(name, (name,), annotation, meaning),
-            REQUIRED if given[name] is MISSING else given[name],
-        )
-        for name, (annotation, meaning) in _MATERIAL.items()
-    )
 
 
 def _common(each: Common) -> Iterator[Field]:
@@ -380,6 +372,32 @@ def _common(each: Common) -> Iterator[Field]:
         if inner.keys[: len(tail)] == tail:
             keys = (*each.keys, *inner.keys[len(tail) :])
             yield Field("", keys, inner.annotation, each.meaning, None)
+
+
+# Descriptions that stand in files of their own, and the folder of the library that holds these.
+MODELS: dict[type, str] = {
+    Spindle: "spindles",
+    Tool: "tools",
+    BallBearing: "bearings",
+    Material: "materials",
+    Workpiece: "workpieces",
+}
+
+
+@cache
+def ways_to(model: type, kind: Any) -> tuple[Way, ...]:
+    """Where a file of this kind names models of another; what serves several items comes first."""
+    ways: list[Way] = []
+    for each in keys_of(kind):
+        for form in members(each.annotation) if each.keys else ():
+            origin = get_origin(bare(form))
+            way = (*each.keys, "*") if origin is tuple else each.keys
+            for held in () if origin is Mapping else descriptions(form):
+                if held is model:
+                    ways.append(way)
+                elif held not in MODELS:
+                    ways += [(*way, *rest) for rest in ways_to(model, held)]
+    return tuple(sorted(ways, key=len))
 
 
 def bearing_class(word: object) -> Any:

@@ -14,13 +14,10 @@ from bearings.bearing import BallBearing
 from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.keys import keys_of
-from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, bare, members, metadata, optional
 from rotordyn.machine.matrix import DOFS, Matrix
-from rotordyn.quantity import Choice, Named, Quantity, Whole, Words
-
-LIMITS = (Quantity, Choice, Whole, Named, Words)
+from rotordyn.quantity import Choice, Limit, Named, Quantity
 
 
 def is_kind(inner: Any) -> bool:
@@ -30,7 +27,7 @@ def is_kind(inner: Any) -> bool:
 
 def limit_of(annotation: Any) -> Any:
     """What limits a value; its type where nothing does."""
-    return next((m for m in metadata(annotation) if isinstance(m, LIMITS)), bare(annotation))
+    return next((m for m in metadata(annotation) if isinstance(m, Limit)), bare(annotation))
 
 
 def wanted(annotation: Any) -> str:
@@ -50,7 +47,7 @@ def wanted(annotation: Any) -> str:
 def leaf(annotation: Any, value: object) -> Any:
     """A single value as written in a file; raises Refused."""
     limit = limit_of(annotation)
-    if not isinstance(limit, LIMITS):
+    if not isinstance(limit, Limit):
         return _plain(bare(annotation), value, units.shown(value))
     try:
         return limit.read(value)
@@ -88,16 +85,20 @@ def unknown(annotation: Any) -> Any:
     return _UNKNOWN.get(get_origin(inner) or inner)
 
 
+def is_unknown(value: Any) -> bool:
+    """A number, one of several, or a material, whose fault is reported already."""
+    if isinstance(value, Material):
+        return math.isnan(value.young_modulus)
+    several = value if isinstance(value, tuple) else (value,)
+    return any(isinstance(each, float) and math.isnan(each) for each in several)
+
+
 @cache
 def _nothing_known(kind: Any) -> Any:
     if issubclass(kind, BallBearing):
         return None
-    with unchecked():
-        if issubclass(kind, Material):
-            made = object.__new__(kind)
-            for name in ("young_modulus", "poisson_ratio", "density", "thermal_expansion"):
-                object.__setattr__(made, name, math.nan)
-            object.__setattr__(made, "name", "")
-            return made
-        fields = keys_of(kind)
-        return kind(**{field.name: unknown(field.annotation) for field in fields if field.name})
+    made = object.__new__(kind)  # which checks nothing
+    for field in keys_of(kind):
+        if field.name:
+            object.__setattr__(made, field.name, unknown(field.annotation))
+    return made

@@ -10,24 +10,22 @@ from bearings.bearing import BallBearing
 from rotordyn.case.arranged import arrange
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.reading import Reading, exact
+from rotordyn.case.reading import Reading
 from rotordyn.description import unchecked
-from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.spindle import OF_TOOL, Spindle
 from rotordyn.machine.tool import Tool
-
-_ADDED = ("masses", "references", "joints")
 
 
 def named_once(root: Node, faults: Faults) -> None:
     """Exactly one of spindle and bearing is named, and a tool only with a spindle."""
     spindle, bearing = (root.child(key) for key in ("spindle", "bearing"))
     if spindle is None and bearing is None:
-        faults.missing(root, ("spindle",), "missing key: a case needs a spindle, or a bearing")
+        faults.missing(root, "spindle", "missing key: a case needs a spindle, or a bearing")
     if spindle is not None and bearing is not None:
         key = "spindle" if spindle.path.startswith("compare.") else "bearing"
-        faults.at_key(root, (key,), "a case has either a spindle or a bearing: given both")
+        faults.at_key(root.at(key), "a case has either a spindle or a bearing: given both")
     if root.child("tool") is not None and spindle is None:
-        faults.at_key(root, ("tool",), "a tool needs a spindle: given none")
+        faults.at_key(root.at("tool"), "a tool needs a spindle: given none")
 
 
 def read_spindle(
@@ -42,7 +40,7 @@ def read_spindle(
         _pushed(reading, tree, made)
         if tool is None:
             return made, None, tree
-        clamped = read_tool(reading, tool)
+        clamped: Tool = reading.value(Tool, tool)
         for path, sentence in clamped.faults_in(made.shaft.start, made.points):
             reading.at(tool, path, sentence)
         made, tree = made.with_tool(clamped), _clamped(tree, tool)
@@ -52,30 +50,16 @@ def read_spindle(
     return made, clamped, tree
 
 
-def read_tool(reading: Reading, tree: Node) -> Tool:
-    """The tool in ``tree``."""
-    made: Tool = reading.value(Tool, tree)
-    return made
-
-
-def read_bearing(reading: Reading, tree: Node | None) -> BallBearing | None:
-    """The bearing in ``tree``; None where it has faults."""
-    made: BallBearing | None = None if tree is None else reading.value(BallBearing, tree)
-    return made
-
-
 def _clamped(spindle: Node, tool: Node) -> Node:
     """The tree of a spindle with the tool's sections, masses, points and joints in it."""
     held: dict[str, Any] = dict(spindle.value)
-    shaft = held.get("shaft")
-    if shaft is not None and isinstance(shaft.value, dict):
-        sections = _joined(tool.child("sections"), shaft.child("sections"))
-        held["shaft"] = replace(shaft, value={**shaft.value, "sections": sections})
-    for key in _ADDED:
+    if shaft := spindle.entries("shaft"):
+        sections = _joined(tool.child("sections"), spindle.child("shaft", "sections"))
+        held["shaft"] = replace(held["shaft"], value={**shaft, "sections": sections})
+    for key in OF_TOOL:
         held[key] = _joined(spindle.child(key), tool.child(key))
-    points = [node.value for node in (spindle.child("points"), tool.child("points")) if node]
-    entries = {k: v for each in points if isinstance(each, dict) for k, v in each.items()}
-    held["points"] = replace(spindle.child("points") or tool, value=entries)
+    points = {**spindle.entries("points"), **tool.entries("points")}
+    held["points"] = replace(spindle.child("points") or tool, value=points)
     return replace(spindle, value={key: node for key, node in held.items() if node is not None})
 
 
@@ -94,11 +78,11 @@ def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
     for index, seat in enumerate(made.seats):
         bearing: object = seat.bearing
         both = isinstance(bearing, BallBearing) and bearing.both_ways
-        node = exact(tree, ("bearings", index))
+        node = tree.child("bearings", index)
         if both and seat.name in on_sleeves and node is not None and node.child("thrust") is None:
             reading.faults.missing(
                 node,
-                ("thrust",),
+                "thrust",
                 "missing key: the spring of its sleeve pushes one way; allowed: +x, -x, the way "
                 "the shaft pushes the inner ring against the spring",
             )

@@ -31,7 +31,7 @@ def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ..
     entries: dict[tuple[str, str], Any] = {}
     for key, child in node.value.items():
         if key not in ENTRIES:
-            reading.faults.at_key(child, (), unknown_key(key, [*WHOLE, *ENTRIES]))
+            reading.faults.at_key(child, unknown_key(key, [*WHOLE, *ENTRIES]))
             continue
         pair = ENTRIES[key]
         one = Annotated[float, marker.quantity(*pair)]
@@ -41,7 +41,7 @@ def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ..
             entries[pair] = tuple(reading.value(one, item) for item in child.value)
         elif isinstance(child.value, list):
             message = "a housing does not follow the speed: one value is needed"
-            reading.faults.at(child, (), message)
+            reading.faults.at(child, message)
         else:
             entries[pair] = reading.value(one, child)
     return entries
@@ -52,17 +52,16 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
     if both:
         reading.faults.at(
             node,
-            (),
             f"both ways of writing a matrix: given {', '.join(both)} beside dof and matrix; "
             "allowed: entries by name, or dof and matrix",
         )
         return {}
     for key, child in node.value.items():
         if key not in WHOLE:
-            reading.faults.at_key(child, (), unknown_key(key, [*WHOLE, *ENTRIES]))
+            reading.faults.at_key(child, unknown_key(key, [*WHOLE, *ENTRIES]))
     for key in WHOLE:
         if key not in node.value:
-            reading.faults.missing(node, (key,), "missing key: it must be given")
+            reading.faults.missing(node, key, "missing key: it must be given")
     dofs = _dofs(reading, node.child("dof"))
     rows = node.child("matrix")
     if rows is None or not dofs or not _square(reading, rows, len(dofs)):
@@ -83,9 +82,7 @@ def _dofs(reading: Reading, node: Node | None) -> list[str]:
     if not listed or len(set(listed)) < len(listed) or not set(listed) <= set(DOFS):
         given = units.shown(", ".join(listed) if listed else names)
         reading.faults.at(
-            node,
-            (),
-            f"not DOF: given {given}; allowed: different ones of {', '.join(DOFS)}",
+            node, f"not DOF: given {given}; allowed: different ones of {', '.join(DOFS)}"
         )
         return []
     return listed
@@ -100,7 +97,7 @@ def _square(reading: Reading, node: Node, size: int) -> bool:
         f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else units.shown(node.plain())
     )
     reading.faults.at(
-        node, (), f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
+        node, f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
     )
     return False
 
@@ -113,6 +110,6 @@ def _cell(reading: Reading, quantity: Quantity, node: Node, row: str, column: st
     try:
         cell: float = leaf(Annotated[float, quantity], value)
     except Refused as refusal:
-        reading.faults.at(node, (), f"entry {entry_name(row, column)}: {refusal.why}")
+        reading.faults.at(node, f"entry {entry_name(row, column)}: {refusal.why}")
         return math.nan
     return cell

@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Literal, TypeVar, overload
+from typing import Any, Literal, overload
 
 from bearings.bearing import BallBearing
 from bearings.errors import shown
 from bearings.materials import Material
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case import expand
-from rotordyn.case.faults import Faults
 from rotordyn.case.forms import reading_of
 from rotordyn.case.library import UnknownModel, find
-from rotordyn.case.machines import read_bearing, read_spindle, read_tool
+from rotordyn.case.machines import read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.read import in_order
 from rotordyn.case.shipped import known_kind
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
 Model = Spindle | Tool | BallBearing | Material | Workpiece
-T = TypeVar("T")
 
 
 @overload
@@ -51,33 +48,25 @@ def model(kind: str, reference: str | Path) -> Model:
     root, reader = _document(known_kind(kind), reference)
     reading = reading_of(reader)
     described: Any = None
-    if kind == "spindles" and (tree := expand.spindle(root, None, reader)):
+    if kind == "spindles" and (tree := expand.spindle(root, {}, reader)):
         described = read_spindle(reading, tree, None)[0]
     elif kind == "tools" and (tree := expand.tool(root, reader)):
-        described = read_tool(reading, tree)
-    elif kind == "bearings":
-        described = read_bearing(reading, expand.bearing(root, (), reader))
+        described = reading.value(Tool, tree)
+    elif kind == "bearings" and (tree := expand.bearing(root, (), reader)):
+        described = reading.value(BallBearing, tree)
     elif kind == "materials":
         described = reading.value(Material, root)
     elif kind == "workpieces":
         described = reading.value(Workpiece, root)
-    whole: Model = _whole(described, reader)
+    reader.faults.require_none()
+    whole: Model = described
     return whole
 
 
 def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
     if not isinstance(reference, str | os.PathLike):
         raise InvalidInput(f"a model is called by its name or path: got {shown(reference)}")
-    reader = expand.Reader(Faults())
     try:
-        root = reader.document(find(kind, str(reference), Path("here")))
+        return expand.opened(find(kind, str(reference), Path("here")))
     except UnknownModel as error:
         raise InvalidInput(str(error)) from None
-    return _whole(root, reader), reader
-
-
-def _whole(described: T | None, reader: expand.Reader) -> T:
-    """What was found, where nothing is wrong with it."""
-    if described is None or reader.faults:
-        raise InvalidInput(in_order(reader.faults.reported))
-    return described

@@ -46,15 +46,26 @@ class Node:
         elif isinstance(self.value, list):
             yield from enumerate(self.value)
 
-    def child(self, key: object) -> Node | None:
-        """The child found by ``key``, or None."""
-        if isinstance(self.value, dict) and isinstance(key, str):
-            entry: Node | None = self.value.get(key)
-            return entry
-        if isinstance(self.value, list) and isinstance(key, int) and 0 <= key < len(self.value):
-            item: Node = self.value[key]
-            return item
-        return None
+    def child(self, *keys: object) -> Node | None:
+        """What is found by ``keys``, one after the other; None where there is nothing."""
+        node: Node | None = self
+        for key in keys:
+            held = None if node is None else node.value
+            if isinstance(held, list):
+                node = held[key] if isinstance(key, int) and 0 <= key < len(held) else None
+            else:
+                node = held.get(key) if isinstance(held, dict) else None
+        return node
+
+    def listed(self, *keys: object) -> list[Node]:
+        """Items of the list found by ``keys``; none where there is no list."""
+        found = self.child(*keys)
+        return found.value if found is not None and isinstance(found.value, list) else []
+
+    def entries(self, *keys: object) -> dict[str, Node]:
+        """Entries of the mapping found by ``keys``; none where there is no mapping."""
+        found = self.child(*keys)
+        return found.value if found is not None and isinstance(found.value, dict) else {}
 
     def at(self, *keys: object) -> Node:
         """The deepest node on the way ``keys``; a key that does not exist is passed over."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from rotordyn.case.faults import Faults
@@ -9,15 +10,13 @@ from rotordyn.case.node import Node, joined
 from rotordyn.quantity import suggestion
 
 
-def apply(changes: Node | None, target: Node, faults: Faults) -> None:
+def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
     """Writes each entry of ``changes`` (dotted path: value) into ``target``, in place.
 
     A path names keys, and items of a list by their ``name``; ``*`` stands for every item or entry.
     Mappings on the way are made where they are missing. Anything else the path meets is a fault.
     """
-    if changes is None or not isinstance(changes.value, dict):
-        return
-    for path, value in changes.value.items():
+    for path, value in changes.items():
         _put(value, path.split("."), target, faults)
 
 
@@ -54,11 +53,11 @@ def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         allowed = ", ".join(names) or "the list as a whole, its items have no names"
         where = target.path or "the list"
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
-        faults.at_key(value, (), message)
+        faults.at_key(value, message)
     return named
 
 
 def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:
     faults.at_key(
-        value, (), f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
+        value, f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
     )

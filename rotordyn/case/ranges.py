@@ -11,7 +11,7 @@ from rotordyn.case.keys import MOST_STEPS, Range
 from rotordyn.case.leaf import unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
-from rotordyn.field import bare
+from rotordyn.field import bare, found_in
 from rotordyn.quantity import Quantity
 from rotordyn.units import format_quantity
 
@@ -24,7 +24,7 @@ def sweep(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...
         allowed = "a range {from, to, step or count}, or a list"
         return reading.wrong_shape(annotation, node, allowed)
     item = get_args(bare(annotation))[0]
-    limits = next(m for m in item.__metadata__ if isinstance(m, Quantity))
+    limits = found_in(item, Quantity)
     zero = f"0 {units.KINDS[limits.kind][0]}"
     step = Annotated[float, Quantity(limits.kind, above=zero, at_most=limits.at_most)] | None
     taken = {"start": item, "to": item, "step": step}

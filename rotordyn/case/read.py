@@ -9,10 +9,20 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from bearings.bearing import BallBearing
 from bearings.errors import shown
+from rotordyn.case import expand
+from rotordyn.case.asked import conflicts
 from rotordyn.case.case import Case
-from rotordyn.case.faults import Faults
-from rotordyn.errors import Fault, InvalidInput
+from rotordyn.case.forms import reading_of
+from rotordyn.case.library import find_case
+from rotordyn.case.machines import named_once, read_spindle
+from rotordyn.case.node import Node
+from rotordyn.case.shipped import sources_in
+from rotordyn.case.variants import tools_compared, variant_trees
+from rotordyn.description import Faults as Rules
+from rotordyn.description import unchecked
+from rotordyn.errors import InvalidInput
 
 MOST_VARIANTS = 200
 # Keys by which a file that is no case is known, and what it is called.
@@ -32,33 +42,30 @@ def load(path: str | Path) -> Case:
     Raises InvalidInput with all faults of the case, its models and its overrides at once, in the
     order of their files and lines.
     """
-    from rotordyn.case.expand import Reader
-    from rotordyn.case.library import find_case
-    from rotordyn.case.variants import tools_compared, variant_trees
-
     if not isinstance(path, str | os.PathLike):
         raise InvalidInput(f"load takes the path of a case file, or a name: got {shown(path)}")
     file = find_case(path if isinstance(path, str) else Path(path))
-    reader = Reader(Faults())
-    root = reader.document(file)
-    root = None if root is None else tools_compared(root, reader.faults)
-    whole = None if root is None else _case(root, file.stem, reader)
+    root, reader = expand.opened(file)
+    root = tools_compared(root, reader.faults)
+    whole = _case(root, file.stem, reader)
     made: dict[str, Case] = {}
-    if root is not None and not reader.faults:
-        _require_few(root, reader)
-    if root is not None and not reader.faults:
+    if not reader.faults and (many := len(root.entries("compare"))) > MOST_VARIANTS:
+        why = f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
+        reader.faults.at_key(root.at("compare"), f"{why}(rotordyn sweep)")
+    if not reader.faults:
         for name, tree in variant_trees(root).items():
             reader.faults.variant = name
-            title = root.at("compare", name).child("title")
+            title = root.child("compare", name, "title")
             variant = _case(tree, name, reader)
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
                 made[name] = _with(variant, title=written or name.replace("_", " "))
         reader.faults.variant = ""
-        if whole is not None and not reader.faults:
-            _uncertain_alike(root, whole, made, reader)
-    if whole is None or reader.faults:
-        raise InvalidInput(in_order(reader.faults.reported, "" if root is None else root.file))
+    if whole is not None and not reader.faults:
+        for way, sentence in conflicts(whole, made):
+            reading_of(reader).at(root, way, sentence)
+    reader.faults.require_none(root.file)
+    assert whole is not None
     read = {
         "files": tuple(reader.contents),
         "digest": _digest(reader.contents),
@@ -67,19 +74,8 @@ def load(path: str | Path) -> Case:
     return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
 
 
-def _uncertain_alike(root: Any, case: Case, variants: Mapping[str, Case], reader: Any) -> None:
-    """What is uncertain is not what variants replace."""
-    from rotordyn.case.asked import conflicts
-    from rotordyn.case.forms import reading_of
-
-    for path, sentence in conflicts(case, variants):
-        reading_of(reader).at(root, path, sentence)
-
-
-def _sources(trees: Mapping[Path, Any]) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _sources(trees: Mapping[Path, Node | None]) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Of every file that names a source: its title, and its sources in a line each."""
-    from rotordyn.case.shipped import sources_in
-
     for path, root in trees.items():
         held = {} if root is None else root.plain()
         if found := sources_in(held):
@@ -87,53 +83,28 @@ def _sources(trees: Mapping[Path, Any]) -> Iterator[tuple[str, tuple[str, ...]]]
             yield f"{path.parent.name}/{path.name}", (title, *found)
 
 
-def _require_few(root: Any, reader: Any) -> None:
-    compared = root.child("compare")
-    many = len(compared.value) if compared is not None and isinstance(compared.value, dict) else 0
-    if many > MOST_VARIANTS:
-        reader.faults.at_key(
-            compared,
-            (),
-            f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
-            "(rotordyn sweep)",
-        )
-
-
 def _with(case: Case, **changes: Any) -> Case:
     """The case with other values of fields that no rule is about."""
-    from rotordyn.description import unchecked
-
     with unchecked():
         return replace(case, **changes)
 
 
-def in_order(faults: list[Fault], first: str = "") -> list[Fault]:
-    """Faults by file, ``first`` and then in the order the files were met, and by line."""
-    files = [first, *(fault.file for fault in faults)]
-    return sorted(faults, key=lambda f: (files.index(f.file), f.line, f.column))
-
-
-def _case(root: Any, name: str, reader: Any) -> Case | None:
+def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     """The case in ``root``; good for use only if ``reader.faults`` stays empty."""
-    from rotordyn.case import expand
-    from rotordyn.case.forms import reading_of
-    from rotordyn.case.machines import named_once, read_bearing, read_spindle
-    from rotordyn.description import unchecked
-
     faults = reader.faults
     if (other := _other_file(root.value)) and not reader.faults.variant:
-        faults.at(root, (), f"this is a {other} file, not a case: a case names it by {other}: PATH")
+        faults.at(root, f"this is a {other} file, not a case: a case names it by {other}: PATH")
         return None
     named_once(root, faults)
     reading = reading_of(reader)
-    override, tree = root.child("override"), root
+    override, tree = root.entries("override"), root
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
         expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
         clamped = expand.tool(tool, reader) if tool is not None else None
-        if clamped is not None and override is not None and override.child("references"):
+        if clamped is not None and "references" in override:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
@@ -141,33 +112,28 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
         expanded = expand.bearing(reference, (override,), reader)
-        bearing = read_bearing(reading, expanded)
+        bearing = None if expanded is None else reading.value(BallBearing, expanded)
         usable = usable or bearing is not None
-    expand.asked(root, reader)
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]
     with unchecked():
         case = Case(**values)
-        both = (case.spindle is None) == (case.bearing is None)
-        rules = case.faults_alone() if both or not usable else case._faults()
-        length = len(given)
+    both = (case.spindle is None) == (case.bearing is None)
+
+    def report(rules: Rules) -> None:
         for path, sentence in rules:
-            _report(reading, root, tree, path, sentence, length)
+            way = [*path]
+            if way[:1] == ["references"] and len(way) > 1 and isinstance(way[1], int):
+                way[1] -= len(given)  # those of the machine come first
+            reading.at(root if way == ["spindle"] else tree, tuple(way), sentence)
+
+    with unchecked():
+        report(case.faults_alone() if both or not usable else case._faults())
     if not faults:
-        for path, sentence in case._last_faults():
-            _report(reading, root, tree, path, sentence, length)
+        report(case._last_faults())
     return case
-
-
-def _report(
-    reading: Any, root: Any, tree: Any, path: tuple[str | int, ...], sentence: str, length: int
-) -> None:
-    """A fault at its place: of the machine as a whole where the case names it."""
-    if path[:1] == ("references",) and len(path) > 1 and isinstance(path[1], int):
-        path = (path[0], path[1] - length, *path[2:])
-    reading.at(root if path == ("spindle",) else tree, path, sentence)
 
 
 def _other_file(held: Mapping[str, object]) -> str:

@@ -64,7 +64,7 @@ class Reading:
         try:
             return leaf(annotation, node.value)
         except Refused as refusal:
-            self.faults.at(node, (), refusal.why)
+            self.faults.at(node, refusal.why)
             return unknown(annotation)
 
     def _form(self, annotation: Any) -> Form | None:
@@ -76,7 +76,7 @@ class Reading:
     def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
         """Reports a value of another shape than is needed."""
         message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
-        self.faults.at(node, (), message)
+        self.faults.at(node, message)
         return unknown(annotation)
 
     def _one_of(self, annotation: Any, forms: tuple[Any, ...], node: Node) -> Any:
@@ -112,11 +112,11 @@ class Reading:
         for kind in (Quantity,) if number else (Choice, Words):
             for limit, why in refusals.items():
                 if isinstance(limit, kind):
-                    self.faults.at(node, (), why)
+                    self.faults.at(node, why)
                     return unknown(annotation)
         wanted_words = ", or ".join(map(wanted, forms))
         given = units.shown(node.value)
-        self.faults.at(node, (), f"wrong kind of value: given {given}; allowed: {wanted_words}")
+        self.faults.at(node, f"wrong kind of value: given {given}; allowed: {wanted_words}")
         return unknown(annotation)
 
     def items(self, annotation: Any, node: Node) -> Any:
@@ -127,7 +127,7 @@ class Reading:
         items = tuple(self.value(inner[0], item) for item in node.value)
         for limit in metadata(annotation):
             if isinstance(limit, Items) and (why := limit.refusal(items, _count(items))):
-                self.faults.at(node, (), why)
+                self.faults.at(node, why)
                 return unknown(annotation)
         return items
 
@@ -140,7 +140,7 @@ class Reading:
             try:
                 entries[leaf(key, name)] = self.value(entry, child)
             except Refused as refusal:
-                self.faults.at_key(child, (), refusal.why)
+                self.faults.at_key(child, refusal.why)
         return entries
 
     def description(
@@ -192,17 +192,21 @@ class Reading:
         return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:
-        """Values of those fields of a description that a mapping gives."""
+        """Values of those keys of a description that a mapping gives."""
         if not isinstance(node.value, dict):
             self.wrong_shape(kind, node, "a mapping (key: value)")
             return {}
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, ())
-        held = [(field, exact(node, field.keys)) for field in keys]
-        return {f.name: self.value(f.annotation, child) for f, child in held if child is not None}
+        held = [(field, node.child(*field.keys)) for field in keys]
+        return {
+            ".".join(field.keys): self.value(field.annotation, child)
+            for field, child in held
+            if child is not None
+        }
 
     def _field(self, field: Field, node: Node, others: tuple[type, ...]) -> Any:
-        child = exact(node, field.keys)
+        child = node.child(*field.keys)
         if not field.keys:
             return unknown(field.annotation) if field.default is REQUIRED else field.default
         if child is not None:
@@ -213,19 +217,19 @@ class Reading:
         if others and sentence == "it must be given":
             instead = [f.keys[0] for kind in others for f in keys_of(kind) if _distinct(f, node)]
             sentence += "".join(f", or {key}" for key in instead[:1])
-        self.faults.missing(node, field.keys, f"missing key: {sentence}")
+        self.faults.missing(node.at(*field.keys[:-1]), field.keys[-1], f"missing key: {sentence}")
         return unknown(field.annotation)
 
     def at(self, node: Node, path: Path, sentence: str) -> None:
         """A fault of what is at ``path``, or should be."""
         message = filled(sentence, path, lambda way: _written(node, way))
-        entry = exact(node, path)
+        entry = node.child(*path)
         if entry is None and message.startswith("missing key"):
-            self.faults.missing(node, path, message)
+            self.faults.missing(node.at(*path[:-1]), path[-1], message)
         elif entry is not None and entry.key and isinstance(entry.value, dict | list):
-            self.faults.at_key(entry, (), message)
+            self.faults.at_key(entry, message)
         else:
-            self.faults.at(node, path, message)
+            self.faults.at(node.at(*path), message)
 
     def _unknown_keys(
         self, kind: type, keys: tuple[Field, ...], node: Node, others: tuple[type, ...]
@@ -241,10 +245,10 @@ class Reading:
             elif held and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 noun = node_noun(node)
-                self.faults.at_key(child, (), f"given beside {alternative}: {noun} is one of both")
+                self.faults.at_key(child, f"given beside {alternative}: {noun} is one of both")
             else:
                 holder = place[-1] if place else last_key(node)
-                self.faults.at_key(child, (), unknown_key(name, known, holder))
+                self.faults.at_key(child, unknown_key(name, known, holder))
 
     def _key_of_bearing(self, node: Node, name: str, known: list[str]) -> None:
         """A key of another kind of bearing than is written, or than an override has made it."""
@@ -254,9 +258,9 @@ class Reading:
             sentence += f"; is 'kind: {kinds[0]}' missing?"
         elif kinds and kind is not None and key.file == node.file != kind.file:
             sentence += f"; the model gives it: add {name}: null to the override"
-            self.faults.at(kind, (), sentence)
+            self.faults.at(kind, sentence)
             return
-        self.faults.at_key(key, (), sentence)
+        self.faults.at_key(key, sentence)
 
 
 def unknown_key(given: str, allowed: list[str], holder: str = "") -> str:
@@ -297,7 +301,7 @@ def _within(
 def spread(kind: type, node: Node) -> None:
     """Gives items of a list, where they have none of their own, what stands beside it for all."""
     for common in COMMON.get(kind, ()):
-        source = exact(node, common.keys)
+        source = node.child(*common.keys)
         if source is None and _reported(node, common.keys):
             source = replace(node, value=UNKNOWN)
         if source is None:
@@ -311,7 +315,7 @@ def _reported(node: Node, path: Path) -> bool:
     """On the way along ``path`` stands a value whose fault is reported already."""
     return any(
         entry is not None and entry.value is UNKNOWN
-        for entry in (exact(node, path[:end]) for end in range(1, len(path)))
+        for entry in (node.child(*path[:end]) for end in range(1, len(path)))
     )
 
 
@@ -329,16 +333,8 @@ def _mapping(kind: type) -> str:
     )
 
 
-def exact(node: Node, path: Path) -> Node | None:
-    """The node at the end of ``path``; None where there is none."""
-    entry: Node | None = node
-    for key in path:
-        entry = entry.child(key) if entry is not None else None
-    return entry
-
-
 def _written(node: Node, path: Path) -> str:
-    entry = exact(node, path)
+    entry = node.child(*path)
     return "nothing" if entry is None else units.shown(entry.raw or entry.plain())
 
 
@@ -347,7 +343,7 @@ def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
     if not field.keys or field.default is not REQUIRED:
         return False
     held = {f.keys for other in others for f in keys_of(other)}
-    return field.keys not in held and (bool(others) == (exact(node, field.keys) is not None))
+    return field.keys not in held and (bool(others) == (node.child(*field.keys) is not None))
 
 
 def _is_leaf(inner: Any) -> bool:

@@ -19,17 +19,16 @@ from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.analyses.registry import analysis, names
-from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.identification import IdentificationFile
-from rotordyn.case.keys import COMMON, Range, Variant, keys_of
+from rotordyn.case.keys import COMMON, MODELS, PortPair, Range, Variant, keys_of
 from rotordyn.case.library import known
 from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput
-from rotordyn.field import REQUIRED, Field, bare, members, metadata
+from rotordyn.field import REQUIRED, Field, bare, found_in, members, metadata
 from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -48,14 +47,6 @@ FILES: dict[str, type] = {
     "optimum": OptimumFile,
     "identification": IdentificationFile,
 }
-# Descriptions that stand in files of their own, and the folder of the library that holds these.
-_MODELS = {
-    Spindle: "spindles",
-    Tool: "tools",
-    BallBearing: "bearings",
-    Material: "materials",
-    Workpiece: "workpieces",
-}
 _MACHINES = {"spindle": Spindle, "tool": Tool, "bearing": BallBearing}
 # What a mapping needs besides the keys that each must be given.
 _RULES: dict[type, Shape] = {
@@ -64,10 +55,11 @@ _RULES: dict[type, Shape] = {
         "dependentRequired": {"tool": ["spindle"]},
     },
     FrfSpec: {
+        "required": [],
         "allOf": [
             {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
             {"anyOf": [{"required": ["frequencies"]}, {"required": ["engine_orders"]}]},
-        ]
+        ],
     },
     Range: {"oneOf": [{"required": ["step"]}, {"required": ["count"]}]},
 }
@@ -108,16 +100,13 @@ def title(kind: type) -> str:
 
 def default_of(field: Field) -> Any:
     """The default as written in a file; None where there is nothing to write."""
-    value, limits = field.default, metadata(field.annotation)
-    for member in members(field.annotation):
-        limits += metadata(member)
+    value = field.default
     if value is REQUIRED or is_dataclass(value) or value in (None, "", (), {}):
         return None
-    for limit in limits:
-        if isinstance(limit, Quantity) and isinstance(value, float):
-            return limit.written(value)
-        if isinstance(limit, Words):
-            return None if value == limit.silent else limit.word(value)
+    if (limits := found_in(field.annotation, Quantity)) is not None and isinstance(value, float):
+        return limits.written(value)
+    if (words := found_in(field.annotation, Words)) is not None:
+        return None if value == words.silent else words.word(value)
     return list(value) if isinstance(value, tuple) else value
 
 
@@ -178,10 +167,8 @@ def _mapping(
                 properties[key] = {**_mapping(inner, shapes, kind, depth + 1), "description": key}
             continue
         properties[key] = _property(key, field, shapes, kind)
-        if field.default is REQUIRED and key not in filled and kind is not FrfSpec:
+        if field.default is REQUIRED and key not in filled:
             required.append(key)
-    if kind is FrfSpec:
-        required = ["frequencies"]
     shape = {"type": "object", "properties": properties, "additionalProperties": False}
     return {**shape, "required": required} if required else shape
 
@@ -216,7 +203,7 @@ def _of_one(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     inner = bare(annotation)
     if inner in _FORMS:
         return _FORMS[inner](annotation, shapes)
-    if inner in _MODELS:
+    if inner in MODELS:
         return _reference(inner, shapes)
     if isinstance(inner, type) and is_dataclass(inner):
         return {"$ref": f"#/$defs/{_defined(inner, shapes)}"}
@@ -303,15 +290,15 @@ def _plain_number(limits: Quantity) -> Shape:
 def _reference(kind: type, shapes: dict[str, Shape]) -> Shape:
     """A model: a name of the library, the path of a file, or a mapping in place."""
     path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
-    names: list[str | int] = [*known(_MODELS[kind])]
-    names += [int(name) for name in known(_MODELS[kind]) if name.isdecimal()]
+    names: list[str | int] = [*known(MODELS[kind])]
+    names += [int(name) for name in known(MODELS[kind]) if name.isdecimal()]
     return {"anyOf": [{"enum": names}, path, {"$ref": f"#/$defs/{_defined(kind, shapes)}"}]}
 
 
 def _sweep(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     """A list, or a range."""
     item = get_args(bare(annotation))[0]
-    limits = next(m for m in metadata(item) if isinstance(m, Quantity))
+    limits = found_in(item, Quantity)
     one = quantity(limits)
     row = _mapping(keys_of(Range), shapes, Range)
     for key in ("from", "to", "step"):
@@ -319,21 +306,9 @@ def _sweep(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     return {"anyOf": [{**row, **_RULES[Range]}, _list(annotation, one)]}
 
 
-def _pair(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    ends = {
-        key: {**_PLACE, "description": getattr(Pair, key)} for key in ("response", "excitation")
-    }
-    return {
-        "type": "object",
-        "properties": ends,
-        "required": [*ends],
-        "additionalProperties": False,
-    }
-
-
 def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     """Entries by name, or a whole matrix with its DOF."""
-    marker = next(m for m in metadata(annotation) if isinstance(m, Matrix))
+    marker = found_in(annotation, Matrix)
     tabled = len(get_args(get_args(bare(annotation))[1])) > 1
     entries: Shape = {}
     for key, pair in ENTRIES.items():
@@ -395,7 +370,7 @@ _FORMS: dict[type, Callable[[Any, dict[str, Shape]], Shape]] = {
     Worded: _worded,
     Sweep: _sweep,
     Port: lambda annotation, shapes: _PLACE,
-    Pair: _pair,
+    Pair: lambda annotation, shapes: _mapping(keys_of(PortPair), shapes, PortPair),
     Matrix: _matrix,
     ByName: _by_name,
     Reference: _values,

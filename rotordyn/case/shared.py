@@ -6,6 +6,7 @@ from typing import Any
 
 from rotordyn.case.keys import COMMON, Common
 from rotordyn.field import declared
+from rotordyn.machine.matrix import entry_name
 
 Steps = tuple[str, ...]
 
@@ -17,6 +18,11 @@ def common_at(holder: Any, steps: Steps) -> Common | None:
         if each.meaning and steps[: len(each.keys)] == each.keys:
             return each
     return None
+
+
+def called(key: object) -> str:
+    """A key of a mapping as written in a path; a place of a matrix as in files."""
+    return entry_name(*key) if isinstance(key, tuple) else str(key)
 
 
 def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:

@@ -47,30 +47,29 @@ def _columns(
     if not rows:
         faults.add(Fault(file, 0, 0, "", f"holds no table: allowed: columns {_ALLOWED}"))
         return []
-    (line, head), fine = rows[0], True
+    line, head = rows[0]
+    wrong: list[Fault] = []
     columns: list[tuple[tuple[str, ...], str]] = []
     for column, name in enumerate(head, start=1):
         match = _HEAD.fullmatch(name)
         if match is None:
             message = f"not a column of a table: given '{name.strip()}'; allowed: {_ALLOWED}"
-            faults.add(Fault(file, line, column, "", message))
-            fine = False
+            wrong.append(Fault(file, line, column, "", message))
             continue
         whole, which, entry, unit = match.groups()
         way = ("speeds",) if whole == "speed" else (str(which), str(entry))
         if way in [known for known, _ in columns]:
-            faults.add(Fault(file, line, column, "", f"column repeated: given '{whole}'"))
-            fine = False
+            wrong.append(Fault(file, line, column, "", f"column repeated: given '{whole}'"))
         columns.append((way, unit.strip()))
-    if fine and ("speeds",) not in [way for way, _ in columns]:
-        faults.add(Fault(file, line, 1, "", "column missing: 'speed [rpm]' must be given"))
-        fine = False
+    if not wrong and ("speeds",) not in [way for way, _ in columns]:
+        wrong.append(Fault(file, line, 1, "", "column missing: 'speed [rpm]' must be given"))
     for where, row in rows[1:]:
         if len(row) != len(head):
             message = f"not as many values as columns: given {len(row)} for {len(head)}"
-            faults.add(Fault(file, where, 1, "", message))
-            fine = False
-    return columns if fine else []
+            wrong.append(Fault(file, where, 1, "", message))
+    for fault in wrong:
+        faults.add(fault)
+    return [] if wrong else columns
 
 
 def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> None:
@@ -84,6 +83,6 @@ def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> N
         return  # reported by the schema
     if {way[-1], "dof", "matrix"} & set(holder.value):
         name = ".".join(way)
-        faults.at(support, ("table",), f"both in the table and beside it: given {name}")
+        faults.at(support.at("table"), f"both in the table and beside it: given {name}")
         return
     holder.value[way[-1]] = values

@@ -20,16 +20,16 @@ def tools_compared(root: Node, faults: Faults) -> Node:
     held = {key: value for key, value in root.value.items() if key != "tools"}
     for key in ("tool", "compare"):
         if key in held:
-            faults.at_key(root, (key,), "given beside tools, which are compared: leave one out")
+            faults.at_key(root.at(key), "given beside tools, which are compared: leave one out")
             return replace(root, value=held)
     if not isinstance(tools.value, list) or not tools.value:
-        faults.at(tools, (), "not a list of tools: allowed: names or paths, at least one")
+        faults.at(tools, "not a list of tools: allowed: names or paths, at least one")
         return replace(root, value=held)
     variants: dict[str, Node] = {}
     for number, item in enumerate(tools.value, start=1):
         name = Path(item.value).stem if isinstance(item.value, str) else f"tool {number}"
         if name in variants:
-            faults.at(item, (), f"tool given twice: '{name}'")
+            faults.at(item, f"tool given twice: '{name}'")
         variants[name] = replace(item, value={"tool": item})
     held["tool"], held["compare"] = tools.value[0], replace(tools, value=variants)
     return replace(root, value=held)
@@ -41,18 +41,13 @@ def variant_trees(root: Node) -> dict[str, Node]:
     Machine and title are replaced; overrides and conditions are merged key by key; references are
     added. Every node keeps its place in the file.
     """
-    compared = root.child("compare")
-    if compared is None or not isinstance(compared.value, dict):
-        return {}
-    return {name: _changed(root, changes) for name, changes in compared.value.items()}
+    return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
 
 
 def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     del tree.value["compare"]
-    if not isinstance(changes.value, dict):
-        return tree
-    for key, value in changes.value.items():
+    for key, value in changes.entries().items():
         entry = tree.child(key)
         tree.value[key] = _merged(entry, value) if entry is not None and key in _MERGED else value
     return tree

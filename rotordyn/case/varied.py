@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from itertools import chain
-from typing import Annotated, Any, get_args, get_origin
+from typing import Annotated, Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.shared import Steps, common_at, ways_of_items
+from rotordyn.case.shared import Steps, called, common_at, ways_of_items
 from rotordyn.description import quantity_of
-from rotordyn.field import bare, declared, found_in, kinds_of, members, metadata
+from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
@@ -104,19 +104,15 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
                 yield way, getattr(value, field.name), field.annotation
     elif isinstance(value, Mapping):
         matrix = found_in(annotation, Matrix)
+        key_and_entry = parts_of(annotation, Mapping)
+        inside = key_and_entry[1] if key_and_entry else annotation
         for key, entry in value.items():
-            inside = _entry(annotation) if matrix is None else matrix.quantity(*key)
-            yield ("".join(key),), entry, inside if matrix is None else Annotated[float, inside]
+            if matrix is not None:
+                inside = Annotated[float, matrix.quantity(*key)]
+            yield (called(key),), entry, inside
     elif isinstance(value, tuple):
         for place, item in enumerate(value, start=1):
             yield (getattr(item, "name", "") or str(place),), item, annotation
-
-
-def _entry(annotation: Any) -> Any:
-    """How the entries of a mapping are declared; as the mapping where that is not said."""
-    forms = [bare(form) for form in members(annotation)] if annotation is not None else []
-    kinds = [get_args(form) for form in forms if get_origin(form) is Mapping]
-    return kinds[0][1] if kinds else annotation
 
 
 def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:

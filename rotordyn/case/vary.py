@@ -13,7 +13,7 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
-from rotordyn.case.shared import common_at, ways_of_items
+from rotordyn.case.shared import called, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (
@@ -21,11 +21,10 @@ from rotordyn.field import (
     Field,
     Refused,
     accept,
-    bare,
     declared,
     found_in,
     kinds_of,
-    members,
+    parts_of,
     shown,
 )
 from rotordyn.machine.matrix import Matrix
@@ -252,15 +251,15 @@ def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
     groups = _grouped(changes, [item.name for item in old], "name")
-    member = _member(annotation, tuple)[0]
+    member = parts_of(annotation, tuple)[0]
     return tuple(_value(member, item, groups.get(item.name, [])) for item in old)
 
 
 def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
-    key, member = _member(annotation, Mapping)
+    key, member = parts_of(annotation, Mapping)
     closed = names() if found_in(annotation, ByName) else _closed(key)
-    keys = {_text(name): name for name in [*old, *closed]}
-    groups = _grouped(changes, [_text(name) for name in old], "key", list(keys))
+    keys = {called(name): name for name in [*old, *closed]}
+    groups = _grouped(changes, [called(name) for name in old], "key", list(keys))
     matrix, new = found_in(annotation, Matrix), {}
     for text, group in groups.items():
         name = keys[text]
@@ -273,25 +272,13 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
     return {**old, **new}
 
 
-def _member(annotation: Any, origin: object) -> tuple[Any, ...]:
-    """What a row or a mapping is declared to hold, also where it may be something else."""
-    forms = [bare(form) for form in members(annotation)]
-    return next(get_args(form) for form in forms if get_origin(form) is origin)
-
-
 def _closed(key: Any) -> list[object]:
     """All keys a mapping may have, where its declaration lists them."""
     if get_origin(key) is tuple:
         first, second = (_closed(part) for part in get_args(key))
         return [(row, column) for row in first for column in second]
-    limits = [limit for limit in getattr(key, "__metadata__", ()) if isinstance(limit, Choice)]
-    return list(limits[0].allowed) if limits else []
-
-
-def _text(key: object) -> str:
-    """A key as written in a path; a place of a matrix as in files."""
-    parts = key if isinstance(key, tuple) else (key,)
-    return ("" if all(len(str(part)) == 1 for part in parts) else "_").join(map(str, parts))
+    choice = found_in(key, Choice)
+    return [] if choice is None else list(choice.allowed)
 
 
 def _grouped(

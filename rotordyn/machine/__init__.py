@@ -6,97 +6,67 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rotordyn.machine.ball_guide import BallGuide
-    from rotordyn.machine.bearing_set import BearingSet, SetPreload
-    from rotordyn.machine.damping import RayleighDamping
-    from rotordyn.machine.drawbar import Drawbar
-    from rotordyn.machine.fits import Fits
-    from rotordyn.machine.growth import (
-        ComputedShortening,
-        InterferenceFit,
-        PrescribedShortening,
-        QuadraticInSpeed,
-        RingGrowth,
-    )
-    from rotordyn.machine.housing import ReducedHousing, RigidHousing
-    from rotordyn.machine.joint import Joint
-    from rotordyn.machine.lumped import Disc, PointMass
-    from rotordyn.machine.misalignment import Misalignment
-    from rotordyn.machine.reference import Reference
-    from rotordyn.machine.rotor import Rotor
-    from rotordyn.machine.seat import BearingSeat
-    from rotordyn.machine.shaft import Section, Shaft
-    from rotordyn.machine.sleeve import Sleeve, Spring
-    from rotordyn.machine.spindle import Spindle
-    from rotordyn.machine.squeeze_film import SqueezeFilmDamper
-    from rotordyn.machine.support import LinearSupport
-    from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
-    from rotordyn.machine.tool import Tool
+    from rotordyn.machine.ball_guide import BallGuide as BallGuide
+    from rotordyn.machine.bearing_set import BearingSet as BearingSet
+    from rotordyn.machine.bearing_set import SetPreload as SetPreload
+    from rotordyn.machine.damping import RayleighDamping as RayleighDamping
+    from rotordyn.machine.drawbar import Drawbar as Drawbar
+    from rotordyn.machine.fits import Fits as Fits
+    from rotordyn.machine.growth import ComputedShortening as ComputedShortening
+    from rotordyn.machine.growth import InterferenceFit as InterferenceFit
+    from rotordyn.machine.growth import PrescribedShortening as PrescribedShortening
+    from rotordyn.machine.growth import QuadraticInSpeed as QuadraticInSpeed
+    from rotordyn.machine.growth import RingGrowth as RingGrowth
+    from rotordyn.machine.housing import ReducedHousing as ReducedHousing
+    from rotordyn.machine.housing import RigidHousing as RigidHousing
+    from rotordyn.machine.joint import Joint as Joint
+    from rotordyn.machine.lumped import Disc as Disc
+    from rotordyn.machine.lumped import PointMass as PointMass
+    from rotordyn.machine.misalignment import Misalignment as Misalignment
+    from rotordyn.machine.reference import Reference as Reference
+    from rotordyn.machine.rotor import Rotor as Rotor
+    from rotordyn.machine.seat import BearingSeat as BearingSeat
+    from rotordyn.machine.shaft import Section as Section
+    from rotordyn.machine.shaft import Shaft as Shaft
+    from rotordyn.machine.sleeve import Sleeve as Sleeve
+    from rotordyn.machine.sleeve import Spring as Spring
+    from rotordyn.machine.spindle import Spindle as Spindle
+    from rotordyn.machine.squeeze_film import SqueezeFilmDamper as SqueezeFilmDamper
+    from rotordyn.machine.support import LinearSupport as LinearSupport
+    from rotordyn.machine.temperatures import BearingTemperatures as BearingTemperatures
+    from rotordyn.machine.temperatures import Temperatures as Temperatures
+    from rotordyn.machine.tool import Tool as Tool
 
-_MODULE_OF = {
-    "BallGuide": "ball_guide",
-    "BearingSeat": "seat",
-    "BearingSet": "bearing_set",
-    "BearingTemperatures": "temperatures",
-    "ComputedShortening": "growth",
-    "Disc": "lumped",
-    "Drawbar": "drawbar",
-    "Fits": "fits",
-    "InterferenceFit": "growth",
-    "Joint": "joint",
-    "LinearSupport": "support",
-    "Misalignment": "misalignment",
-    "PointMass": "lumped",
-    "PrescribedShortening": "growth",
-    "QuadraticInSpeed": "growth",
-    "RayleighDamping": "damping",
-    "ReducedHousing": "housing",
-    "Reference": "reference",
-    "RigidHousing": "housing",
-    "RingGrowth": "growth",
-    "Rotor": "rotor",
-    "Section": "shaft",
-    "SetPreload": "bearing_set",
-    "Shaft": "shaft",
-    "Sleeve": "sleeve",
-    "Spindle": "spindle",
-    "Spring": "sleeve",
-    "SqueezeFilmDamper": "squeeze_film",
-    "Temperatures": "temperatures",
-    "Tool": "tool",
+_NAMES = {
+    "ball_guide": ("BallGuide",),
+    "bearing_set": ("BearingSet", "SetPreload"),
+    "damping": ("RayleighDamping",),
+    "drawbar": ("Drawbar",),
+    "fits": ("Fits",),
+    "growth": (
+        "ComputedShortening",
+        "InterferenceFit",
+        "PrescribedShortening",
+        "QuadraticInSpeed",
+        "RingGrowth",
+    ),
+    "housing": ("ReducedHousing", "RigidHousing"),
+    "joint": ("Joint",),
+    "lumped": ("Disc", "PointMass"),
+    "misalignment": ("Misalignment",),
+    "reference": ("Reference",),
+    "rotor": ("Rotor",),
+    "seat": ("BearingSeat",),
+    "shaft": ("Section", "Shaft"),
+    "sleeve": ("Sleeve", "Spring"),
+    "spindle": ("Spindle",),
+    "squeeze_film": ("SqueezeFilmDamper",),
+    "support": ("LinearSupport",),
+    "temperatures": ("BearingTemperatures", "Temperatures"),
+    "tool": ("Tool",),
 }
-__all__ = [
-    "BallGuide",
-    "BearingSeat",
-    "BearingSet",
-    "BearingTemperatures",
-    "ComputedShortening",
-    "Disc",
-    "Drawbar",
-    "Fits",
-    "InterferenceFit",
-    "Joint",
-    "LinearSupport",
-    "Misalignment",
-    "PointMass",
-    "PrescribedShortening",
-    "QuadraticInSpeed",
-    "RayleighDamping",
-    "ReducedHousing",
-    "Reference",
-    "RigidHousing",
-    "RingGrowth",
-    "Rotor",
-    "Section",
-    "SetPreload",
-    "Shaft",
-    "Sleeve",
-    "Spindle",
-    "Spring",
-    "SqueezeFilmDamper",
-    "Temperatures",
-    "Tool",
-]
+_MODULE_OF = {name: module for module, names in _NAMES.items() for name in names}
+__all__ = sorted(_MODULE_OF)  # noqa: PLE0605 - the names are those above
 
 
 def __getattr__(name: str) -> Any:
@@ -106,4 +76,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return __all__

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.growth import ComputedShortening
 from rotordyn.machine.matrix import acts
-from rotordyn.machine.station import SLACK, on_the_shaft, turning_faults
+from rotordyn.machine.station import SLACK, all_on_the_shaft, on_the_shaft, turning_faults
 from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE, LinearSupport
 from rotordyn.quantity import suggestion
 from rotordyn.units import format_quantity
@@ -61,10 +61,8 @@ def _named_once(spindle: Spindle) -> Faults:
 
 def _stations(spindle: Spindle) -> Faults:
     reach = spindle.shaft.reach
-    for index, seat in enumerate(spindle.seats):
-        yield from on_the_shaft("bearing", seat.x, reach, ("bearings", index, "x"))
-    for index, damper in enumerate(spindle.dampers):
-        yield from on_the_shaft("damper", damper.x, reach, ("dampers", index, "x"))
+    yield from all_on_the_shaft("bearing", "bearings", spindle.seats, reach)
+    yield from all_on_the_shaft("damper", "dampers", spindle.dampers, reach)
     if spindle.drawbar is not None:
         for key, x in (("from", spindle.drawbar.start), ("to", spindle.drawbar.end)):
             yield from on_the_shaft("drawbar", x, reach, ("drawbar", key))

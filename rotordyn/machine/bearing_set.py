@@ -120,8 +120,7 @@ class BearingSet(Description):
     name: Annotated[Name, "of the set, which its sleeve bears"] = "set"
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(self.bearings):
-            yield ("bearings", index), sentence
+        yield from repeated("bearings", self.bearings)
         size = len(SETS.get(self.set, ""))
         if size and len(self.bearings) != size:
             yield (
@@ -141,8 +140,8 @@ class BearingSet(Description):
         """What contradicts the bearings of the spindle, by path from the set on."""
         held = {seat.name: seat for seat in seats}
         there = [held[name] for name in self.bearings if name in held]
-        known = self.set in SETS and len(self.bearings) == len(SETS[self.set])
-        if not known or len(there) < len(self.bearings) or [*repeated(self.bearings)]:
+        counts = {len(self.bearings), len({*self.bearings}), len(there)}
+        if self.set not in SETS or counts != {len(SETS[self.set])}:
             return
         if [seat.x for seat in there] != sorted(seat.x for seat in there):
             order = ", ".join(seat.name for seat in sorted(there, key=lambda s: s.x))

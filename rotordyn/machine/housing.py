@@ -45,7 +45,7 @@ class RigidHousing(Description):
     diametral_inertia: Annotated[Inertia, "about y or z through its centre of gravity"] = 0.0
 
     def _faults(self) -> Faults:
-        yield from _carried_twice(self.carries)
+        yield from repeated("carries", self.carries, said="named twice:")
         if not self.stiffness:
             yield ("stiffness",), "a housing needs the stiffness of at least one DOF"
         for dof in self.dofs:
@@ -99,7 +99,7 @@ class ReducedHousing(Description):
     damping: Annotated[Rows, HIDDEN]
 
     def _faults(self) -> Faults:
-        yield from _carried_twice(self.carries)
+        yield from repeated("carries", self.carries, said="named twice:")
         yield from ((("model",), sentence) for sentence in self._place_faults())
         n = len(self.mass)
         for what in ("mass", "stiffness", "damping"):
@@ -122,8 +122,7 @@ class ReducedHousing(Description):
                     f"unknown place '{place}'; allowed: NAME.DIRECTION with the names {allowed} "
                     f"and the directions {', '.join(DOFS)}{suggestion(name, self.carries)}"
                 )
-        for index, _ in repeated(self.places):
-            yield f"place '{self.places[index]}' is given twice"
+        yield from (why for _, why in repeated("places", self.places, said="given twice: place"))
         for name in self.carries if self.places else ():
             if not any(place.rpartition(".")[0] == name for place in self.places):
                 yield f"no place under '{name}', which the housing carries"
@@ -142,8 +141,3 @@ def housed_motions(housings: Iterable[Housing]) -> frozenset[str]:
     return frozenset(
         MOTIONS[name] for housing in housings for name in housing.directions if name in MOTIONS
     )
-
-
-def _carried_twice(carries: tuple[str, ...]) -> Faults:
-    for index, _ in repeated(carries):
-        yield ("carries", index), f"'{carries[index]}' is named twice"

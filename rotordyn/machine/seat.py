@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.bearing import BallBearing
 from bearings.kinds import kind_of
-from rotordyn.description import Description, Faults
+from rotordyn.description import Description, Faults, Path
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.misalignment import Misalignment
@@ -115,36 +115,35 @@ class BearingSeat(Description):
                 "leaves no contact angle, the grooves too far apart: given {given}; allowed: from "
                 f"{format_quantity(least, 'um')}",
             )
-        race, fit = 2.0 * bearing.inner_raceway_radius, self.growth.fitted
-        if fit is not None and fit.bore_diameter >= race:
-            yield (
-                ("growth", "fit"),
-                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: below "
-                f"{format_quantity(race, 'mm')}",
-            )
 
     def _fit_faults(self, bearing: BallBearing) -> Faults:
-        if self.fits is None:
-            return
-        if self.growth != RingGrowth():
+        fit, fits = self.growth.fitted, self.fits
+        rings: list[tuple[Path, float | None, float | None]] = []
+        if fit is not None:
+            rings.append((("growth", "fit"), fit.bore_diameter, None))
+        if fits is not None:
+            rings.append((("fits",), fits.bore_diameter, fits.outside_diameter))
+        for path, bore, outside in rings:
+            for which, size, allowed in no_ring_left(bearing, bore, outside):
+                yield (
+                    path,
+                    f"the {which} of bearing {self.name} leaves no ring beside the balls: given "
+                    f"{format_quantity(size, 'mm')}; allowed: {allowed}",
+                )
+        if self.fits is not None and self.growth != RingGrowth():
             yield (
                 ("fits",),
                 "fits beside a given growth, which contradict one another: growth follows from the "
                 "fits; leave one of both out (growth: {static: 0 um} takes away that of a model)",
             )
-        races = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
-        bore, outside = self.fits.bore_diameter, self.fits.outside_diameter
-        if bore is not None and bore >= races[0]:
-            yield (
-                ("fits",),
-                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(bore, 'mm')}; allowed: below {format_quantity(races[0], 'mm')}",
-            )
-        if outside is not None and outside <= races[1]:
-            yield (
-                ("fits",),
-                f"the outside of bearing {self.name} leaves no ring beside the balls: given "
-                f"{format_quantity(outside, 'mm')}; allowed: above "
-                f"{format_quantity(races[1], 'mm')}",
-            )
+
+
+def no_ring_left(
+    bearing: BallBearing, bore: float | None, outside: float | None
+) -> Iterator[tuple[str, float, str]]:
+    """Which of the diameters [m] of the rings lies among the balls, and what would not."""
+    inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
+    if bore is not None and bore >= inner:
+        yield "bore", bore, f"below {format_quantity(inner, 'mm')}"
+    if outside is not None and outside <= outer:
+        yield "outside", outside, f"above {format_quantity(outer, 'mm')}"

@@ -93,5 +93,4 @@ class Sleeve(Description):
                 ("radial_stiffness",),
                 f"out of range: given {{given}}; allowed: from {LEAST_HOLD:g} N/m, or infinite",
             )
-        for index, sentence in repeated(self.bearings):
-            yield ("bearings", index), sentence
+        yield from repeated("bearings", self.bearings)

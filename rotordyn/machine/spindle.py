@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from typing import Annotated
 
@@ -26,6 +26,8 @@ from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import HIDDEN, Key, LossFactor, Name, Station
+
+OF_TOOL = ("masses", "references", "joints")  # lists at the end of which a tool puts its own
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,18 +137,8 @@ class Spindle(Description):
         if name == SPINDLE:
             return replace(self, supports=touching, housings=(), rotors=())
         rotor = next(each for each in self.rotors if each.name == name)
-        return Spindle(
-            name=name,
-            shaft=rotor.shaft,
-            masses=rotor.masses,
-            discs=rotor.discs,
-            supports=touching,
-            points=rotor.points,
-            rotor_damping=rotor.rotor_damping,
-            internal_damping=rotor.internal_damping,
-            rayleigh=rotor.rayleigh,
-            joints=rotor.joints,
-        )
+        own = {f.name: getattr(rotor, f.name) for f in fields(rotor) if f.name != "speed_ratio"}
+        return Spindle(**own, supports=touching)
 
     @property
     def grounded(self) -> Spindle:
@@ -215,10 +207,8 @@ class Spindle(Description):
         return replace(
             self,
             shaft=self.shaft.preceded_by(tool.sections),
-            masses=self.masses + tool.masses,
             points={**self.points, **tool.points},
-            references=self.references + tool.references,
-            joints=self.joints + tool.joints,
+            **{name: getattr(self, name) + getattr(tool, name) for name in OF_TOOL},
         )
 
     def without_tool(self, tool: Tool) -> Spindle:
@@ -228,8 +218,8 @@ class Spindle(Description):
         ------
         InvalidInput : what is in front of its shaft is another one
         """
-        first, behind = len(tool.sections), ("masses", "references", "joints")
-        last = {name: len(getattr(self, name)) - len(getattr(tool, name)) for name in behind}
+        first = len(tool.sections)
+        last = {name: len(getattr(self, name)) - len(getattr(tool, name)) for name in OF_TOOL}
         same = self.shaft.sections[:first] == tool.sections
         same &= tool.points.items() <= self.points.items()
         same &= all(getattr(self, name)[k:] == getattr(tool, name) for name, k in last.items())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.joint import Joint
@@ -15,11 +16,20 @@ SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 PART = 1e-6  # of a shaft: its shortest part between joints
 
 
-def on_the_shaft(what: str, x: float, reach: Reach, path: Path) -> Faults:
-    """A fault where station ``x`` [m], given at ``path``, does not lie on a shaft of that reach."""
+def on_the_shaft(what: str, x: float, reach: Reach, path: Path, holder: str = "shaft") -> Faults:
+    """A fault where station ``x`` [m], given at ``path``, does not lie on a shaft, or on another
+    ``holder``, of that reach."""
     if x < reach[0] - SLACK or x > reach[1] + SLACK:
         ends = " to ".join(format_quantity(end, "mm") for end in reach)
-        yield path, f"{what} off the shaft: given {{given}}; allowed: {ends}"
+        yield path, f"{what} off the {holder}: given {{given}}; allowed: {ends}"
+
+
+def all_on_the_shaft(
+    what: str, key: str, items: Sequence[Any], reach: Reach, holder: str = "shaft"
+) -> Faults:
+    """The same of every item of the list ``key``, by its station."""
+    for index, item in enumerate(items):
+        yield from on_the_shaft(what, item.x, reach, (key, index, "x"), holder)
 
 
 def least_part(start: float, end: float) -> float:
@@ -35,10 +45,8 @@ def turning_faults(
     reach = shaft.reach
     yield from named_twice("masses", masses)
     yield from named_twice("discs", discs)
-    for index, mass in enumerate(masses):
-        yield from on_the_shaft("mass", mass.x, reach, ("masses", index, "x"))
-    for index, disc in enumerate(discs):
-        yield from on_the_shaft("disc", disc.x, reach, ("discs", index, "x"))
+    yield from all_on_the_shaft("mass", "masses", masses, reach)
+    yield from all_on_the_shaft("disc", "discs", discs, reach)
     taken = {mass.name for mass in masses}
     for index, disc in enumerate(discs):
         if disc.name and disc.name in taken:

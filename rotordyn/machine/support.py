@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
@@ -84,8 +84,7 @@ class LinearSupport(Description):
         if self.beyond == "hold" and not self.speeds:
             yield ("beyond",), "hold is of a table over speed, and there is none"
         yield from ascending("speeds", self.speeds)
-        for index, sentence in repeated(self.rigid):
-            yield ("rigid", index), sentence
+        yield from repeated("rigid", self.rigid)
         named = {dof for pair in (*self.stiffness, *self.damping) for dof in pair}
         for dof in dict.fromkeys(self.rigid):
             if dof in named:
@@ -148,7 +147,7 @@ class LinearSupport(Description):
 
     def unknown_at(self, speeds: Iterable[float]) -> Iterator[str]:
         """A sentence where the first of ``speeds`` [rad/s] lies that its table does not know."""
-        for speed in self._beside(speeds)[:1] if self.beyond == "refuse" else ():
+        for speed in beside(self.speeds, speeds)[:1] if self.beyond == "refuse" else ():
             yield (
                 f"support '{self.name}' is not known at that speed: given "
                 f"{speed / RPM:.6g} rpm; allowed: {self.speeds[0] / RPM:.6g} rpm to "
@@ -157,10 +156,10 @@ class LinearSupport(Description):
 
     def held_at(self, speeds: Iterable[float]) -> Iterator[str]:
         """A sentence about those of ``speeds`` [rad/s] at which an end of its table is held."""
-        beside = self._beside(speeds) if self.beyond == "hold" else []
+        held = beside(self.speeds, speeds) if self.beyond == "hold" else []
         for end, end_speeds in (
-            (self.speeds[:1], [speed for speed in beside if speed < self.speeds[0]]),
-            (self.speeds[-1:], [speed for speed in beside if speed > self.speeds[-1]]),
+            (self.speeds[:1], [speed for speed in held if speed < self.speeds[0]]),
+            (self.speeds[-1:], [speed for speed in held if speed > self.speeds[-1]]),
         ):
             if end_speeds:
                 low, high = (f"{each / RPM:.6g} rpm" for each in (min(end_speeds), max(end_speeds)))
@@ -169,13 +168,6 @@ class LinearSupport(Description):
                     f"support '{self.name}' is held beyond its table as at {end[0] / RPM:.6g} rpm, "
                     f"at {at}: extend the table"
                 )
-
-    def _beside(self, speeds: Iterable[float]) -> list[float]:
-        """Speeds [rad/s] that its table does not reach."""
-        if not self.speeds:
-            return []
-        low, high = self.speeds[0], self.speeds[-1]
-        return [s for s in speeds if not low - SLACK * high <= s <= high + SLACK * high]
 
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
@@ -191,6 +183,15 @@ class LinearSupport(Description):
     @property
     def _stiff(self) -> tuple[tuple[str, str], ...]:
         return tuple(pair for pair, value in self.stiffness.items() if acts(value))
+
+
+def beside(table: Sequence[float], speeds: Iterable[float]) -> list[float]:
+    """Those of ``speeds`` that a table over ascending speeds [rad/s], if there is one, does not
+    reach."""
+    if not table:
+        return []
+    low, high = table[0] - SLACK * table[-1], table[-1] + SLACK * table[-1]
+    return [speed for speed in speeds if speed < low or speed > high]
 
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from bearings.materials import STEEL
 from rotordyn.description import Description, Faults, Path, ascending
+from rotordyn.machine.support import beside
 from rotordyn.quantity import Name, Speed, Temperature, ThermalExpansion
 
 if TYPE_CHECKING:
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
 Values = Temperature | tuple[Temperature, ...]
 OF_BEARING = ("inner_ring", "outer_ring", "balls")
-SLACK = 1e-9
 
 
 class Rises(NamedTuple):
@@ -108,11 +108,7 @@ class Temperatures(Description):
 
     def unknown_at(self, speeds: tuple[float, ...]) -> float | None:
         """The first of ``speeds`` [rad/s] that a table does not reach, if any."""
-        if not self.speeds:
-            return None
-        slack = SLACK * self.speeds[-1]
-        low, high = self.speeds[0] - slack, self.speeds[-1] + slack
-        return next((speed for speed in speeds if speed < low or speed > high), None)
+        return next(iter(beside(self.speeds, speeds)), None)
 
     def rises(self, name: str, speed: Array) -> Rises:
         """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""

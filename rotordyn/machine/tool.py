@@ -6,14 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from rotordyn.description import Description, Faults, Path, named_twice
+from rotordyn.description import Description, Faults, named_twice
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section
-from rotordyn.machine.station import SLACK
+from rotordyn.machine.station import all_on_the_shaft, on_the_shaft
 from rotordyn.quantity import HIDDEN, Items, Name, Station
-from rotordyn.units import format_quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,14 +40,10 @@ class Tool(Description):
 
     def faults_in(self, nose: float, points: Iterable[str]) -> Faults:
         """What does not lie on it in front of the ``nose`` [m], or is called as ``points`` are."""
-        front = nose - sum(section.length for section in self.sections)
-        ends = " to ".join(format_quantity(x, "mm") for x in (front, nose))
-        placed: list[tuple[str, Path, float]]
-        placed = [("point", ("points", name), x) for name, x in self.points.items()]
-        placed += [("mass", ("masses", k, "x"), mass.x) for k, mass in enumerate(self.masses)]
-        for what, path, x in placed:
-            if x < front - SLACK or x > nose + SLACK:
-                yield path, f"{what} off the tool: given {{given}}; allowed: {ends}"
+        reach = nose - sum(section.length for section in self.sections), nose
+        for name, x in self.points.items():
+            yield from on_the_shaft("point", x, reach, ("points", name), "tool")
+        yield from all_on_the_shaft("mass", "masses", self.masses, reach, "tool")
         for name in self.points:
             if name in points:
                 yield ("points", name), "name already taken by a point of the spindle"

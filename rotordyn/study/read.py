@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.expand import Reader
+from rotordyn.case.expand import opened
 from rotordyn.case.faults import Faults
 from rotordyn.case.forms import reading_of
 from rotordyn.case.library import is_path
 from rotordyn.case.node import Node
-from rotordyn.case.read import in_order, load
+from rotordyn.case.read import load
 from rotordyn.case.reading import Reading
 from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry, StudyFile
 from rotordyn.case.varied import found_at
@@ -105,25 +105,20 @@ class _Opened:
     def refused(self, at: tuple[Any, ...], why: str) -> InvalidInput:
         """A fault at a place of the file."""
         faults = Faults()
-        faults.at(self.root, at, why)
-        return InvalidInput(in_order(faults.reported, self.root.file))
+        faults.at(self.root.at(*at), why)
+        return InvalidInput(faults.reported)
 
 
 def _opened(path: str | Path, kind: type) -> _Opened:
     file = Path(path).expanduser()
-    reader = Reader(Faults())
-    root = reader.document(file)
-    if root is None:
-        raise InvalidInput(reader.faults.reported)
+    root, reader = opened(file)
     reading = reading_of(reader)
     asked = reading.fields(kind, root, annotations={"vary": Any})
-    if reader.faults:
-        raise InvalidInput(in_order(reader.faults.reported, root.file))
+    reader.faults.require_none(root.file)
     case = case_of(asked["case"], root)
     case = replace(case, name=file.stem, title=asked["title"] or case.title)
     varied = _varied(reading, case, root.at("vary"))
-    if reader.faults:
-        raise InvalidInput(in_order(reader.faults.reported, root.file))
+    reader.faults.require_none(root.file)
     return _Opened(root, asked, case, varied)
 
 
@@ -142,15 +137,15 @@ def case_of(reference: str, root: Node) -> Case:
         none = f"{named}:1:1: "
         if (why := str(refusal).removeprefix(none)).startswith("no such file"):
             faults = Faults()
-            faults.at(root, ("case",), f"{why.rstrip()}: given '{reference}'")
-            raise InvalidInput(in_order(faults.reported, root.file)) from None
+            faults.at(root.at("case"), f"{why.rstrip()}: given '{reference}'")
+            raise InvalidInput(faults.reported) from None
         raise
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
     """Values or span of every path; faults are reported at their lines."""
     if not isinstance(node.value, dict) or not node.value:
-        reading.faults.at(node, (), "nothing is varied: map at least one dotted path to values")
+        reading.faults.at(node, "nothing is varied: map at least one dotted path to values")
         return {}
     return {path: _asked(reading, case, path, child) for path, child in node.value.items()}
 
@@ -174,12 +169,12 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
                 for v in asked
             ]
     else:
-        reading.faults.at(node, (), "a list of values is needed, or a span: {from: …, to: …}")
+        reading.faults.at(node, "a list of values is needed, or a span: {from: …, to: …}")
     if len(reading.faults.reported) == before:
         try:
             parameter(case, path, asked)
         except InvalidInput as refusal:
-            reading.faults.at_key(node, (), str(refusal).removeprefix(f"{path}: "))
+            reading.faults.at_key(node, str(refusal).removeprefix(f"{path}: "))
     return asked
 
 
@@ -192,5 +187,5 @@ def value_at(reading: Reading, case: Case, path: str, node: Node) -> Any:
     try:
         return quantity.read(node.value)
     except InvalidInput as refusal:
-        reading.faults.at(node, (), str(refusal))
+        reading.faults.at(node, str(refusal))
         return None

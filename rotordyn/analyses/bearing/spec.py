@@ -60,8 +60,7 @@ class BearingMapSpec(Spec):
     )
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(self.tangents):
-            yield ("tangents", index), sentence
+        yield from repeated("tangents", self.tangents)
         for name in LISTS.values():
             yield from ascending(name, getattr(self, name))
         given = [name for name in LISTS.values() if getattr(self, name)]

@@ -28,8 +28,7 @@ class ShapesInSpaceSpec(Description):
     ] = ()
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(self.files):
-            yield ("files", index), sentence
+        yield from repeated("files", self.files)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +59,7 @@ class CampbellSpec(Spec):
     def _faults(self) -> Faults:
         yield from ascending("teeth", self.teeth)
         yield from ascending("engine_orders", self.engine_orders)
-        for index, sentence in repeated(self.bearing_frequencies):
-            yield ("bearing_frequencies", index), sentence
+        yield from repeated("bearing_frequencies", self.bearing_frequencies)
         if self.shapes_3d is not None and not self.shapes:
             yield ("shapes_3d",), "needs the shapes: given shapes: false"
 

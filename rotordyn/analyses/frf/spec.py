@@ -9,7 +9,7 @@ from typing import Annotated
 
 from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, Pair, Port
 from rotordyn.analyses.measured_spindle import PLANES, MeasuredSpindle, at_front
-from rotordyn.description import Faults, ascending, repeated, within
+from rotordyn.description import Faults, ascending, named_twice, repeated, within
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.spindle import Spindle
@@ -82,8 +82,7 @@ class FrfSpec(Spec):
         yield from ascending("frequencies", self.frequencies)
         yield from ascending("slices", self.slices)
         known = [f"{response} / {excitation}" for response, excitation in self.pairs]
-        for index, sentence in repeated("" if "." in pair[:1] else pair for pair in known):
-            yield ("pairs", index), sentence
+        yield from repeated("pairs", ("" if "." in pair[:1] else pair for pair in known))
         for index, one in enumerate(self.measured):
             if one.name and one.pair not in known:
                 listed = ", ".join(known)
@@ -92,8 +91,7 @@ class FrfSpec(Spec):
                     f"not a pair of the case: given '{one.pair}'; allowed: {listed}",
                 )
             yield from self._in_band(one, index)
-        for index, _ in repeated(one.name for one in self.measured):
-            yield ("measured", index, "name"), f"name given twice: '{self.measured[index].name}'"
+        yield from named_twice("measured", self.measured)
 
     def _in_band(self, one: MeasuredResponse, index: int) -> Faults:
         if not self.frequencies:

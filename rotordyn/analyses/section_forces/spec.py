@@ -32,8 +32,7 @@ class SectionForcesSpec(Spec):
     ] = ()
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(each.called for each in self.twist_limits):
-            yield ("twist_limits", index), sentence
+        yield from repeated("twist_limits", (each.called for each in self.twist_limits))
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions

@@ -44,10 +44,8 @@ class StaticSagSpec(Spec):
     ring_runouts: Annotated[tuple[RingRunout, ...], "of inner rings; those not named run true"] = ()
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(each.bearing for each in self.ring_runouts):
-            yield ("ring_runouts", index, "bearing"), sentence
-        for index, sentence in repeated(f"{gauge * 1e3:g} mm" for gauge in self.gauges):
-            yield ("gauges", index), sentence
+        yield from repeated("ring_runouts", (each.bearing for each in self.ring_runouts), "bearing")
+        yield from repeated("gauges", (f"{gauge * 1e3:g} mm" for gauge in self.gauges))
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions

@@ -35,8 +35,7 @@ class StiffnessSpec(Spec):
     def _faults(self) -> Faults:
         if not self.variants and not self.second_stop:
             yield ("variants",), "no variants: at least one is needed"
-        for index, sentence in repeated(self.variants):
-            yield ("variants", index), sentence
+        yield from repeated("variants", self.variants)
 
     @property
     def unloaded(self) -> StiffnessSpec:

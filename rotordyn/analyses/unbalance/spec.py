@@ -31,8 +31,7 @@ class UnbalanceSpec(Spec):
     ] = None
 
     def _faults(self) -> Faults:
-        for index, sentence in repeated(self.points):
-            yield ("points", index), sentence
+        yield from repeated("points", self.points)
         if not (self.unbalances or self.spans or self.grade):
             yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
 

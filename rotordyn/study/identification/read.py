@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.expand import Reader
+from rotordyn.case.expand import opened
 from rotordyn.case.faults import Faults
 from rotordyn.case.forms import reading_of
 from rotordyn.case.identification import (
@@ -18,7 +18,6 @@ from rotordyn.case.identification import (
     UnknownEntry,
 )
 from rotordyn.case.node import Node
-from rotordyn.case.read import in_order
 from rotordyn.case.reading import Reading
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
@@ -42,14 +41,11 @@ def read_identification(path: str | Path) -> Asked:
     InvalidInput : faults of the file, each with its line; or those of its case
     """
     file = Path(path).expanduser()
-    reader = Reader(Faults())
-    root = reader.document(file)
-    if root is None:
-        raise InvalidInput(reader.faults.reported)
+    root, reader = opened(file)
     reading = reading_of(reader)
     free = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
     given = reading.fields(IdentificationFile, root, annotations=free)
-    _require_no_faults(reading, root)
+    reader.faults.require_none(root.file)
     case = case_of(given["case"], root)
     case = replace(case, name=file.stem, title=given["title"] or case.title)
     parts: dict[str, Any] = {
@@ -59,20 +55,15 @@ def read_identification(path: str | Path) -> Asked:
         "phases": _each(reading, root, "phases", case, _phase),
         "predict": _predicted(reading, root),
     }
-    _require_no_faults(reading, root)
+    reader.faults.require_none(root.file)
     how = {key: given[key] for key in ("profiles", "criterion", "minimise", "starts", "seed")}
     try:
         return asked(case, **parts, **how)
     except InvalidInput as refusal:
         faults = Faults()
         place = _place(root, parts, str(refusal))
-        faults.at(root, place, _bare(str(refusal), place))
-        raise InvalidInput(in_order(faults.reported, root.file)) from None
-
-
-def _require_no_faults(reading: Reading, root: Node) -> None:
-    if reading.faults:
-        raise InvalidInput(in_order(reading.faults.reported, root.file))
+        faults.at(root.at(*place), _bare(str(refusal), place))
+        raise InvalidInput(faults.reported) from None
 
 
 def _bare(why: str, place: tuple[str, ...]) -> str:
@@ -132,7 +123,7 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
         try:
             values["deviation"] = parse(deviation.value, quantity.kind)
         except InvalidInput as refusal:
-            reading.faults.at(deviation, (), str(refusal))
+            reading.faults.at(deviation, str(refusal))
     elif deviation is not None:
         values["deviation"] = deviation.plain()
     if any(values.get(key) is None for key in ("from", "to")):
@@ -142,7 +133,7 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
     try:
         sought(case, {path: made})
     except InvalidInput as refusal:
-        reading.faults.at_key(node, (), str(refusal).removeprefix(f"{path}: "))
+        reading.faults.at_key(node, str(refusal).removeprefix(f"{path}: "))
     return made
 
 
@@ -152,7 +143,7 @@ def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurem
         word = "" if kind is None else str(kind.value)
         why = f"unknown kind '{word}'" if word else "missing key: kind"
         allowed = f"{why}; allowed: {', '.join(KINDS)}{suggestion(word, KINDS)}"
-        reading.faults.at(node, ("kind",) if kind is not None else (), allowed)
+        reading.faults.at(node.at("kind"), allowed)
         return None
     before = len(reading.faults.reported)
     given = reading.fields(KINDS[kind.value], node)
@@ -163,7 +154,7 @@ def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurem
         assert made.data is not None
         return made
     except InvalidInput as refusal:
-        reading.faults.at(node, (), str(refusal).removeprefix(f"measurement {name}: "))
+        reading.faults.at(node, str(refusal).removeprefix(f"measurement {name}: "))
         return None
 
 

@@ -64,6 +64,16 @@ def test_every_case_is_valid(path: Path) -> None:
     assert errors("case", path) == []
 
 
+def test_responses_along_engine_orders_alone_are_valid(tmp_path: Path) -> None:
+    text = (CASES / "mfw1709.yaml").read_text(encoding="utf-8").partition("analyses:")[0]
+    asked = "analyses:\n  frf:\n    pairs: [{response: a.y, excitation: a.y}]\n"
+    path = tmp_path / "case.yaml"
+    path.write_text(f"{text}{asked}    engine_orders: [1]\n")
+    assert errors("case", path) == []
+    path.write_text(f"{text}{asked}")
+    assert errors("case", path)
+
+
 @pytest.mark.parametrize("kind", ["spindle", "tool", "bearing", "material"])
 def test_every_model_is_valid_as_itself_alone(kind: str) -> None:
     for path in (ROOT / "models" / f"{kind}s").glob("*.yaml"):

@@ -62,6 +62,17 @@ def test_bearing_model_of_all_seats(overridden: Override) -> None:
     assert {seat.bearing.ball_material.name for seat in spindle.seats} == {"bearing steel"}
 
 
+def test_key_of_a_material_that_is_named(overridden: Override) -> None:
+    spindle = overridden(
+        "growth: {static: 0 um}",
+        "fits: {shaft: k5, housing: JS5, housing_material: steel_rotor}",
+        "bearings.b.fits.housing_material.thermal_expansion: 9e-6 1/K",
+    )
+    found = [seat.fits.housing_material for seat in spindle.seats if seat.fits is not None]
+    assert len({material.name for material in found}) == 1
+    assert [m.thermal_expansion == 9e-6 for m in found] == [False, True, False, False, False]
+
+
 def test_material_by_name_in_the_model_of_a_seat(overridden: Override) -> None:
     spindle = overridden(
         "bearings.*.model.ball_material: bearing_steel",

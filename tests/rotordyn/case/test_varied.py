@@ -34,6 +34,14 @@ def test_the_path_is_that_of_vary() -> None:
     assert not varied([made, other])
 
 
+def test_the_path_of_an_entry_that_couples_is_that_of_vary() -> None:
+    case = rotordyn.load("friswell_coaxial")
+    assert case.spindle is not None
+    way = f"spindle.supports.{case.spindle.supports[0].name}.stiffness.y_thz"
+    first, other = (case.vary({way: value}) for value in ("1 N/rad", "2 N/rad"))
+    assert [each.path for each in varied([first, other])] == [way]
+
+
 def test_colours_have_a_scale_where_one_number_was_varied() -> None:
     scale = scale_of(springs()[:4])
     assert scale is not None
