@@ -107,7 +107,8 @@ def members(annotation: Any) -> tuple[Any, ...]:
 
 
 def parts_of(annotation: Any, origin: Any) -> tuple[Any, ...]:
-    """What a row (``tuple``) or a ``Mapping`` holds, where that is one of the forms."""
+    """Arguments of that form of an annotation which is a ``tuple`` or a ``Mapping`` (``origin``);
+    none where no form is."""
     forms = map(bare, members(annotation))
     return next((get_args(form) for form in forms if get_origin(form) is origin), ())
 

@@ -31,7 +31,7 @@ class Port(Description):
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Marks a response and an excitation, which files write under these keys."""
+    """Marks a response and what excites it, a ``PortPair`` in files."""
 
 
 @dataclass(frozen=True, slots=True)

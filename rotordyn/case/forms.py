@@ -155,7 +155,7 @@ def reduced(files: Reader) -> Any:
             if (model := reduced_model(held, reading, files)) is not None:
                 rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
                 places = model.places
-            held.value = UNKNOWN
+            node = replace(node, value={**node.value, "model": replace(held, value=UNKNOWN)})
         return reading.description(ReducedHousing, node, others, places=places, **rows)
 
     return form

@@ -386,7 +386,8 @@ MODELS: dict[type, str] = {
 
 @cache
 def ways_to(model: type, kind: Any) -> tuple[Way, ...]:
-    """Where a file of this kind names models of another; what serves several items comes first."""
+    """Paths at which a file of this kind names a model of another; those that serve several items,
+    shorter ones, first."""
     ways: list[Way] = []
     for each in keys_of(kind):
         for form in members(each.annotation) if each.keys else ():

@@ -86,7 +86,8 @@ def unknown(annotation: Any) -> Any:
 
 
 def is_unknown(value: Any) -> bool:
-    """A number, one of several, or a material, whose fault is reported already."""
+    """A number, one of several, or a material, whose fault is reported already; NaN stands for
+    it."""
     if isinstance(value, Material):
         return math.isnan(value.young_modulus)
     several = value if isinstance(value, tuple) else (value,)

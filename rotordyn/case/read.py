@@ -120,7 +120,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     values["references"] = given + values["references"]
     with unchecked():
         case = Case(**values)
-    both = (case.spindle is None) == (case.bearing is None)
+    unclear = (case.spindle is None) == (case.bearing is None)  # which of both it is about
 
     def report(rules: Rules) -> None:
         for path, sentence in rules:
@@ -130,7 +130,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
             reading.at(root if way == ["spindle"] else tree, tuple(way), sentence)
 
     with unchecked():
-        report(case.faults_alone() if both or not usable else case._faults())
+        report(case.faults_alone() if unclear or not usable else case._faults())
     if not faults:
         report(case._last_faults())
     return case

@@ -36,30 +36,38 @@ class ReducedModel:
 
 def reduced_model(reference: Node, reading: Reading, files: Reader) -> ReducedModel | None:
     """The model in an archive or in Matrix Market files; None where its faults are reported."""
-    from rotordyn.case.reduced_files import from_archive, from_market
+    from rotordyn.case.reduced_files import from_archive
 
-    named, places = {"": reference}, tuple[str, ...]()
-    if isinstance(reference.value, dict):
-        before = len(files.faults.reported)
-        listed = reading.value(ModelFiles, reference)
-        if len(files.faults.reported) > before:
-            return None
-        places = listed.places
-        named = {key: reference.at(key) for key in ("mass", "stiffness", "damping")}
-        named = {key: node for key, node in named.items() if getattr(listed, key)}
-    elif not isinstance(reference.value, str):
-        needed = "not a model: a .npz file or a mapping of files is needed"
-        files.faults.at(reference, needed)
-        return None
-    raw: dict[str, bytes] = {}
-    for key, node in named.items():
-        path = files.beside(node)
-        content = None if path is None else read_bytes(path, files.faults, files.contents)
-        if content is None:
-            return None
-        raw[key] = content
     try:
-        return from_market(raw, places) if places else from_archive(raw[""])
+        if isinstance(reference.value, dict):
+            return _from_files(reference, reading, files)
+        if isinstance(reference.value, str):
+            content = _bytes(reference, files)
+            return None if content is None else from_archive(content)
     except NoModel as error:
         files.faults.at(reference, f"no reduced model: {error}")
         return None
+    files.faults.at(reference, "not a model: a .npz file or a mapping of files is needed")
+    return None
+
+
+def _from_files(reference: Node, reading: Reading, files: Reader) -> ReducedModel | None:
+    from rotordyn.case.reduced_files import from_market
+
+    before = len(files.faults.reported)
+    listed = reading.value(ModelFiles, reference)
+    if len(files.faults.reported) > before:
+        return None
+    raw: dict[str, bytes] = {}
+    for key in ("mass", "stiffness", "damping"):
+        if getattr(listed, key):
+            content = _bytes(reference.at(key), files)
+            if content is None:
+                return None
+            raw[key] = content
+    return from_market(raw, listed.places)
+
+
+def _bytes(reference: Node, files: Reader) -> bytes | None:
+    path = files.beside(reference)
+    return None if path is None else read_bytes(path, files.faults, files.contents)

@@ -55,7 +55,7 @@ _RULES: dict[type, Shape] = {
         "dependentRequired": {"tool": ["spindle"]},
     },
     FrfSpec: {
-        "required": [],
+        "required": [],  # takes back that of the fields: one of two is enough
         "allOf": [
             {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
             {"anyOf": [{"required": ["frequencies"]}, {"required": ["engine_orders"]}]},

@@ -30,14 +30,14 @@ def spread(
     width = np.asarray(sizes, float)[order]
     if width.sum() >= high - low:
         width = width * (high - low) / width.sum()
-    before = np.cumsum(width) - width / 2.0  # of a centre, where labels touch from zero on
-    blocks: list[tuple[float, int]] = []  # where each wants to begin so, and how many labels it has
-    for begin in (centres[order] - before).tolist():
-        blocks.append((begin, 1))
+    before = np.cumsum(width) - width / 2.0  # centres of the labels laid end to end from zero
+    blocks: list[tuple[float, int]] = []  # shift of each from there, and how many labels it holds
+    for shift in (centres[order] - before).tolist():
+        blocks.append((shift, 1))
         while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
             (later, m), (earlier, n) = blocks.pop(), blocks.pop()
             blocks.append(((n * earlier + m * later) / (n + m), n + m))
-    begins = np.array([begin for begin, count in blocks for _ in range(count)])
+    shifts = np.array([shift for shift, count in blocks for _ in range(count)])
     placed = np.empty(centres.size)
-    placed[order] = before + np.clip(begins, low, max(high - width.sum(), low))
+    placed[order] = before + np.clip(shifts, low, max(high - width.sum(), low))
     return placed

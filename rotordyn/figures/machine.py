@@ -214,7 +214,7 @@ def _supports(sketch: Sketch, spindle: Spindle) -> None:
 
 def _outside(spindle: Spindle, support: LinearSupport) -> float:
     """Radius of what a support holds [mm]."""
-    shaft = spindle.parts[support.holds].shaft
+    shaft = spindle.part(support.holds).shaft
     return shaft.diameters_at(support.x)[0] * 500.0
 
 
@@ -233,12 +233,12 @@ def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
     low, high = _gap(spindle, support)
     half, x = 0.5 * max(high - low, 5.0), support.x * 1e3
     sketch.box(x - half, x + half, low, high, "#FFFFFF", edge=BLUE, z=5)
-    sketch.cross(x - half, x + half, low, high, BLUE, 0.7, z=6)
+    sketch.cross(x - half, x + half, low, high, colour=BLUE, width=0.7, z=6)
 
 
 def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
     """Radii between which a support joins two rotors [mm]."""
-    ends = [spindle.parts[end].shaft.diameters_at(support.x) for end in support.ends]
+    ends = [spindle.part(end).shaft.diameters_at(support.x) for end in support.ends]
     (thin, _), (_, bore) = sorted(ends)
     low, high = thin * 500.0, bore * 500.0
     if high > low:
@@ -295,7 +295,7 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
             marks.append((mass.x * 1e3, height, words))
         marks += [(joint.x * 1e3, 0.0, joint.name) for joint in part.joints]
     for name, (rotor, x) in spindle.places.items():
-        height = _height(spindle.parts[rotor], x, rotor)
+        height = _height(spindle.part(rotor), x, rotor)
         sketch.circle(x * 1e3, height, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, height, f"{name}\n{x * 1e3:.1f}"))
     foot = -_reach(spindle)

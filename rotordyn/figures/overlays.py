@@ -16,7 +16,7 @@ from rotordyn.figures import stations
 from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
 from rotordyn.figures.legends import shortened, top_legend
-from rotordyn.figures.panels import Box, Shown
+from rotordyn.figures.panels import Box
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
@@ -30,7 +30,8 @@ from rotordyn.figures.style import (
     new_figure,
     round_ticks,
 )
-from rotordyn.results.headline import Curve, fits
+from rotordyn.results.described import Shown
+from rotordyn.results.headline import Curve, belongs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -241,10 +242,10 @@ def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Look
     shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
     for quantity in dict.fromkeys(quantity for quantity, _ in group.known):
         for place, variant in enumerate(variants):
-            alone = [r for r in variant.known if r not in shared and fits(r, group.known)]
+            alone = [r for r in variant.known if r not in shared and belongs(r, group.known)]
             colours = dict.fromkeys((r.subject for r in alone), looks.colours[place])
             draw_references(axes, alone, quantity, top, subject=several, colours=colours)
-        black = [r for r in shared if fits(r, group.known)]
+        black = [r for r in shared if belongs(r, group.known)]
         draw_references(axes, black, quantity, top, subject=several)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rotordyn.figures.legends import legend_in, shortened, top_legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
-from rotordyn.results.described import Shown as Shown  # noqa: PLC0414 - what panels are drawn of
+from rotordyn.results.described import Shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

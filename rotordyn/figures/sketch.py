@@ -48,10 +48,10 @@ class Sketch:
         """A broken line."""
         self.lines[colour, width, style, z].append(points)
 
-    def cross(self, left: float, right: float, low: float, high: float, *k: Any, **m: Any) -> None:
-        """Both diagonals of a rectangle."""
-        self.line([(left, low), (right, high)], *k, **m)
-        self.line([(left, high), (right, low)], *k, **m)
+    def cross(self, left: float, right: float, low: float, high: float, **look: Any) -> None:
+        """Both diagonals of a rectangle, with the ``look`` of a ``line``."""
+        self.line([(left, low), (right, high)], **look)
+        self.line([(left, high), (right, low)], **look)
 
     def draw(self, axes: Axes) -> None:
         """Put everything on ``axes``, one collection per look."""

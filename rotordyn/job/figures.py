@@ -10,9 +10,9 @@ from rotordyn.analyses.contract import Code
 from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.overlays import Scale
-from rotordyn.figures.panels import Shown, pages
+from rotordyn.figures.panels import pages
 from rotordyn.job.values import machine_of, named_curves, shown_of
-from rotordyn.results.described import Described
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import Interval
 

@@ -141,7 +141,8 @@ class BearingSeat(Description):
 def no_ring_left(
     bearing: BallBearing, bore: float | None, outside: float | None
 ) -> Iterator[tuple[str, float, str]]:
-    """Which of the diameters [m] of the rings lies among the balls, and what would not."""
+    """Of each diameter [m] that leaves no ring beside the balls: ``bore`` or ``outside``, its size,
+    and what is allowed."""
     inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
     if bore is not None and bore >= inner:
         yield "bore", bore, f"below {format_quantity(inner, 'mm')}"

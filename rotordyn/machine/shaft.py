@@ -106,7 +106,7 @@ class Shaft(Description):
 
     @property
     def largest_diameter(self) -> float:
-        """Of any section outside [m]."""
+        """Largest outer diameter of any section [m]."""
         return max(max(section.outer) for section in self.sections)
 
     @property

@@ -120,7 +120,7 @@ class Spindle(Description):
 
     @property
     def parts(self) -> dict[str, Spindle]:
-        """Every rotor by itself."""
+        """Every rotor as a spindle of its own, by its name."""
         return {name: self.part(name) for name in self.ratios}
 
     def part(self, name: str) -> Spindle:

@@ -7,6 +7,7 @@ mode unlike it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -152,14 +153,14 @@ def _corrected(
 
 def _known(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     """Modes of a subsystem; with loss factors, of motions at the multiple of the speed that the
-    start is after. Where planes are one here and not elsewhere, its shape tells how it whirls."""
+    start is after. Where planes are one here and not at all speeds, its shape tells its whirl."""
     motions = scene.system(subsystem)
     if motions.lossy is None:
         return motions
     turning = start.line.size
     if motions.whirling:
         degree = whirl_degree(motions.linear, start.vector[None, :, None])
-        turning *= start.side or float(np.sign(degree[0, 0]))
+        turning *= start.side or math.copysign(1.0, degree[0, 0])
     signs = signs_of(np.array([turning]), np.ones(1), whirling=motions.whirling)
     return motions.answering(Signs(*map(int, signs[0])))
 

@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rotordyn.results.described import Shown as Shown  # noqa: PLC0414 - what blocks are made of
 from rotordyn.results.kinds import Array, Complex
 from rotordyn.surface.body import Whole
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.machine.reference import QUANTITIES, Reference
-from rotordyn.page.blocks import Chart, Shown
+from rotordyn.page.blocks import Chart
 from rotordyn.page.looks import (
     FAINT,
     FEW_POINTS,
@@ -21,8 +21,9 @@ from rotordyn.page.looks import (
     mark,
     marks_only,
 )
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, shown
-from rotordyn.results.headline import Curve, fits
+from rotordyn.results.headline import Curve, belongs
 
 Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
@@ -110,7 +111,7 @@ def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) ->
     found: dict[Reference, int] = {}
     for place, variant in enumerate(variants):
         for each in variant.known:
-            if fits(each, wanted):
+            if belongs(each, wanted):
                 found.setdefault(each, place)
     shared = [r for r in found if all(r in variant.known for variant in variants)]
     traces = []

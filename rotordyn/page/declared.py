@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.page.blocks import Block, Chart, Shown, Table
+from rotordyn.page.blocks import Block, Chart, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.declaration import declared
+from rotordyn.results.described import Shown
 from rotordyn.results.display import number
 from rotordyn.results.headline import Curve, curves_of
 

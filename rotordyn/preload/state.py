@@ -109,7 +109,7 @@ class PreloadState:
 
         Negative where it is closed, by what its force, and what friction could carry besides, would
         press a spring ``SOFT`` together: so it goes on beyond the stop, and the speed at which that
-        is met, or left, is a root.
+        is met, or left, is a root. It may touch zero in between, where the force of the stop ends.
         """
         force = self.stop_force + (self.rubs[SHAFT + 1 :] - np.abs(self.friction_force))
         return np.where(self.stopped, -np.maximum(force, LEAST) / SOFT, self._gap)
@@ -218,7 +218,8 @@ class PreloadState:
         return self._solved.under_rest_loads(bearings)
 
     def stop_speeds(self) -> Array:
-        """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
+        """Speed at which each sleeve meets its stop (sleeves,) [rad/s], without friction and loads
+        across the axis; NaN: it does not."""
         return self._solved.stop_speeds()
 
     @property

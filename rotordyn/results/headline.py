@@ -91,8 +91,9 @@ def broken(x: Array, y: Array, breaks: Flags) -> tuple[Array, Array]:
     return np.insert(x, at, x[at]), np.insert(y, at, np.nan)
 
 
-def fits(reference: Reference, known: Collection[Known]) -> bool:
-    """Whether it is about a curve of these ``known``, or about none of them in particular."""
+def belongs(reference: Reference, known: Collection[Known]) -> bool:
+    """Whether it is shown with curves of these (quantity, subject): those of its subject, or all of
+    its quantity where it has none."""
     about = {subject for quantity, subject in known if quantity == reference.quantity}
     return bool(about) and (reference.subject in about or not reference.subject)
 

@@ -185,7 +185,8 @@ class Scene(Statics):
 
     @cached_property
     def stop_speeds(self) -> Array:
-        """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""
+        """Lowest speed at which each sleeve stands at its stop (sleeves,) [rad/s], NaN: at none. It
+        is met there, or left on the way back from a higher speed."""
         if not self.loaded and not self.preload.rubs.any():
             return self.preload.stop_speeds()
         stopped = self.preload.stopped

@@ -23,6 +23,7 @@ from rotordyn.scene.stability import instability
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
+PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
 FILMS_RULE = 0.1  # of the axial load of a bearing
 
 
@@ -59,13 +60,13 @@ def friction_notes(scene: Scene) -> Iterator[str]:
     """How sleeves that rub are taken."""
     names = [sleeve.name for sleeve in scene.spindle.sleeves if sleeve.friction > 0.0]
     if names and "preload" in scene.solved:
-        stopped = scene.preload.stopped & (scene.preload.rubs[1:] > 0.0)
+        pressed = (scene.preload.stop_force > PRESSED) & (scene.preload.rubs[1:] > 0.0)
         past = "the history of the case" if scene.conditions.history else "a run-up from rest"
         yield (
             f"dry friction holds sleeve {', '.join(names)}: the state is the one after {past}; "
             "vibrations are taken as too small to move the sleeve along the axis"
             + "; at a stop only the sum of stop and friction force is determined"
-            * bool(stopped.any())
+            * bool(pressed.any())
         )
 
 

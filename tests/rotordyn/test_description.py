@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,7 @@ from rotordyn.analyses import (
     UnbalanceSpec,
 )
 from rotordyn.analyses.measured_response import MeasuredResponse
+from rotordyn.case.keys import keys_of
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
     BearingSeat,
@@ -381,3 +382,9 @@ def test_every_name_of_a_face_can_be_had(room: str) -> None:
     assert all(getattr(face, name) is not None for name in face.__all__)
     with pytest.raises(AttributeError, match="nothing_such"):
         _ = face.nothing_such
+
+
+def test_files_have_every_field_of_a_material() -> None:
+    """``bearings`` keeps them without units, ``case.keys`` writes them again with these."""
+    named = [field.name for field in keys_of(Material)]
+    assert sorted(named) == sorted(field.name for field in fields(Material))

@@ -25,10 +25,10 @@ from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.analyses.axial_cycle.solve import answer
 from rotordyn.analyses.axial_cycle.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
-from rotordyn.figures.panels import Shown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.history import history
 from rotordyn.preload.together import dynamic_preload
+from rotordyn.results.described import Shown
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.spec import Setting
 from tests.oracles.spindles import CASES, RPM, conditions, mfw2310, scene, with_sleeve

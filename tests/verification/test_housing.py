@@ -397,6 +397,10 @@ def test_all_files_of_a_model_say_the_same(tmp_path: Path) -> None:
     ]
     assert found[1] == pytest.approx(found[0], rel=1e-8)
     assert found[2] == pytest.approx(found[0], rel=1e-12)
+    held = CASE % "[{name: box, carries: [front, rear], model: matrices.npz}]"
+    (tmp_path / "compared.yaml").write_text(f"{held}compare: {{one: {{}}, other: {{}}}}\n")
+    (housing,) = rotordyn.load(tmp_path / "compared.yaml").variants["other"].spindle.housings
+    assert np.array(housing.mass) == pytest.approx(MATRIX)
 
 
 def test_a_rigid_housing_in_a_case(tmp_path: Path) -> None:

@@ -20,7 +20,6 @@ from rotordyn.analyses.thermal_preload.figures import figures, headline_curves
 from rotordyn.analyses.thermal_preload.solve import answer
 from rotordyn.analyses.thermal_preload.summary import summary
 from rotordyn.errors import InvalidInput
-from rotordyn.figures.panels import Shown
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
 from rotordyn.machine.growth import InterferenceFit
 from rotordyn.machine.seat import BearingSeat
@@ -36,6 +35,7 @@ from rotordyn.preload.growth import (
 )
 from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.preload.shortening import thermal_shifts
+from rotordyn.results.described import Shown
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, conditions, mfw2310

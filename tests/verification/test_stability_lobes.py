@@ -193,9 +193,9 @@ def test_process_damping_at_zero_order():
 
 
 @pytest.mark.parametrize("rubs", [0.0, 2e-2])
-def test_slow_cuts_cross_the_axis_hundreds_of_times(rubs):
-    """Random modes, thousands of waves a turn, against 24 times as many samples: which crossing is
-    the largest cannot be told by the samples beside it."""
+def test_the_largest_of_many_crossings_is_found(rubs):
+    """Random modes, some 2000 waves between two cuts, against 24 times as many samples: which
+    crossing is the largest cannot be told by the samples beside it."""
     for seed in range(5):
         random = np.random.default_rng(seed)
         natural, ratio = random.uniform(1.2e3, 1.2e4, 3), 10.0 ** random.uniform(-2.3, -1.2, 3)
@@ -226,7 +226,7 @@ def test_slow_cuts_cross_the_axis_hundreds_of_times(rubs):
 
 
 def test_slow_milling_at_zero_order_does_not_depend_on_samples():
-    """Motion in two directions, hundreds of waves a tooth period, against 8 times as many samples:
+    """Motion in two directions, some 1000 waves a tooth period, against 8 times as many samples:
     seeds of 300 whose largest crossing another one exceeds on the line between samples."""
     for seed in (99, 135, 206, 215):
         random = np.random.default_rng(seed)

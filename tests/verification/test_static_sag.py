@@ -20,8 +20,8 @@ from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
 from rotordyn.analyses.static_sag.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
-from rotordyn.figures.panels import Shown
 from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.results.described import Shown
 from rotordyn.units import STANDARD_GRAVITY
 
 STEEL = Material("steel", 210e9, 0.3, 7850.0)

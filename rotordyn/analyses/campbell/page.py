@@ -17,9 +17,10 @@ from rotordyn.analyses.campbell.figures.diagram import (
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.mode_lines import KNOWN, LONE, jumps, look_of
 from rotordyn.machine.spindle import Spindle
-from rotordyn.page.blocks import Block, Chart, Control, Shapes, Shown, Table, Text
+from rotordyn.page.blocks import Block, Chart, Control, Shapes, Table, Text
 from rotordyn.page.curves import curve_charts, once_named
 from rotordyn.page.looks import COLOURS, FAINT, FEW_POINTS, INK, axis
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import broken

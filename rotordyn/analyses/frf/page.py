@@ -12,10 +12,11 @@ from rotordyn.analyses.frf.figures.map import amplitude, amplitude_range, with_p
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import speeds_compared
 from rotordyn.figures.amplitudes import wrapped_phase
-from rotordyn.page.blocks import Block, Chart, Control, Shown, Table
+from rotordyn.page.blocks import Block, Chart, Control, Table
 from rotordyn.page.looks import INK, axis, line, logarithmic
 from rotordyn.page.packed import rounded
 from rotordyn.results.declaration import declared
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number, shown
 from rotordyn.results.kinds import Array, Complex
 

@@ -10,8 +10,9 @@ import numpy as np
 from rotordyn.analyses.life.figures import headline_curves
 from rotordyn.analyses.life.result import HOUR, LifeResult
 from rotordyn.analyses.life.summary import hours
-from rotordyn.page.blocks import BEARING, BEARINGS, Block, Shown, Table
+from rotordyn.page.blocks import BEARING, BEARINGS, Block, Table
 from rotordyn.page.curves import curve_charts
+from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 
 

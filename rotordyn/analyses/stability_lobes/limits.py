@@ -113,8 +113,8 @@ class Limits:
         return found
 
     def _samples(self, rows: Rows, period: Array, most: float = math.inf) -> Array:
-        """Frequencies (s, f) that resolve peaks and, if these are not more than ``most``, the phase
-        from tooth to tooth, ascending."""
+        """Frequencies (s, f), ascending: those that resolve peaks, and even ones that resolve the
+        phase from tooth to tooth unless that takes more than ``most``."""
         near = [self.tip.about_poles(row) for row in rows.tolist()]
         tops = self.tip.tops[rows]
         refuse_slow(float(tops.max()), float(period.max()))
@@ -152,14 +152,17 @@ def _summed(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
 
 
 def _between(receptance: Callable[[Array], Complex], known: Array, omega: Array) -> Complex:
-    """Receptance at ``omega`` (s, f) by cubic splines through those at fewer ``known`` (s, k)."""
+    """Receptance at ``omega`` (s, f) by cubic splines through those at ``known`` (s, k), where
+    these are fewer."""
     if known.shape == omega.shape:
         return receptance(omega)
     from scipy.interpolate import CubicSpline
 
-    each = zip(known, receptance(known), omega, strict=True)
-    ascending = ((np.unique(at, return_index=True), values, asked) for at, values, asked in each)
-    return np.stack([CubicSpline(at, y[where])(asked) for (at, where), y, asked in ascending])
+    found = []
+    for at, values, asked in zip(known, receptance(known), omega, strict=True):
+        once, first = np.unique(at, return_index=True)
+        found.append(CubicSpline(once, values[first])(asked))
+    return np.stack(found)
 
 
 def _alike(period: Array, most: float) -> Iterator[slice]:

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = Callable[[Array], Complex]
 CANDIDATES = 4  # crossings of a speed that are refined at a time, what may be largest first
-BULGE = 0.1  # of the chord between two samples: no branch goes farther out between them
+BULGE = 0.1  # of the chord between two samples: an arc of the phase between them bulges by 0.025
 STEPS = 30
 LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no depth that is cut
 
@@ -40,33 +40,35 @@ def zero_order(
     (s,).
 
     ``receptances`` of frequencies (s, f): (s, f, d, e); ``period`` of the teeth (s,) [s];
-    ``omega`` (s, f) ascending samples [rad/s]; ``sampled``: the receptances at these, where they
-    are had sooner and nearly.
+    ``omega`` (s, f) ascending samples [rad/s]; ``sampled``: an approximation of the receptances
+    that costs less, in which crossings are looked for.
     """
     near = receptances if sampled is None else sampled
     z = _followed(_eigenvalues(near(omega), mean, period, omega))
     low, high = z[:, :-1], z[:, 1:]
     chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
     with np.errstate(divide="ignore", invalid="ignore"):
-        line = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
-        beyond = chord / np.abs(low.imag - high.imag)  # the flatter it crosses, the farther
-        most = np.minimum(line + BULGE * chord * beyond, highest + BULGE * chord)
-    most = np.where(low.imag * high.imag < 0.0, most, 0.0).reshape(len(z), -1)
-    order, rows = np.argsort(-most, axis=1), np.arange(len(z))[:, None]
+        crossing = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
+        slant = chord / np.abs(low.imag - high.imag)  # the flatter, the farther a bulge reaches
+        bound = np.minimum(crossing + BULGE * chord * slant, highest + BULGE * chord)
+    bound = np.where(low.imag * high.imag < 0.0, bound, 0.0).reshape(len(z), -1)
+    order, rows = np.argsort(-bound, axis=1), np.arange(len(z))[:, None]
     value, at = LEAST * np.abs(z).max(axis=(1, 2)), np.full(len(z), np.nan)
     for first in range(0, order.shape[1], CANDIDATES):
         chosen = order[:, first : first + CANDIDATES]
-        if not (most[rows, chosen] > value[:, None]).any():
+        if not (bound[rows, chosen] > value[:, None]).any():
             break
-        (k, branch), there = np.divmod(chosen, z.shape[2]), most[rows, chosen] > 0.0
+        k, branch = np.divmod(chosen, z.shape[2])
         ends = omega[rows, k], omega[rows, k + 1], z[rows, k, branch], z[rows, k + 1, branch]
-        places, values = _roots(receptances, mean, period, ends)
-        values = np.where(there, values, 0.0)
+        frequencies, values = _roots(receptances, mean, period, ends)
+        values = np.where(bound[rows, chosen] > 0.0, values, 0.0)
         best = values.argmax(axis=1)[:, None]
-        found, where = (np.take_along_axis(a, best, axis=1)[:, 0] for a in (values, places))
+        found, where = (np.take_along_axis(a, best, axis=1)[:, 0] for a in (values, frequencies))
         value, at = np.where(found > value, (found, where), (value, at))
+    depth = np.full(len(z), np.inf)
     known = np.isfinite(at)
-    return np.where(known, 1.0 / value, np.inf), at
+    depth[known] = 1.0 / value[known]
+    return depth, at
 
 
 def _eigenvalues(receptance: Complex, mean: Mean, period: Array, omega: Array) -> Complex:

@@ -17,10 +17,10 @@ from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
 from rotordyn.figures.overlays import Scale, colour, dash, overlay_figure
-from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import mark_lone_points
 from rotordyn.job.figures import comparison_figures, figures
 from rotordyn.machine.reference import Reference
+from rotordyn.results.described import Shown
 from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
 

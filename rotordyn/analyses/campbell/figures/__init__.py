@@ -12,8 +12,8 @@ from rotordyn.analyses.campbell.figures.diagram import highest_of, orders
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.mode_lines import LOOKS, jumps, look_of
-from rotordyn.figures.panels import Panel, Shown
-from rotordyn.results.described import Described
+from rotordyn.figures.panels import Panel
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Curve, curves_of
 

@@ -10,8 +10,8 @@ from rotordyn.analyses.contract import Code
 from rotordyn.analyses.control.figures.boundaries import load_name
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Panel, Shown
-from rotordyn.results.described import Described
+from rotordyn.figures.panels import Panel
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)

@@ -13,8 +13,8 @@ from rotordyn.analyses.frf.figures.slices import nearest_slice
 from rotordyn.figures.draw import Job
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import modes_among
-from rotordyn.figures.panels import ON_A_PAGE, Panel, Shown
-from rotordyn.results.described import Described
+from rotordyn.figures.panels import ON_A_PAGE, Panel
+from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import RPM, shown
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve
