@@ -386,5 +386,5 @@ def test_every_name_of_a_face_can_be_had(room: str) -> None:
 
 def test_files_have_every_field_of_a_material() -> None:
     """``bearings`` keeps them without units, ``case.keys`` writes them again with these."""
-    named = [field.name for field in keys_of(Material)]
+    named = [key.name for key in keys_of(Material) if key.name]  # not of the notes beside them
     assert sorted(named) == sorted(field.name for field in fields(Material))
