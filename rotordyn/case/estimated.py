@@ -27,7 +27,7 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
 
     model: Any = kind_class(DEFAULT)
     faults, kind = reading.faults, node.child("kind")
-    before = len(faults.reported)
+    before = faults.count
     if kind is not None and kind.value != DEFAULT:
         faults.at(
             kind,
@@ -39,7 +39,7 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     for key in NEEDED:
         if node.child(key) is None:
             faults.missing(node, key, "missing key: an estimate needs it")
-    if len(faults.reported) > before:
+    if faults.count > before:
         return None
     printed = values.pop("estimate") or Printed()
     values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}

@@ -13,11 +13,13 @@ class Faults:
     """The faults of one case, in the order found; the same one is kept once.
 
     ``variant``: which one is being read, empty for the case itself. A fault that it makes elsewhere
-    than in its own entry is said to be its.
+    than in its own entry is said to be its. ``count``: of all that were met, also of those that are
+    known: a model that two seats name has its faults twice and tells them once.
     """
 
     def __init__(self) -> None:
         self.reported: list[Fault] = []
+        self.count = 0
         self.variant = ""
 
     def at(self, node: Node, message: str) -> None:
@@ -41,6 +43,7 @@ class Faults:
         message = printable(whose + fault.message)
         path, message = _cut(path, LONGEST_PATH), _cut(message, LONGEST)
         line = Fault(fault.file, fault.line, fault.column, path, message)
+        self.count += 1
         if line not in self.reported:
             self.reported.append(line)
         if len(self.reported) >= MOST:

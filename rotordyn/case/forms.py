@@ -167,9 +167,9 @@ def measured(files: Reader) -> Any:
     def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
         if not isinstance(node.value, dict):
             return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        before = len(reading.faults.reported)
+        before = reading.faults.count
         values = reading.fields(MeasuredResponse, node)
-        if len(reading.faults.reported) > before:
+        if reading.faults.count > before:
             return unknown(MeasuredResponse)
         name, number = node.at("file"), node.child("record")
         path = files.folders[name.file].parent / name.value

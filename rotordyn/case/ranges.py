@@ -28,12 +28,12 @@ def sweep(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...
     zero = f"0 {units.KINDS[limits.kind][0]}"
     step = Annotated[float, Quantity(limits.kind, above=zero, at_most=limits.at_most)] | None
     taken = {"start": item, "to": item, "step": step}
-    before = len(reading.faults.reported)
+    before = reading.faults.count
     swept = Range(**reading.fields(Range, node, annotations=taken))
-    if len(reading.faults.reported) == before:
+    if reading.faults.count == before:
         for path, sentence in _range_faults(swept, units.KINDS[limits.kind][0]):
             reading.at(node, path, sentence)
-    if len(reading.faults.reported) > before:
+    if reading.faults.count > before:
         return unknown(annotation)
     count = swept.count or round((swept.to - swept.start) / (swept.step or math.inf)) + 1
     span = swept.to - swept.start

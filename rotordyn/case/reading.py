@@ -152,9 +152,9 @@ class Reading:
         """
         if not isinstance(node.value, dict):
             return self.wrong_shape(kind, node, _mapping(kind))
-        before = len(self.faults.reported)
+        before = self.faults.count
         values = self.fields(kind, node, others) | given
-        return self.made(kind, values, node, whole=len(self.faults.reported) == before)
+        return self.made(kind, values, node, whole=self.faults.count == before)
 
     def made(self, kind: type, values: Mapping[str, Any], node: Node, *, whole: bool = True) -> Any:
         """A description of these values, held against its own rules.

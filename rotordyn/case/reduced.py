@@ -54,9 +54,9 @@ def reduced_model(reference: Node, reading: Reading, files: Reader) -> ReducedMo
 def _from_files(reference: Node, reading: Reading, files: Reader) -> ReducedModel | None:
     from rotordyn.case.reduced_files import from_market
 
-    before = len(files.faults.reported)
+    before = files.faults.count
     listed = reading.value(ModelFiles, reference)
-    if len(files.faults.reported) > before:
+    if files.faults.count > before:
         return None
     raw: dict[str, bytes] = {}
     for key in ("mass", "stiffness", "damping"):

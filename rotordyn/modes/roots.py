@@ -179,5 +179,5 @@ def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> Stat
 def _fitness(start: Start, speed: float, pole: Complex, vector: Complex) -> Array:
     """How like the start modes (k,) with ``vector`` (n, k) are, and how near to its line."""
     line, turning = start.line.size * speed, pole.imag
-    apart = np.abs(turning - line) / np.maximum(np.maximum(turning, line), 1e-300)
+    apart = np.abs(turning - line) / np.maximum(np.maximum(turning, line), 1e-100)
     return np.asarray(mac(start.vector[:, None], vector)[0] - NEARNESS * apart)

@@ -36,6 +36,7 @@ from rotordyn.scene.statics import Statics
 from rotordyn.scene.warnings import friction_notes, machine_warnings
 
 MEETING = 1e-6  # rad/s, of the speed at which a stop is met
+BESIDE = 1e-3  # rad/s below it the stop is open
 BEYOND = 2.0  # of the highest frequency: modes above it are followed a little farther
 
 
@@ -213,7 +214,12 @@ class Scene(Statics):
 
         if low >= high or gap(low) <= 0.0:
             return low
-        return cast(float, brentq(gap, low, high, xtol=MEETING))
+        while True:
+            met = cast(float, brentq(gap, low, high, xtol=MEETING))
+            # on the way back the gap touches zero before it opens: where friction takes over
+            if met - BESIDE <= low or gap(met - BESIDE) > 0.0:
+                return met
+            high = met - BESIDE
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:

@@ -152,13 +152,13 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
 
 def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
     """Values or span of one path, whose ends have the unit of what stands there in the case."""
-    before = len(reading.faults.reported)
+    before = reading.faults.count
     asked: Any = None
     if isinstance(node.value, dict):
         found = reading.fields(SpanEntry, node, annotations={"start": Any, "to": Any})
         low, high = (value_at(reading, case, path, node.at(key)) for key in ("from", "to"))
         log = found["spacing"] == SPACINGS[1]
-        if len(reading.faults.reported) == before:
+        if reading.faults.count == before:
             asked = Span(low, high, found["points"], log)
     elif isinstance(node.value, list):
         asked = [value_at(reading, case, path, item) for item in node.value]
@@ -170,7 +170,7 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
             ]
     else:
         reading.faults.at(node, "a list of values is needed, or a span: {from: …, to: …}")
-    if len(reading.faults.reported) == before:
+    if reading.faults.count == before:
         try:
             parameter(case, path, asked)
         except InvalidInput as refusal:

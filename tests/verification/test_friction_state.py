@@ -233,6 +233,15 @@ def test_friction_holds_a_sleeve_at_its_stop_until_it_slides_away(limit: float) 
     assert -limit < after < -limit * (1.0 - 1e-5)
 
 
+def test_friction_that_takes_over_from_a_stop_is_no_stop_speed() -> None:
+    """On the way back neither the stop nor friction is at a limit of its own for a moment."""
+    spindle = with_sleeve(mfw2310(), "front", friction=4.8, stop_travel=30.4e-6)
+    found = scene(spindle, [12000.0, 21300.0], history=(HistoryStep(speed=24000.0 * RPM),))
+    near = np.array([1.0 - 1e-7, 1.0 + 1e-7]) * float(found.stop_speeds[0])
+    stopped = Scene(found.spindle, found.conditions, near).preload.stopped
+    assert stopped[:, 0].tolist() == [False, True]
+
+
 # --- order of the path ---------------------------------------------------------------------------
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from rotordyn import units
 from rotordyn.case.case import Case
 from rotordyn.case.expand import opened
 from rotordyn.case.faults import Faults
@@ -100,9 +101,9 @@ def _each(reading: Reading, root: Node, key: str, beside: Any, make: Any) -> dic
         return {}
     found = {}
     for name, child in node.value.items():
-        before = len(reading.faults.reported)
+        before = reading.faults.count
         made = make(reading, beside, str(name), child)
-        if len(reading.faults.reported) == before:
+        if reading.faults.count == before:
             found[str(name)] = made
     return found
 
@@ -139,15 +140,15 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
 
 def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurement | None:
     kind = node.child("kind") if isinstance(node.value, dict) else None
-    if kind is None or kind.value not in KINDS:
-        word = "" if kind is None else str(kind.value)
+    if kind is None or not isinstance(kind.value, str) or kind.value not in KINDS:
+        word = "" if kind is None else kind.raw or units.shown(kind.plain())
         why = f"unknown kind '{word}'" if word else "missing key: kind"
         allowed = f"{why}; allowed: {', '.join(KINDS)}{suggestion(word, KINDS)}"
         reading.faults.at(node.at("kind"), allowed)
         return None
-    before = len(reading.faults.reported)
+    before = reading.faults.count
     given = reading.fields(KINDS[kind.value], node)
-    if len(reading.faults.reported) > before:
+    if reading.faults.count > before:
         return None
     try:
         made = MADE[kind.value](name, given, beside)
@@ -181,8 +182,8 @@ def _predicted(reading: Reading, root: Node) -> tuple[Predicted, ...]:
         return ()
     found = []
     for item in node.value if node is not None else ():
-        before = len(reading.faults.reported)
+        before = reading.faults.count
         given = reading.fields(PredictedEntry, item)
-        if len(reading.faults.reported) == before:
+        if reading.faults.count == before:
             found.append(Predicted(**given))
     return tuple(found)

@@ -12,6 +12,7 @@ from rotordyn.analyses import PreloadSpec
 from rotordyn.case.schema import json_schema
 from rotordyn.errors import InvalidInput
 
+CATALOGUE = Path(__file__).parents[3] / "cases" / "grinding_spindle_catalogue.yaml"
 # GMN, catalogue 4000 0813 EN, KH 6014 E
 BEARING = """\
 name: KH 6014 E
@@ -100,6 +101,17 @@ FAULTS = [
     (("25 deg", "25 mm"), "contact_angle"),
     (("143 N/um, 211", "143 N, 211"), "rigidities"),
 ]
+
+
+def test_what_is_missing_in_a_model_of_several_seats_is_told_once(tmp_path: Path) -> None:
+    shipped = CATALOGUE.read_text(encoding="utf-8")
+    lines = [line for line in shipped.splitlines() if "bore_diameter" not in line]
+    assert len(lines) == len(shipped.splitlines()) - 1
+    path = tmp_path / "case.yaml"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    with pytest.raises(InvalidInput, match="bore_diameter: missing key: an estimate") as refused:
+        rotordyn.load(path)
+    assert str(refused.value).count("an estimate needs it") == 1
 
 
 @pytest.mark.parametrize(("change", "sentence"), FAULTS)

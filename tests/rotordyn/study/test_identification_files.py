@@ -128,6 +128,7 @@ def test_a_verdict_by_chi_squared_says_its_degrees() -> None:
     ("old", "new", "said"),
     [
         ("kind: axial curve", "kind: axial", "unknown kind 'axial'"),
+        ("kind: axial curve", "kind: {axial: curve}", "unknown kind 'a mapping'"),
         ("deviation: 0.4 um, tare", "deviation: 0.4 N, tare", "is not a unit of length"),
         ("deviation: 0.4 um, tare", "deviation: 0 um, tare", "a deviation is a number above 0"),
         ("deviation: 0.4 um, tare", "deviation: 400 um, tare", "noise swamps it"),
