@@ -121,7 +121,7 @@ class _Tangents:
 
     def __init__(self, ours: Scene, tangents: np.ndarray) -> None:
         self.outcome, self._tangents = ours.preload.outcome, tangents
-        self.seat_load, self.net = ours.preload.seat_load, ours.preload.net
+        self.seat_load, self.stopped = ours.preload.seat_load, ours.preload.stopped
 
     def seat_stiffness(self, tangent: str = "complete") -> np.ndarray:
         return self._tangents
