@@ -14,8 +14,9 @@ from rotordyn import units
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, MODELS, Way, bearing_class, keys_of, kinds_with, ways_to
+from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import UnknownModel, find
+from rotordyn.case.named_models import MODELS, Way, ways_to
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
 from rotordyn.case.table import tabled

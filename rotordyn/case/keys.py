@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Annotated, Any, get_origin
+from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
@@ -19,7 +19,7 @@ from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
-from rotordyn.field import Field, bare, declared, descriptions, members
+from rotordyn.field import Field, declared
 from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import (
@@ -51,7 +51,6 @@ from rotordyn.quantity import (
 from rotordyn.scene.conditions import Conditions
 
 Overrides = Mapping[str, Any]
-Way = tuple[str, ...]  # keys, one within the other; ``*``: every item of a list
 Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
 
@@ -372,33 +371,6 @@ def _common(each: Common) -> Iterator[Field]:
         if inner.keys[: len(tail)] == tail:
             keys = (*each.keys, *inner.keys[len(tail) :])
             yield Field("", keys, inner.annotation, each.meaning, None)
-
-
-# Descriptions that stand in files of their own, and the folder of the library that holds these.
-MODELS: dict[type, str] = {
-    Spindle: "spindles",
-    Tool: "tools",
-    BallBearing: "bearings",
-    Material: "materials",
-    Workpiece: "workpieces",
-}
-
-
-@cache
-def ways_to(model: type, kind: Any) -> tuple[Way, ...]:
-    """Paths at which a file of this kind names a model of another; those that serve several items,
-    shorter ones, first."""
-    ways: list[Way] = []
-    for each in keys_of(kind):
-        for form in members(each.annotation) if each.keys else ():
-            origin = get_origin(bare(form))
-            way = (*each.keys, "*") if origin is tuple else each.keys
-            for held in () if origin is Mapping else descriptions(form):
-                if held is model:
-                    ways.append(way)
-                elif held not in MODELS:
-                    ways += [(*way, *rest) for rest in ways_to(model, held)]
-    return tuple(sorted(ways, key=len))
 
 
 def bearing_class(word: object) -> Any:

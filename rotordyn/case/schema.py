@@ -22,9 +22,10 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.identification import IdentificationFile
-from rotordyn.case.keys import COMMON, MODELS, PortPair, Range, Variant, keys_of
+from rotordyn.case.keys import COMMON, PortPair, Range, Variant, keys_of
 from rotordyn.case.library import known
 from rotordyn.case.matrices import ENTRIES
+from rotordyn.case.named_models import MODELS
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput

@@ -140,8 +140,8 @@ class BearingSet(Description):
         """What contradicts the bearings of the spindle, by path from the set on."""
         held = {seat.name: seat for seat in seats}
         there = [held[name] for name in self.bearings if name in held]
-        counts = {len(self.bearings), len({*self.bearings}), len(there)}
-        if self.set not in SETS or counts != {len(SETS[self.set])}:
+        size = len(SETS.get(self.set, ""))
+        if not size or not size == len(there) == len(self.bearings) == len({*self.bearings}):
             return
         if [seat.x for seat in there] != sorted(seat.x for seat in there):
             order = ", ".join(seat.name for seat in sorted(there, key=lambda s: s.x))

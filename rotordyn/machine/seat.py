@@ -100,7 +100,7 @@ class BearingSeat(Description):
                 f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
                 "+x, -x, the way the shaft pushes the inner ring to load the balls",
             )
-        yield from self._fit_faults(bearing)
+        yield from self._ring_faults(bearing)
         room = bearing.largest_static_growth
         if self.growth.static > room:
             yield (
@@ -116,7 +116,7 @@ class BearingSeat(Description):
                 f"{format_quantity(least, 'um')}",
             )
 
-    def _fit_faults(self, bearing: BallBearing) -> Faults:
+    def _ring_faults(self, bearing: BallBearing) -> Faults:
         fit, fits = self.growth.fitted, self.fits
         rings: list[tuple[Path, float | None, float | None]] = []
         if fit is not None:
@@ -130,7 +130,7 @@ class BearingSeat(Description):
                     f"the {which} of bearing {self.name} leaves no ring beside the balls: given "
                     f"{format_quantity(size, 'mm')}; allowed: {allowed}",
                 )
-        if self.fits is not None and self.growth != RingGrowth():
+        if fits is not None and self.growth != RingGrowth():
             yield (
                 ("fits",),
                 "fits beside a given growth, which contradict one another: growth follows from the "
