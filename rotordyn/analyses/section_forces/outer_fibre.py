@@ -12,6 +12,8 @@ import numpy as np
 from rotordyn.arrays import Array
 from rotordyn.machine.cross_section import area, second_moment
 
+ROUNDING = 1e-9  # of the bending stress: an axial stress with less decides no sign
+
 
 class Stress(NamedTuple):
     """``axial`` N/A (signed), ``bending`` M c/I ≥ 0, ``torsion`` Mt c/Ip (signed) [Pa]."""
@@ -22,8 +24,10 @@ class Stress(NamedTuple):
 
     @property
     def normal(self) -> Array:
-        """Largest normal stress at the outer fibre, by amount, with its sign [Pa]."""
-        return np.asarray(np.where(self.axial < 0.0, -1.0, 1.0) * (abs(self.axial) + self.bending))
+        """Largest normal stress at the outer fibre, by amount, with its sign [Pa]; in pure bending
+        that of tension."""
+        pressed = self.axial < -ROUNDING * self.bending
+        return np.asarray(np.where(pressed, -1.0, 1.0) * (abs(self.axial) + self.bending))
 
     @property
     def von_mises(self) -> Array:
