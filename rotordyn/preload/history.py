@@ -33,6 +33,7 @@ from rotordyn.preload.arrangement import (
     as_mounted,
     has_stop,
 )
+from rotordyn.preload.axial_ends import begins, missed, turns
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
@@ -44,12 +45,14 @@ from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
 Array = NDArray[np.float64]
-SPACING = 1e-6  # m, of a table
-FINER = 2.0 ** -np.arange(1.0, 13.0)  # of the spacing, beside the place where a law begins
+# Of the free distance of the groove centres of a bearing:
+SPACING = 2.0**-10  # of its table
+FINER = 2.0 ** np.arange(-22.0, -7.5, 0.25)  # distances of further points from where it loads
+ROUNDS = 3  # of points more where cubic pieces miss others
+REACH = 0.25  # deflection: a table begins so far unloaded and hardly ends farther loaded
+NEAR = 2.0**-9  # a table gives the load at rest that near to where the bearing has it
 TABLES = 256  # kept: variants and analyses of a case share bearings and speeds
-REACH = 250e-6  # m, of deflection: a table begins so far unloaded and hardly ends farther loaded
 SLIDING = 1e-9  # of the limit of friction
-NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing has it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -184,8 +187,9 @@ def history(preload: PreloadState, reach: float) -> History:
     laws = BearingLaws(preload, most)
     assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
     near = assembled.deflection(mounted.position)[0].tolist()
-    each = zip(laws.at(0.0, warm=False)[0], mounted.response.load[0].tolist(), near, strict=True)
-    network = _network(preload, np.array([_where(law, load, d) for law, load, d in each]))
+    loads, models = mounted.response.load[0].tolist(), [b.model for b in joined.bearings]
+    each = zip(laws.at(0.0, warm=False)[0], models, loads, near, strict=True)
+    network = _network(preload, np.array([_where(*one) for one in each]))
     gap = np.zeros(len(network.springs.force))
 
     def load(at: Moment) -> Load:
@@ -339,10 +343,11 @@ def _table(bearing: AxialBearing, speed: float, most: float) -> AxialLaw:
     The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
     """
     growth = float(bearing.static_growth[0]), float(bearing.growth[0])
-    high = 0.25 * REACH
+    reach = REACH * bearing.model.free_distance
+    high = 0.25 * reach
     while True:
         law, load, whole = _solved(bearing.model, bearing.law, growth, speed, high)
-        if load >= most or high > REACH or not whole:
+        if load >= most or high > reach or not whole:
             return law
         high *= 2.0
 
@@ -355,26 +360,38 @@ def _solved(
     is a state at its end; ``growth`` [m]: static, and all of it at speed."""
     from bearings.ring.tangents import stiffness
 
-    even = np.arange(-round(REACH / SPACING), round(high / SPACING) + 1) * SPACING
-    d = np.unique(np.concatenate([even, SPACING * FINER, -SPACING * FINER]))
-    displacement = np.zeros((len(d), 5))
-    displacement[:, 0] = d
-    state = model.equilibrium(
-        displacement=displacement,
-        speed=speed,
-        static_growth=growth[0],
-        growth=growth[1],
-        **asdict(balls),
-    )
-    load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
-    known = np.isfinite(load) & np.isfinite(slope)
-    law = sloped_table(*(one[known].tolist() for one in (d, load, slope)))
-    return law, float(load[known][-1]), bool(known[-1])
+    distance = model.free_distance
+    even = np.arange(-round(REACH / SPACING), round(high / distance / SPACING) + 1) * SPACING
+    beside = np.concatenate([-FINER, [0.0], FINER]) + begins(model, *growth) / distance
+    d = np.concatenate([even, beside, -beside if model.both_ways else []])
+    lowest = max(even[0], float(turns(model, growth[0])) / distance)
+    more = np.unique(d.clip(lowest, even[-1])) * distance
+    points = np.empty((3, 0))  # deflection, load, slope
+    for _ in range(ROUNDS):
+        displacement = np.zeros((len(more), 5))
+        displacement[:, 0] = more
+        state = model.equilibrium(
+            displacement=displacement,
+            speed=speed,
+            static_growth=growth[0],
+            growth=growth[1],
+            **asdict(balls),
+        )
+        new = np.stack([more, state.load[:, 0], stiffness(state, "complete")[:, 0, 0]])
+        points = np.concatenate([points, new], axis=1)
+        points = points[:, np.argsort(points[0])]
+        known = np.asarray(np.isfinite(points).all(axis=0))
+        more = missed(*points[:, known])
+        if not more.size:
+            break
+    law = sloped_table(*points[:, known].tolist())
+    return law, float(points[1, known][-1]), bool(known[-1])
 
 
-def _where(law: AxialLaw, load: float, near: float) -> float:
+def _where(law: AxialLaw, model: BallBearing, load: float, near: float) -> float:
     """Deflection [m] at which the table has a ``load`` [N], about where the bearing has it: with
     another one the preloads of the tables would not balance."""
     if law(near)[0] == load:
         return near
-    return float(brentq(lambda d: law(d)[0] - load, near - NEAR, near + NEAR, xtol=1e-18))
+    far = NEAR * model.free_distance
+    return float(brentq(lambda d: law(d)[0] - load, near - far, near + far, xtol=1e-18))

@@ -38,18 +38,21 @@ from rotordyn.preload.arrangement import (
     as_mounted,
     rigid,
 )
+from rotordyn.preload.axial_ends import turns
 
 Array = NDArray[np.float64]
-# dense near 0, by halving steps above it: there the law d^1.5 of a bearing at rest is not smooth
+# Lengths in thousandths of the free distance of groove centres, some 1 µm; dense near 0, by halving
+# steps above it: there the law d^1.5 of a bearing at rest is not smooth
 PARTS = ((-300.0, -100.0, 20.0), (-100.0, -40.0, 4.0), (-40.0, 50.0, 1.5), (50.0, 80.1, 5.0))
 SOLVED = np.unique(
     np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
-)  # µm, deflections at which bearings are solved
+)  # deflections at which bearings are solved
 FINE = np.unique(
-    np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1) * 1e-6
-)  # m, the spline through them, drawn straight between
-FAR = 5e-3  # m, to which a curve goes on beyond the spline: constant below, straight above
-GRID = np.arange(-1500.0, 500.0, 4.0) * 1e-6  # m, places of the shaft tried around the last one
+    np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1)
+)  # the spline through them, drawn straight between
+FAR = 5e3  # to which a curve goes on beyond the spline: constant below, straight above
+GRID = np.arange(-1500.0, 500.0, 4.0)  # places of the shaft tried around the last one
+UNIT = 1e-6  # m, of these where all is in µm
 STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
 MOST_KEPT = 400  # curves, of which a fit over many machines would fill the memory
 
@@ -113,8 +116,9 @@ class BearingCurves:
 
         model, law, *rest = zip(*group, strict=True)
         static_growth, growth, speed = (np.array(values)[:, None] for values in rest)
+        unit = 1e-3 * model[0].free_distance
         displacement = np.zeros((len(group), len(SOLVED), 5))
-        displacement[..., 0] = SOLVED * 1e-6
+        displacement[..., 0] = SOLVED * unit
         state = model[0].equilibrium(
             displacement=displacement,
             speed=speed,
@@ -123,7 +127,9 @@ class BearingCurves:
             **asdict(law[0]),
         )
         slopes = stiffness(state, "complete")[..., 0, 0]
-        for one, load, slope in zip(group, state.load[..., 0], slopes, strict=True):
+        one_way = displacement[..., 0] >= turns(model[0], static_growth)
+        loads = np.where(one_way, state.load[..., 0], np.nan)
+        for one, load, slope in zip(group, loads, slopes, strict=True):
             good = np.isfinite(load) & np.isfinite(slope)
             if good.sum() < 2:
                 raise NoSolution(
@@ -131,18 +137,19 @@ class BearingCurves:
                     f"{one.speed * 30.0 / np.pi:.6g} rpm, groove growth {one.growth * 1e6:.4g} µm: "
                     "it has no axial state at any deflection; lower the speed or the growth"
                 )
-            self.known[one] = _curve(SOLVED[good] * 1e-6, load[good], slope[good])
+            self.known[one] = _curve(SOLVED[good] * unit, load[good], slope[good], unit)
 
 
-def _curve(d: Array, load: Array, slope: Array) -> Curve:
+def _curve(d: Array, load: Array, slope: Array, unit: float = UNIT) -> Curve:
     """The spline through loads [N] and slopes [N/m] at deflections [m], and on beyond both ends."""
     from scipy.interpolate import CubicHermiteSpline
 
-    inside = FINE[(d[0] <= FINE) & (d[-1] >= FINE)]
+    inside = FINE[(d[0] <= FINE * unit) & (d[-1] >= FINE * unit)] * unit
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
     step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
-    loads = np.concatenate([fine[:1], fine, [fine[-1] + step * (FAR - inside[-1])]])
-    return Curve(np.concatenate([[-FAR], inside, [FAR]]), loads)
+    far = FAR * unit
+    loads = np.concatenate([fine[:1], fine, [fine[-1] + step * (far - inside[-1])]])
+    return Curve(np.concatenate([[-far], inside, [far]]), loads)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -211,12 +218,13 @@ class SlidingSleeve:
 @dataclass(frozen=True, eq=False, slots=True)
 class AtSpeed:
     """The machine at one speed: sleeves, bearings in the housing, ``support`` [N/m] along the axis
-    that holds the shaft at ``place`` [m]."""
+    that holds the shaft at ``place`` [m]; ``unit`` of the largest of its bearings [m]."""
 
     sleeves: tuple[SlidingSleeve, ...]
     fixed: BearingGroup
     support: float
     place: float
+    unit: float
 
     def solved(self, force: Array, before: Array) -> Array:
         """Positions (n, bodies) under forces on the shaft that rise, or fall, from ``before``
@@ -231,7 +239,7 @@ class AtSpeed:
                 held = held + sleeve.bearings(u - places[-1])
             return held, places
 
-        grid = before[SHAFT] + GRID
+        grid = before[SHAFT] + GRID * self.unit
         held = total(grid)[0]
         right = np.searchsorted(held, force)
         outside = (right == 0) | (right == len(grid))
@@ -385,4 +393,5 @@ def _at_speed(
         for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True)
     )
     support = sum(each.along for each in spindle.supports)
-    return AtSpeed(sleeves, on(HOUSING), support, float(mounted[SHAFT]))
+    unit = 1e-3 * max(bearing.model.free_distance for bearing in joined.bearings)
+    return AtSpeed(sleeves, on(HOUSING), support, float(mounted[SHAFT]), unit)
