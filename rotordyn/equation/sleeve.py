@@ -14,6 +14,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from bearings.geometry import geometry
 from rotordyn.arrays import Indices
 from rotordyn.equation.dofs import Dofs
 from rotordyn.equation.fineness import Fineness
@@ -22,7 +23,8 @@ from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
 
 CLOSED = 1e6  # stiffness of a closed stop over that of the bearings on its sleeve
-SOFT = 1e6  # N/m: a fictitious mass is not taken from less
+SOFT = 3e-3  # of the stiffness of its bearings: a fictitious mass is not taken from less
+PRESSED = 1e-3  # of the free distance of their grooves, as far as they are pressed then
 
 
 class Sleeves:
@@ -49,10 +51,22 @@ class Sleeves:
             for way, stiffness in springs(sleeve):
                 if (sleeve.name, way) in self.dofs:
                     rows = _one(self.dofs[sleeve.name, way])
-                    mass = sleeve.mass or max(stiffness, SOFT) / self.fine.weightless**2
+                    least = SOFT * self._bearings(sleeve)
+                    mass = sleeve.mass or max(stiffness, least) / self.fine.weightless**2
                     yield Part("mass", rows, rows, np.full((1, 1, 1), mass))
                     if way != "x":
                         yield Part("stiffness", rows, rows, np.full((1, 1, 1), stiffness))
+
+    def _bearings(self, sleeve: Sleeve) -> float:
+        """About the stiffness [N/m] of all its bearings."""
+        each = (
+            geometry(seat.bearing.grooves)
+            for seat in self.spindle.seats
+            if seat.name in sleeve.bearings
+        )
+        return sum(
+            g.balls * g.series_stiffness * math.sqrt(PRESSED * g.free_distance) for g in each
+        )
 
     def links(self) -> Iterator[Link]:
         """The spring along the axis, and the stop where the sleeve stands at it."""

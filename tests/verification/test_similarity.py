@@ -68,6 +68,16 @@ FEW = {
     "preload": PreloadSpec(),
     "stiffness": None,
 }
+
+
+def soft_sleeve() -> Case:
+    """A massless one, on a spring next to none against its bearings."""
+    case = rotordyn.load("belt_driven_loads")
+    loads = {"campbell": CampbellSpec(2000.0, shapes=False)}
+    case = replace(case, speeds=(9000.0 * RPM,), analyses=loads, references=())
+    return case.vary({"conditions.gravity": "none", "spindle.sleeves.*.spring.stiffness": 1e6})
+
+
 CASES = {
     "four analyses": (lambda: asked("grinding_spindle", (0.0, 9000.0), **FEW), (SMALL, SLOWER)),
     "a cycle with stops": (lambda: asked("mfw1709", (4000.0, 24000.0)), (SMALL, LARGE)),
@@ -79,6 +89,7 @@ CASES = {
         lambda: asked("belt_driven_loads", (9000.0,), bearing_loads=None, preload=None),
         (WEIGHED,),
     ),
+    "a soft sleeve under loads": (soft_sleeve, ((0.25, 0.25 * 200**0.5, 0.25**3),)),
     "tables of supports": (lambda: asked("friswell_oil_films", (500.0, 1500.0)), (SLOWER,)),
     "turning": (
         lambda: asked("deep_groove_turning", (2000.0,), stability_lobes=ONE_SPEED),
