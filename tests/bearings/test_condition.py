@@ -72,6 +72,7 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
     assert "slips on the inner race" in str(words_of(capped))
 
 
+@pytest.mark.long
 def test_stiffness_that_vanishes() -> None:
     """Towards the speed told the softest direction fades; beyond it there is no state."""
     ask = dict(FOLDING)

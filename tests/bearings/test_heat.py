@@ -45,6 +45,7 @@ def test_spin_alone_is_closed() -> None:
     assert mean_speed(contact) == pytest.approx(exact, rel=5e-3)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(
     "given",
     [

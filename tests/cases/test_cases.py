@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from docs.site.runs import case_run
+from docs.site.runs import case_run, drafted
 from rotordyn.case.case import Case
 from rotordyn.report.datasets import dataset
 from tests.hostile.numbers import unexplained
@@ -63,19 +63,30 @@ ENDED = {"vex70_warm": "temperatures run away"}  # where states end, as the case
 
 @pytest.mark.parametrize("path", FILES, ids=NAMES)
 def test_case_runs(path: Path, runs: Path) -> None:
-    """Warnings as meant, every speed solved, every number finite, figures drawn."""
+    """At few of its speeds."""
     case = rotordyn.load(path)
     assert case.name == path.stem
     assert case.title
+    _looked_at(drafted(case), runs)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("path", FILES, ids=NAMES)
+def test_case_runs_at_all_its_speeds(path: Path, shared: Path) -> None:
+    _looked_at(rotordyn.load(path), shared / "whole")
+
+
+def _looked_at(case: Case, runs: Path) -> None:
+    """Warnings as meant, every speed solved, every number finite, figures drawn."""
     folder = case_run(case, runs)
     record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
     answered = {f"{v}/{a}" for v in case.variants for a in case.analyses} or set(case.analyses)
     assert set(record["outcomes"]) == answered
     for name, words in record["outcomes"].items():
-        odd = {word for word in words if word and ENDED.get(path.stem, word + "!") not in word}
+        odd = {word for word in words if word and ENDED.get(case.name, word + "!") not in word}
         assert not odd, name
     assert len((folder / "summary.txt").read_text(encoding="utf-8").splitlines()) <= 60
-    meant = WARNED.get(path.stem, ())
+    meant = WARNED.get(case.name, ())
     assert [w for w in record["warnings"] if not any(words in w for words in meant)] == []
     assert all(any(words in w for w in record["warnings"]) for words in meant)
     figures = {p.stem for p in folder.glob("*.png")}

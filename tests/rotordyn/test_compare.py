@@ -216,6 +216,7 @@ def many(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
     return deliver(replace(whole, variants=variants), tmp_path_factory.mktemp("many") / "out")
 
 
+@pytest.mark.long
 def test_many_variants_are_laid_over_one_another_only(many: Delivery) -> None:
     assert {p.stem for p in many.folder.glob("*.png")} == {"campbell_overlay", "frf_curves"}
 

@@ -53,6 +53,7 @@ def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
     )
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("seed", [*range(2), 69, 210, 217, 458, 460, 585, 817, 853, 881])
 def test_random_rotors(seed: int) -> None:
     """No mode missing, every frequency within the accuracy, every error as estimated.

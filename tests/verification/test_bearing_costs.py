@@ -26,6 +26,7 @@ def test_the_reference_solves_the_same_bearing() -> None:
     assert state.stiffness() == pytest.approx(k, rel=1e-9, abs=1e-3)
 
 
+@pytest.mark.long
 def test_every_way_to_solve_finds_the_same() -> None:
     lines = measure_speed(count=2, repeats=1)
     assert len(lines) == 20
@@ -54,6 +55,7 @@ def test_a_tighter_newton_leaves_less() -> None:
         assert errors[0] > 1e-4 > 1e-10 > errors[TOLERANCES.index(TOLERANCE)]
 
 
+@pytest.mark.long
 def test_strides_too_coarse_lose_states() -> None:
     found = measure_strides(bearings=2, repeats=1)
     assert found["states"] == 100 >= found["sure"] > 90

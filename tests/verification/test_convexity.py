@@ -120,6 +120,7 @@ def test_a_ring_displaced_far_has_a_state(
     assert fault.gap[0] < 1e-9 * asked.oracle.drawing.ball_diameter
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("number", "place"), [(938, 38), (1052, 30), (1938, 18)])
 def test_no_state_is_lost_by_a_start_that_leads_astray(number: int, place: int) -> None:
     """Of 100 000 random states those three that another start had lost."""
@@ -135,6 +136,7 @@ def _alone(asked: Asked, place: int) -> Asked:
     return replace(asked, **parts)
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("speed", [0.0, 0.2, 200.0, 8000.0 * RPM])
 @pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
 @pytest.mark.parametrize("bearing", [SMALL, R20_10], ids=["deep groove", "four point"])

@@ -209,6 +209,7 @@ def lobes(case):
     return rotordyn.run(case)["stability_lobes"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("rpm", "damping"), [(30.0, 1.2e4), (30.0, 1.6e4), (60.0, 2e4), (3000.0, 2e4)]
 )
@@ -288,6 +289,7 @@ def test_turning_is_that_of_the_oriented_receptance(case):
     np.testing.assert_allclose(result.removal.values, removal)
 
 
+@pytest.mark.long
 def test_band_holds_the_limits_of_changed_machines(case):
     """Stiffness and damping at the ends of their intervals, and the share of the coefficients."""
     result = lobes(case(speeds=SWEPT, interval="{stiffness: 10 %, damping: 20 %}"))

@@ -45,6 +45,7 @@ def case() -> Case:
     return rotordyn.load("mfw2310_identification")
 
 
+@pytest.mark.long
 def test_five_twins_are_found_again(case: Case) -> None:
     """95 % intervals: all but a few of 20 hold; three misses or fewer have a chance of 98 %."""
     inside = []

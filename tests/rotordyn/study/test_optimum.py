@@ -84,6 +84,7 @@ def test_span_of_least_deflection(tmp_path: Path) -> None:
     assert found.binding == []
 
 
+@pytest.mark.long
 def test_brute_force_is_not_better(case: Case) -> None:
     """Continuous and listed choices with an active limit, against every point of a grid."""
     choices = {SPRING: Span("400 N", "2400 N"), MODEL: ["vex70", "kh6014e"]}
@@ -139,6 +140,7 @@ def test_nothing_keeps_the_limits(case: Case) -> None:
         _ = found.case
 
 
+@pytest.mark.long
 def test_trade_off(case: Case) -> None:
     """Stiffness against the preload that it costs: a front that is ordered and not beaten."""
     goals = [Goal(highest="preload.axial_load"), Goal(lowest="preload: sum")]

@@ -98,6 +98,7 @@ def test_a_point_is_a_single_run(case: Case) -> None:
             np.testing.assert_allclose(whole, single.values, rtol=1e-12)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("small", "most", "checked"),
     [
@@ -284,6 +285,7 @@ def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -
     same(found, alone)
 
 
+@pytest.mark.long
 def test_too_many_killed_processes_are_no_endless_loop() -> None:
     with pytest.raises(RotordynError, match="take fewer workers"):
         list(workers.solved_here(b"", [0, 1], 2, _dies))
@@ -342,6 +344,7 @@ def _command(*words: str, cwd: Path) -> subprocess.Popen[str]:
     )
 
 
+@pytest.mark.long
 def test_killed_three_times_none_is_lost_none_computed_twice(tmp_path: Path) -> None:
     (tmp_path / "springs.yaml").write_text(STUDY)
     journal = tmp_path / "out" / "springs" / "points.jsonl"
