@@ -25,7 +25,7 @@ from rotordyn.job.delivery import write
 
 COMPUTES = ("rotordyn", "bearings")
 LIBRARIES = ("numpy", "scipy", "matplotlib")
-DRAFT_SPEEDS = 5  # and so many tens of a stability chart
+DRAFT_SPEEDS = 4  # and so many tens of a stability chart
 
 
 def drafted(case: Case) -> Case:

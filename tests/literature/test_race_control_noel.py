@@ -73,6 +73,7 @@ def test_both_curves_are_met_with_the_literal_sign() -> None:
     )
 
 
+@pytest.mark.long
 def test_both_valid_between_the_curves_is_the_doing_of_that_sign() -> None:
     """Each race simulated as in control: with the physical sign the two ranges do not overlap."""
     assert (published("inner") < published("outer")).all()

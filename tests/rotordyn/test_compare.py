@@ -221,6 +221,7 @@ def test_many_variants_are_laid_over_one_another_only(many: Delivery) -> None:
     assert {p.stem for p in many.folder.glob("*.png")} == {"campbell_overlay", "frf_curves"}
 
 
+@pytest.mark.long
 def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(many: Delivery) -> None:
     lines = many.summary.splitlines()
     assert len(lines) < 60

@@ -47,6 +47,7 @@ def test_the_five_methods_differ_in_k_alone() -> None:
     assert max(lines[n]["k_apart"] for n in (3, 4, 5)) < 1e-8
 
 
+@pytest.mark.long
 def test_a_tighter_newton_leaves_less() -> None:
     lines = measure_tolerance(count=6, repeats=1)
     for start in ("warm", "cold"):

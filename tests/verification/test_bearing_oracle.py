@@ -65,7 +65,7 @@ def random_displacements(count: int) -> tuple[np.ndarray, np.ndarray]:
     return middle + thrown * [35e-6, 25e-6, 25e-6, 5e-4, 5e-4], rng.uniform(4e3, 3e4, count) * RPM
 
 
-@pytest.mark.few(1)
+@pytest.mark.long
 @pytest.mark.parametrize("kinematics", ["hybrid", "outer"])
 def test_from_random_displacements(kinematics: str) -> None:
     """Loaded, lightly held and lost balls in one bearing; both hypotheses that fade with αo."""

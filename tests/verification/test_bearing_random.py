@@ -76,7 +76,7 @@ def test_a_bearing_path_arrives_where_the_solver_is() -> None:
     assert found["odd"] == []
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("number", "index"), [(10014, 6), (10007, 2)], ids=["twelfth", "7e-4"])
 def test_a_path_ends_where_a_contact_opens_with_a_jump(
@@ -111,7 +111,7 @@ def test_a_ring_that_two_balls_hold_moves_on_to_the_next() -> None:
     assert np.abs(path.x - state.ball_centre[:, index]).max() < 1e-6 * deep
 
 
-@pytest.mark.few(1)
+@pytest.mark.long
 @pytest.mark.parametrize("compiled", [False, True])
 def test_a_fold_of_a_soft_ring_is_not_stepped_over(compiled: bool) -> None:
     """Beyond it, by Newton steps turning an angle by 7° there and back, lies another state."""

@@ -32,6 +32,7 @@ def _potential(problem: Any, energy: Array, displacement: Array) -> Array:
     return np.asarray(energy - (problem.load * displacement)[:, problem.free].sum(axis=-1))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_potential_falls_at_every_step(kind: str) -> None:
     steps: list[float] = []
@@ -54,6 +55,7 @@ def test_the_potential_falls_at_every_step(kind: str) -> None:
     assert np.median(steps) < -1e-9
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_state_does_not_depend_on_the_start(kind: str) -> None:
     for number in range(3):

@@ -219,6 +219,7 @@ def test_torsion_and_axial_motion_in_closed_form() -> None:
         assert set(np.array(found.critical_whirl)[own]) <= {""}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("order", [2.37, 3])
 def test_bearings_that_change_with_speed(order: float) -> None:
     """The flagship: a mode of the machine solved at the speed found turns at nΩ exactly; the

@@ -205,6 +205,7 @@ def test_user_is_told(formulation: str) -> None:
     assert solve(replace(asked, conditions=Conditions())).notes == ()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("formulation", ["inertial", TURNED])
 def test_whole_run(formulation: str, tmp_path: Any) -> None:
     """Files, figures and summary; labels name the turning frame where it is chosen."""

@@ -111,7 +111,7 @@ def test_poles(machine: str, density: float, conditions: dict[str, float]) -> No
         assert inside.sum() == (swings & (exact.imag < 2.0 * math.pi * TOP)).sum()
 
 
-@pytest.mark.few(1)
+@pytest.mark.long
 @pytest.mark.parametrize("machine", ["between", "damped", "overhung", "two"])
 def test_over_twelve_decades_of_density(machine: str) -> None:
     """The distance to the massless shaft falls in proportion to its mass, down to what accuracy

@@ -118,7 +118,7 @@ def full_supports(*, skew: float = 0.0) -> tuple[object, object]:
     )
 
 
-@pytest.mark.few(1)
+@pytest.mark.long
 @pytest.mark.parametrize("skew", [0.0, 0.1], ids=["symmetric", "unsymmetric"])
 def test_reduced_basis_of_a_fine_mesh(skew: float) -> None:
     found = solved(on(*full_supports(skew=skew)), (0, 20000), None)

@@ -405,6 +405,7 @@ def test_pedestals_in_closed_form(rotor: str) -> None:
             np.testing.assert_allclose(met, closed, rtol=1e-9 if rotor == "rigid" else 2e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("along", [False, True], ids=["apart", "coupled"])
 def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_work(
     along: bool,

@@ -85,6 +85,7 @@ def tip_of(case, feed=0.0):
     return Tip(scene, "tip", feed, 3000.0)
 
 
+@pytest.mark.long
 def test_limits_are_those_of_the_receptance_at_each_speed(case):
     loaded = case()
     result = rotordyn.run(loaded)["stability_lobes"]
@@ -309,6 +310,7 @@ def test_band_of_coefficients_divides_the_limits(case):
     np.testing.assert_allclose(result.most.values, result.depth.values / 0.75, rtol=1e-12)
 
 
+@pytest.mark.long
 def test_sources_of_a_workpiece_span_a_band(case):
     """Limits of the middle source, and between those of all."""
     named = {"tangential": "null", "radial": "null", "speeds": SWEPT}

@@ -54,19 +54,19 @@ def test_the_slider_moves_the_curve(opened: Any, flagship: Path) -> None:
     before = _data(figure)
     assert output.text_content() == "0 rpm"
     slider.focus()
-    for _ in range(20):
+    for _ in range(2):
         page.keyboard.press("ArrowRight")
     frf = rotordyn.open(flagship.parent)["frf"]
-    assert output.text_content() == f"{frf['speed_rpm'].values[20]:.0f} rpm"
+    assert output.text_content() == f"{frf['speed_rpm'].values[2]:.0f} rpm"
     x, y = _data(figure)
     known = np.isfinite(x)
-    wanted = np.interp(x[known], frf["frequency"], np.abs(frf["receptance"].values[20, 0])) * 1e6
+    wanted = np.interp(x[known], frf["frequency"], np.abs(frf["receptance"].values[2, 0])) * 1e6
     assert y[known] == pytest.approx(wanted, rel=0.02)
     assert not np.array_equal(before[1], y, equal_nan=True)
     figure.locator("select").select_option(index=1)
     changed = _data(figure)[1]
     assert np.nanmax(changed) == pytest.approx(
-        np.nanmax(np.abs(frf["peak_value"].values[20, 1])) * 1e6, rel=0.01
+        np.nanmax(np.abs(frf["peak_value"].values[2, 1])) * 1e6, rel=0.01
     )
     assert said == []
 

@@ -64,6 +64,7 @@ def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Pa
     np.testing.assert_allclose(y[1], size * 1e6, rtol=1e-5)
 
 
+@pytest.mark.long
 def test_stiffness_of_a_joint_is_found() -> None:
     """Tilt as of half a diameter of shaft, beside a diameter, from twice and 10 % off."""
     true = 2.1e11 * np.pi / 64.0 * 0.05**4 / 0.025

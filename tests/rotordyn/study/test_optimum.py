@@ -118,6 +118,7 @@ def test_few_choices_are_all_tried(case: Case) -> None:
     assert found.dataset().sizes["trial"] == 6
 
 
+@pytest.mark.long
 def test_whole_numbers(case: Case) -> None:
     """The number of balls is whole in every trial: more are stiffer at rest, fewer at speed."""
     balls = "spindle.bearings.*.model.balls"
@@ -156,6 +157,7 @@ def test_trade_off(case: Case) -> None:
     assert np.ptp(front[:, 1]) > 0.8 * np.ptp(rest[:, 1])
 
 
+@pytest.mark.long
 def test_goes_on_after_a_stop(case: Case, tmp_path: Path) -> None:
     """What was tried is not tried again, a line cut short is; the answer is the same."""
     how: Any = dict(

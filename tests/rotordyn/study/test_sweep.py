@@ -314,6 +314,7 @@ def _dies_within(packed: bytes, number: int, points: int) -> Outcome:
     return Outcome(number)
 
 
+@pytest.mark.long
 def test_an_error_of_a_process_is_raised_here() -> None:
     with pytest.raises(InvalidInput, match="point 1 is none"):
         list(workers.solved_here(b"", [0, 1], 2, _refuses))
@@ -396,6 +397,7 @@ def test_faults_of_a_study_file_have_their_lines(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.long
 def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case, alone: Any) -> None:
     from distributed import LocalCluster
 
@@ -472,6 +474,7 @@ def test_points_are_asked_for_numbers_alone(
     assert asked == [False, False, True, True]
 
 
+@pytest.mark.long
 def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
     """A machine after another, and before it."""
     warm = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))
