@@ -19,6 +19,21 @@ settings.register_profile("ci", _UNHURRIED, derandomize=True, print_blob=True)
 settings.load_profile("explore")
 
 
+@pytest.hookimpl(tryfirst=True)  # before options choose by marks
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Of the parameter sets of a test marked ``few(n)`` all but n are ``long``, evenly spread."""
+    every: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("few"):
+            every.setdefault(item.nodeid.split("[")[0], []).append(item)
+    for sets in every.values():
+        (count,) = sets[0].iter_markers("few").__next__().args
+        kept = {round((k + 0.5) * len(sets) / count - 0.5) for k in range(count)}
+        for k, item in enumerate(sets):
+            if k not in kept:
+                item.add_marker("long")
+
+
 def pytest_collection_finish() -> None:
     """What is collected by now, all modules and tests, stays: to look through it again and again
     for garbage takes a twentieth of the time."""

@@ -75,7 +75,10 @@ def installed(kind: str, folder: Path) -> Place:
     return Place(python, site / "rotordyn" / "_data" / "models")
 
 
-@pytest.fixture(scope="module", params=["checkout", "editable", "sdist", "wheel"])
+WAYS = ("checkout", "editable", "wheel", pytest.param("sdist", marks=pytest.mark.long))
+
+
+@pytest.fixture(scope="module", params=WAYS)
 def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Place:
     if request.param == "checkout":
         return Place(Path(sys.executable), ROOT / "models", path=str(ROOT))

@@ -30,7 +30,7 @@ WALL_TARGETS = {
     "--help": 0.06,
 }
 SOLVE_TARGET, MEMORY_TARGET, STUDY_TARGET, IMPORT_TARGET = 0.5, 350.0, 25.0, 0.02
-PAGE_TARGETS = 0.6, 8.0  # s, MB
+PAGE_TARGETS = 0.6, 8.0, 2.0  # s, MB, s
 
 
 def measured() -> Measured:
@@ -135,11 +135,16 @@ def _frf(found: Measured) -> str:
 
 
 def _page(found: Measured) -> str:
-    seconds, megabytes = (found["report"][key] for key in ("seconds", "megabytes"))
-    slowest, largest = PAGE_TARGETS
+    kept = found["report"]
+    seconds, megabytes, shown, drawn = (
+        kept[key] for key in ("seconds", "megabytes", "shown", "drawn")
+    )
+    slowest, largest, longest = PAGE_TARGETS
     rows = [
-        ("CPU time", f"{seconds:.2f} s", *_verdict(seconds, slowest, "s")),
+        ("CPU time of writing it", f"{seconds:.2f} s", *_verdict(seconds, slowest, "s")),
         ("size", f"{megabytes:.1f} MB", *_verdict(megabytes, largest, "MB")),
+        ("it is open, from disk", f"{shown:.2f} s", *_verdict(shown, longest, "s")),
+        ("and its first charts are drawn", f"{drawn:.2f} s", "", ""),
     ]
     return table(("page of the flagship", "measured:", "target:", ""), rows)
 

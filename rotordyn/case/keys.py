@@ -85,7 +85,7 @@ class Range:
 class PortPair:
     """A response and what excites it."""
 
-    response: Annotated[Port, "a point and one of x, y, z, thx, thy, thz"]
+    response: Annotated[Port, "a point and the direction of its motion"]
     excitation: Annotated[Port, "a point and the direction of its force or moment"]
 
 

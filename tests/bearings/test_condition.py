@@ -55,6 +55,7 @@ def test_a_ring_that_touches_no_ball_is_unloaded() -> None:
     assert (state.load == 0.0).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
 def test_balls_that_are_thrown_off(kinematics: str) -> None:
     """Up to the speed told there is a state; the balls named then need any friction to stay."""
@@ -72,6 +73,7 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
     assert "slips on the inner race" in str(words_of(capped))
 
 
+@pytest.mark.long
 def test_stiffness_that_vanishes() -> None:
     """Towards the speed told the softest direction fades; beyond it there is no state."""
     ask = dict(FOLDING)

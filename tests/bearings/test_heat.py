@@ -45,6 +45,7 @@ def test_spin_alone_is_closed() -> None:
     assert mean_speed(contact) == pytest.approx(exact, rel=5e-3)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(
     "given",
     [
@@ -332,6 +333,7 @@ def test_balance_of_a_mounted_bearing_closes() -> None:
     assert found.growth == pytest.approx(grown, abs=1e-11)
 
 
+@pytest.mark.long
 def test_speed_limit_is_where_temperatures_cease_to_settle() -> None:
     preload = np.array([100.0, 300.0, 600.0])
     limit = heat.speed_limit(VEX70, MOUNTING, preload=preload, fastest=24e3 * RPM)

@@ -79,6 +79,7 @@ def test_states_again_and_again() -> None:
     assert gap.broken
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("number", "index"), [(83, 1), (126, 6)])
 def test_a_bearing_has_states_up_to_the_speed_told_and_again_above(number: int, index: int) -> None:
     """The first: without states only from 4.3 to 4.6 % of its speed, then up to 11.7 %."""

@@ -14,6 +14,8 @@ from PIL import Image
 
 from docs.site.runs import locked
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).resolve().parents[2]
 CASES = sorted((ROOT / "cases").glob("*.yaml"))
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*.py"))

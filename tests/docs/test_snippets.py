@@ -18,10 +18,18 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 # How many machines a search solves hangs on the last digit of the processor's arithmetic.
 EFFORT = re.compile(r"\d+ machines solved")
 PAGES = snippet_pages()
-by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROOT).as_posix())
+SEARCHES = ("identification", "intervals", "optimum", "rotor_from_responses")  # take long
+NAMED = [
+    pytest.param(
+        page,
+        id=page.relative_to(ROOT).as_posix(),
+        marks=[pytest.mark.long] if page.stem in SEARCHES else [],
+    )
+    for page in PAGES
+]
 
 
-@by_name
+@pytest.mark.parametrize("page", NAMED)
 def test_blocks_of_a_page_run_and_print_what_it_shows(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

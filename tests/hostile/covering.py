@@ -30,7 +30,9 @@ ROOT = Path(__file__).parents[2]
 SOURCES = ("bearings.", "rotordyn.")
 FIRST = 30.0  # s of processor time for a test file without any change
 STARTING = 2.0  # s that any test may take
-USUAL = ("-q", "-s", "-p", "no:cacheprovider", "-p", "no:xdist", "--hypothesis-profile", "ci")
+USUAL = (
+    "-q", "-s", "-m", "", "-p", "no:cacheprovider", "-p", "no:xdist", "--hypothesis-profile", "ci",
+)  # fmt: skip
 
 
 class Ran(NamedTuple):

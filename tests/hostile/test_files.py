@@ -15,6 +15,7 @@ def _loaded() -> None:
     loaded()
 
 
+@pytest.mark.few(40)
 @pytest.mark.parametrize("name", sorted(FILES))
 def test_a_hostile_file_is_checked(name: str, tmp_path: Path) -> None:
     FILES[name](tmp_path)

@@ -18,6 +18,7 @@ def _loaded() -> None:
     loaded()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("number", [0, 26, 75, 110, 203, 309, 400])
 def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) -> None:
     assert machine(number) == machine(number)

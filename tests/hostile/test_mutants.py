@@ -15,6 +15,7 @@ def _loaded() -> None:
     loaded()
 
 
+@pytest.mark.few(45)
 @pytest.mark.parametrize("path", files(), ids=lambda path: str(path.relative_to(ROOT)))
 def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
     assert mutant(path, 0) == mutant(path, 0)

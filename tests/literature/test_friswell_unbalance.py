@@ -42,6 +42,7 @@ def answers() -> dict:
     return rotordyn.run(rotordyn.load(CASES / "friswell_unbalance.yaml"))
 
 
+@pytest.mark.few(1)
 @VARIANTS
 def test_response_is_that_of_a_dense_solve(variant: str) -> None:
     """Both discs, both directions, every speed, near resonance too."""

@@ -63,6 +63,7 @@ def test_published_conformities_have_no_boundary() -> None:
         assert set(found.absence[1]) == {"outer race controls at every load that has a state"}
 
 
+@pytest.mark.long
 def test_both_curves_are_met_with_the_literal_sign() -> None:
     """Within 1.5 % at three speeds; the size of the band at 30 000 rpm: 2.1 %, published 1.8 %."""
     for race in PUBLISHED:
@@ -72,6 +73,7 @@ def test_both_curves_are_met_with_the_literal_sign() -> None:
     )
 
 
+@pytest.mark.long
 def test_both_valid_between_the_curves_is_the_doing_of_that_sign() -> None:
     """Each race simulated as in control: with the physical sign the two ranges do not overlap."""
     assert (published("inner") < published("outer")).all()

@@ -278,6 +278,7 @@ def test_exit_code_reaches_the_shell(tmp_path: Path) -> None:
     assert "none.yaml" in done.stderr
 
 
+@pytest.mark.long
 def test_the_main_job_from_the_shell_imports_no_kernels_and_no_3d(tmp_path: Path) -> None:
     code = (
         "import sys; from rotordyn.cli import main\n"

@@ -216,10 +216,12 @@ def many(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
     return deliver(replace(whole, variants=variants), tmp_path_factory.mktemp("many") / "out")
 
 
+@pytest.mark.long
 def test_many_variants_are_laid_over_one_another_only(many: Delivery) -> None:
     assert {p.stem for p in many.folder.glob("*.png")} == {"campbell_overlay", "frf_curves"}
 
 
+@pytest.mark.long
 def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(many: Delivery) -> None:
     lines = many.summary.splitlines()
     assert len(lines) < 60

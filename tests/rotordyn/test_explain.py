@@ -38,6 +38,7 @@ def test_what_variants_share_is_solved_once(name: str, spared: list[set[str]]) -
         assert solved[0] - own == missing
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["mfw2310_preload_springs", "mfw2310_decomposition"])
 def test_a_variant_in_company_is_the_variant_alone(name: str) -> None:
     case = few_speeds(name)

@@ -204,6 +204,7 @@ def test_shapes_in_space_are_figures_too(monkeypatch: pytest.MonkeyPatch) -> Non
         results.plot("shapes_3d_0rpm")
 
 
+@pytest.mark.long
 def test_variants_are_opened_compared(tmp_path: Path) -> None:
     results = rotordyn.run(rotordyn.load("friswell_internal_damping"))
     opened = rotordyn.open(results.save(tmp_path / "out", figures=False))

@@ -107,6 +107,7 @@ def test_no_mode_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert json.loads((found.folder / "run.json").read_text())["notes"] == []
 
 
+@pytest.mark.long
 def test_python_of_the_page_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

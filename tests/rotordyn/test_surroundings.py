@@ -149,6 +149,7 @@ def test_working_directory_that_is_gone(
     assert "the working directory has been removed" in said
 
 
+@pytest.mark.long
 @posix
 def test_run_without_a_home_or_a_working_directory(case: Path, tmp_path: Path) -> None:
     code = "import os, sys; os.makedirs('gone'); os.chdir('gone'); os.rmdir('../gone')\n"
@@ -159,6 +160,7 @@ def test_run_without_a_home_or_a_working_directory(case: Path, tmp_path: Path) -
     assert (tmp_path / "out" / "bearing.png").exists()
 
 
+@pytest.mark.few(1)
 @posix
 @pytest.mark.parametrize(
     ("code", "option"),
@@ -197,6 +199,7 @@ def held(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
+@pytest.mark.long
 def test_figures_do_not_follow_the_users_style(case: Path, whole: Path, tmp_path: Path) -> None:
     style = "text.usetex: True\nlines.linewidth: 9\nfont.family: no such\naxes.titlesize: 40\n"
     (tmp_path / "matplotlibrc").write_text(style + "no.such.key: 1\n", encoding="utf-8")
@@ -224,6 +227,7 @@ def test_formats_of_figures_are_those_asked_for(
     assert capsys.readouterr().err == "--format jpg: figures are written as png, pdf, svg\n"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("missing", "lost"),
     [

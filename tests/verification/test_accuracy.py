@@ -53,6 +53,7 @@ def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
     )
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("seed", [*range(2), 69, 210, 217, 458, 460, 585, 817, 853, 881])
 def test_random_rotors(seed: int) -> None:
     """No mode missing, every frequency within the accuracy, every error as estimated.
@@ -85,6 +86,7 @@ def test_random_rotors(seed: int) -> None:
                 assert estimated[known] == pytest.approx(error[known], rel=0.2)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
 def test_poles_of_uneven_supports_move_as_told(damped: bool) -> None:
     """Both planes coupled: the estimate is that of the complex pole; standard elements, too."""
@@ -120,6 +122,7 @@ def test_receptances_of_the_spindle() -> None:
         judge(found.error, error)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("what", ["drawbar", "sleeve"])
 def test_drawbar_and_sprung_sleeve(what: str) -> None:
     """Axial force in the shaft, and the mass lent to a sleeve that has none."""

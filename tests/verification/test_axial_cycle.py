@@ -90,6 +90,7 @@ def test_without_friction_the_path_ends_where_no_memory_is_needed(force: float) 
     assert found.loss == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.long
 def test_the_energy_lost_is_the_area_between_the_branches() -> None:
     """∮ F du by the trapezoidal rule, whatever the steps of the analysis itself."""
     fine = cycle(steps=140)

@@ -329,6 +329,7 @@ def test_buckling_between_two_supports() -> None:
 # --- rules that hold for any bar ---------------------------------------------------------------
 
 
+@pytest.mark.long
 @settings(max_examples=40)
 @given(
     st.floats(0.0, 0.45),

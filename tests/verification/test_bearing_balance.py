@@ -103,6 +103,7 @@ def test_hard_displacements(kinematics: str, sharing: str, least: float) -> None
     assert solved >= max(least, 0.3)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_hard_loads(kinematics: str) -> None:
     given, speed = hard_loads(7)

@@ -71,6 +71,7 @@ def test_the_source_is_the_same() -> None:
     assert _callee(turning_balance).py_func.__code__ is turning_balance.__code__
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("friction", [None, 0.08])
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_same_states_under_loads_and_displacements(kinematics: str, friction: float | None) -> None:
@@ -96,6 +97,7 @@ def test_same_states_under_loads_and_displacements(kinematics: str, friction: fl
         assert (fault <= 1e-8 * np.abs(k).max((1, 2))).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
 def test_every_state_of_a_sweep_is_found_on_its_own(kinematics: str) -> None:
     """Where a light ball may be loaded or lost, the state before must not decide."""

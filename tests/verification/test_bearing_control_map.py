@@ -113,6 +113,7 @@ def test_no_boundary_where_the_outer_race_has_the_larger_contact() -> None:
         assert np.isnan(found.pressure).all()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_boundary_scales_with_the_square_of_speed_where_mechanics_does(kinematics: str) -> None:
     """ω and √(1/ρ) or √E together change nothing but the unit of force: exact."""

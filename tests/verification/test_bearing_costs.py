@@ -26,6 +26,7 @@ def test_the_reference_solves_the_same_bearing() -> None:
     assert state.stiffness() == pytest.approx(k, rel=1e-9, abs=1e-3)
 
 
+@pytest.mark.long
 def test_every_way_to_solve_finds_the_same() -> None:
     lines = measure_speed(count=2, repeats=1)
     assert len(lines) == 20
@@ -46,6 +47,7 @@ def test_the_five_methods_differ_in_k_alone() -> None:
     assert max(lines[n]["k_apart"] for n in (3, 4, 5)) < 1e-8
 
 
+@pytest.mark.long
 def test_a_tighter_newton_leaves_less() -> None:
     lines = measure_tolerance(count=6, repeats=1)
     for start in ("warm", "cold"):
@@ -54,6 +56,7 @@ def test_a_tighter_newton_leaves_less() -> None:
         assert errors[0] > 1e-4 > 1e-10 > errors[TOLERANCES.index(TOLERANCE)]
 
 
+@pytest.mark.long
 def test_strides_too_coarse_lose_states() -> None:
     found = measure_strides(bearings=2, repeats=1)
     assert found["states"] == 100 >= found["sure"] > 90

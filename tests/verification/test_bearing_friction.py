@@ -69,6 +69,7 @@ def test_tangent_of_slipping_balls_equals_differences(kinematics: str, sharing: 
     assert fault.max() < 1e-6
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sharing", ["inner", "equal"])
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
 def test_a_light_ball_fades_out_of_contact(kinematics: str, sharing: str) -> None:

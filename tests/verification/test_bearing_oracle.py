@@ -25,6 +25,7 @@ def assert_same(ours: BearingState, theirs: OracleState) -> None:
     assert ours.outer_angle[loaded] == pytest.approx(theirs.outer_angle[loaded], abs=1e-6)
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("sharing", SHARINGS)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_under_thrust(kinematics: str, sharing: str) -> None:
@@ -38,6 +39,7 @@ def test_under_thrust(kinematics: str, sharing: str) -> None:
     assert ours.gyroscopic_moment == pytest.approx(theirs.gyroscopic_moment[0], rel=1e-7)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_under_combined_load(kinematics: str) -> None:
     how = dict(kinematics=kinematics, **GROWTH)
@@ -63,6 +65,7 @@ def random_displacements(count: int) -> tuple[np.ndarray, np.ndarray]:
     return middle + thrown * [35e-6, 25e-6, 25e-6, 5e-4, 5e-4], rng.uniform(4e3, 3e4, count) * RPM
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kinematics", ["hybrid", "outer"])
 def test_from_random_displacements(kinematics: str) -> None:
     """Loaded, lightly held and lost balls in one bearing; both hypotheses that fade with αo."""
@@ -92,6 +95,7 @@ LOOSE_WHEN_SLOW = [
 ]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("load", "rpm"), LOST_UNDER_LOAD + LOOSE_WHEN_SLOW)
 @pytest.mark.parametrize("kinematics", ["hybrid", "outer"])
 def test_load_that_takes_some_balls_out_of_contact(

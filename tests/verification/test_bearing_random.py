@@ -64,6 +64,7 @@ def test_random_bearings_balance_and_their_tangents_equal_differences() -> None:
     assert found["worst"]["tangent"] < 1e-6
 
 
+@pytest.mark.long
 def test_refused_paths_end_and_solved_paths_arrive() -> None:
     found = paths.survey_ball_paths(5, 5)
     assert found["odd"] == []
@@ -75,6 +76,7 @@ def test_a_bearing_path_arrives_where_the_solver_is() -> None:
     assert found["odd"] == []
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("number", "index"), [(10014, 6), (10007, 2)], ids=["twelfth", "7e-4"])
 def test_a_path_ends_where_a_contact_opens_with_a_jump(
@@ -88,6 +90,7 @@ def test_a_path_ends_where_a_contact_opens_with_a_jump(
     assert asked.solve(compiled=compiled).outcome[index] == "no equilibrium"
 
 
+@pytest.mark.long
 def test_a_contact_that_opens_under_outer_control_ends_no_path() -> None:
     """The moment fades with the load; two balls lose their inner race on the way."""
     asked, index = rings.draw_states(10049), 1
@@ -96,6 +99,7 @@ def test_a_contact_that_opens_under_outer_control_ends_no_path() -> None:
     assert path.changes == 2
 
 
+@pytest.mark.long
 def test_a_ring_that_two_balls_hold_moves_on_to_the_next() -> None:
     """On the way nothing resists one direction of the ring; an independent path arrives there."""
     asked, index = rings.draw_states(10056), 34
@@ -107,6 +111,7 @@ def test_a_ring_that_two_balls_hold_moves_on_to_the_next() -> None:
     assert np.abs(path.x - state.ball_centre[:, index]).max() < 1e-6 * deep
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("compiled", [False, True])
 def test_a_fold_of_a_soft_ring_is_not_stepped_over(compiled: bool) -> None:
     """Beyond it, by Newton steps turning an angle by 7° there and back, lies another state."""
@@ -115,6 +120,7 @@ def test_a_fold_of_a_soft_ring_is_not_stepped_over(compiled: bool) -> None:
     assert asked.solve(compiled=compiled).outcome[index] == "no equilibrium"
 
 
+@pytest.mark.long
 def test_a_ball_that_fades_is_met_again_from_the_other_side() -> None:
     """Of three balls two hold the ring, which moves on about them."""
     asked, index = fast_states(152), 46
@@ -240,6 +246,7 @@ def test_more_digits_decide_where_differences_disagree(monkeypatch: pytest.Monke
     assert tally["tangents off by more than 1e-6"] == 0
 
 
+@pytest.mark.long
 def test_differences_with_more_digits_agree_with_the_solver() -> None:
     """Under ordinary loads."""
     asked = rings.draw_states(22)

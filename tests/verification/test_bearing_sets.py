@@ -149,6 +149,7 @@ def test_a_class_of_a_maker_in_a_file(tmp_path: Path) -> None:
     assert case.variants["back_to_back"].vary({"spindle.arrangement.preload.class_force": 100.0})
 
 
+@pytest.mark.long
 def test_a_printed_pair() -> None:
     """FAG HS7014E: rigidities 131.9, 196.4, 256.2 N/µm and unloading forces 419, 1277, 2608 N of
     the three classes, by one estimated inside and the network of a spindle."""

@@ -90,6 +90,7 @@ def test_complete_stiffness_of_a_steel_bearing(kinematics: str, rpm: float) -> N
     assert fault(HARRIS_218, expected, s.stiffness("complete")) < TOLERANCE
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_complete_stiffness_of_the_oracle(kinematics: str) -> None:
     load, speed = [1500.0, 200.0, 100.0, 1.0, -2.0], 20000.0 * RPM

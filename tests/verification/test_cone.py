@@ -75,6 +75,7 @@ def test_cylinders_converge_to_the_cone(speed: float) -> None:
     assert found == pytest.approx((4.0 * fine - coarse) / 3.0, rel=2e-8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("side", [-1, 1])
 def test_cylinders_of_the_exact_shaft(side: int) -> None:
     spin = 20000.0 * RPM

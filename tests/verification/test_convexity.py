@@ -32,6 +32,7 @@ def _potential(problem: Any, energy: Array, displacement: Array) -> Array:
     return np.asarray(energy - (problem.load * displacement)[:, problem.free].sum(axis=-1))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_potential_falls_at_every_step(kind: str) -> None:
     steps: list[float] = []
@@ -54,6 +55,7 @@ def test_the_potential_falls_at_every_step(kind: str) -> None:
     assert np.median(steps) < -1e-9
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_state_does_not_depend_on_the_start(kind: str) -> None:
     for number in range(3):
@@ -120,6 +122,7 @@ def test_a_ring_displaced_far_has_a_state(
     assert fault.gap[0] < 1e-9 * asked.oracle.drawing.ball_diameter
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("number", "place"), [(938, 38), (1052, 30), (1938, 18)])
 def test_no_state_is_lost_by_a_start_that_leads_astray(number: int, place: int) -> None:
     """Of 100 000 random states those three that another start had lost."""
@@ -135,6 +138,7 @@ def _alone(asked: Asked, place: int) -> Asked:
     return replace(asked, **parts)
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("speed", [0.0, 0.2, 200.0, 8000.0 * RPM])
 @pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
 @pytest.mark.parametrize("bearing", [SMALL, R20_10], ids=["deep groove", "four point"])

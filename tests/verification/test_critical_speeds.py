@@ -69,6 +69,7 @@ def test_published_synchronous_criticals_from_two_speeds(
     assert found.critical_damping[own] == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("highest", [10.0, 14.5, 90.0, 101.5, 150.0])
 @pytest.mark.parametrize("skew", [1.0, 0.9], ids=["isotropic", "planes differ"])
 def test_told_are_those_in_the_band_by_the_mode_that_has_the_frequency(
@@ -100,6 +101,7 @@ def test_told_are_those_in_the_band_by_the_mode_that_has_the_frequency(
         assert turning == pytest.approx(order * speed / (2.0 * math.pi), rel=1e-6)
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("order", [0.43, 1, 1.5, 2, 5])
 @pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6), (1e6, 1e6, 0.5e6)])
 def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: float) -> None:
@@ -217,6 +219,7 @@ def test_torsion_and_axial_motion_in_closed_form() -> None:
         assert set(np.array(found.critical_whirl)[own]) <= {""}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("order", [2.37, 3])
 def test_bearings_that_change_with_speed(order: float) -> None:
     """The flagship: a mode of the machine solved at the speed found turns at nΩ exactly; the

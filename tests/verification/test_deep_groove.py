@@ -118,6 +118,7 @@ def lever() -> np.ndarray:
     return GrooveOracle(STEEL).lever
 
 
+@pytest.mark.few(2)
 @DRAWN
 @BOTH
 def test_combined_loads_at_speed(drawing: Drawing, dynamics: str) -> None:

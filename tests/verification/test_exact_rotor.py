@@ -49,6 +49,7 @@ def test_transfer_is_the_matrix_exponential(omega: complex, tension: float) -> N
     assert np.abs(found - expected).max() < 1e-14 * np.abs(expected).max()
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("direction", [-1, 1])
 @pytest.mark.parametrize("spin", [0.0, 2000.0])
 @pytest.mark.parametrize(("length", "diameter"), [(1.0, 0.05), (0.5, 0.1), (20.0, 0.02)])
@@ -83,6 +84,7 @@ def test_reversing_the_spin_exchanges_the_whirls() -> None:
     assert forward == pytest.approx(backward, rel=1e-12)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("seed", range(12))
 def test_count_steps_by_one_at_every_mode(seed: int) -> None:
     """The n-th frequency has n modes below it and n − 1 just under it: none missed, none twice."""

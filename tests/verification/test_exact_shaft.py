@@ -74,6 +74,7 @@ MACHINES = {
     "drawbar": flagship(drawbar=STRONG),
     "all of it": sprung(flagship(supports=(UNEVEN,), drawbar=STRONG)),
 }
+*PARTLY, WHOLE = MACHINES
 
 
 # --- elements converge to it -------------------------------------------------------------------
@@ -105,6 +106,7 @@ def in_elements(parts: int) -> list[tuple[np.ndarray, np.ndarray]]:
     return answers
 
 
+@pytest.mark.long
 def test_elements_converge_to_it_with_order_two() -> None:
     """Halving every element leaves a quarter of the error, in every pole and receptance."""
     found = scene(MACHINES["plain"], SPEEDS)
@@ -130,7 +132,7 @@ def check_order_two(row: int, exact_h: np.ndarray, pole: np.ndarray) -> None:
     assert errors_h[1] / errors_h[2] == pytest.approx(4.0, rel=0.1)
 
 
-@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("name", [*PARTLY, pytest.param(WHOLE, marks=pytest.mark.long)])
 def test_fine_elements_agree(name: str) -> None:
     """Poles, how many there are, and receptances, whatever couples planes, sleeves and bar."""
     ports = tuple(MACHINES[name].points.values())
@@ -238,6 +240,7 @@ def vibrations(pole: np.ndarray, isotropic: bool, highest: float) -> np.ndarray:
     return pole[band & (np.abs(pole.real) < HZ * highest)]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
 @pytest.mark.parametrize("isotropic", [True, False], ids=["isotropic", "anisotropic"])
 @pytest.mark.parametrize("seed", range(3))
@@ -254,6 +257,7 @@ def test_random_rotors(seed: int, isotropic: bool, damped: bool) -> None:
     assert (np.abs(np.diff(distinct)) > 0.0).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("seed", "damped"), [(0, True), (1, False), (1, True)])
 def test_starts_only_save_time(seed: int, damped: bool) -> None:
     """Without any, and with all of them at one place, the same modes are found."""

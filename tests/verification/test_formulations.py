@@ -87,6 +87,7 @@ def isotropic(draw: Any) -> tuple[Spindle, float]:
     return replace(rotor, points={"disc": disc.x}), draw(st.floats(0.0, 6000.0))
 
 
+@pytest.mark.long
 @settings(max_examples=40)
 @given(isotropic())
 def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
@@ -129,6 +130,7 @@ def run(formulation: str, **changes: Any) -> dict[str, Any]:
     return answers(mfw2310(), SPEEDS, asked, formulation=formulation, **changes)
 
 
+@pytest.mark.long
 def test_same_modes_after_shifting() -> None:
     """Same names, whirl, damping and shapes; |ω − Ω| in Hz; axial motion and torsion unmoved.
     Turning axes take finer elements, for whirl up to Ω beyond the band."""
@@ -203,6 +205,7 @@ def test_user_is_told(formulation: str) -> None:
     assert solve(replace(asked, conditions=Conditions())).notes == ()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("formulation", ["inertial", TURNED])
 def test_whole_run(formulation: str, tmp_path: Any) -> None:
     """Files, figures and summary; labels name the turning frame where it is chosen."""

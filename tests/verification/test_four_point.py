@@ -73,6 +73,7 @@ def test_balls_pressed_too_far_at_rest_are_told_by_how_much() -> None:
             replace(even, **given)
 
 
+@pytest.mark.few(1)
 @BOTH
 @DRAWN
 def test_random_loads(drawing: Drawing, dynamics: str) -> None:
@@ -104,6 +105,7 @@ def test_random_loads_of_all_hypotheses(kinematics: str, sharing: str) -> None:
         assert_same(s, i, want, oracle.lever, 1e-7)
 
 
+@pytest.mark.few(1)
 @BOTH
 @DRAWN
 def test_random_displacements(drawing: Drawing, dynamics: str) -> None:
@@ -260,6 +262,7 @@ def test_a_preloaded_bearing_is_loaded_and_free_of_load_when_centred(
     assert np.linalg.eigvalsh(0.5 * (k + k.T)).min() > 0.0
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("number", [48, 94, 130, 139, 153])
 def test_balls_against_the_straight_wall_of_a_groove_are_in_balance(number: int) -> None:
     """Beyond 90° a wall presses a ball along the axis; friction acts at the groove of that wall."""

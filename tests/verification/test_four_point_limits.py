@@ -41,6 +41,7 @@ TWO = [
 ]
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("sharing", SHARINGS)
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_two_contacts_make_an_angular_contact_bearing(kinematics: str, sharing: str) -> None:

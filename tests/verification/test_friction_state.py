@@ -210,6 +210,7 @@ def test_the_stop_is_met_where_the_path_meets_it() -> None:
     assert smooth < speed, "friction resists on the way"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("limit", [150.0, 400.0])
 def test_friction_holds_a_sleeve_at_its_stop_until_it_slides_away(limit: float) -> None:
     """Back from full speed the stop carries nothing soon, yet the sleeve stands there: where it
@@ -233,6 +234,7 @@ def test_friction_holds_a_sleeve_at_its_stop_until_it_slides_away(limit: float) 
     assert -limit < after < -limit * (1.0 - 1e-5)
 
 
+@pytest.mark.long
 def test_friction_that_takes_over_from_a_stop_is_no_stop_speed() -> None:
     """On the way back neither the stop nor friction is at a limit of its own for a moment."""
     spindle = with_sleeve(mfw2310(), "front", friction=4.8, stop_travel=30.4e-6)

@@ -27,6 +27,7 @@ def loose(clearance: float) -> DeepGrooveBallBearing:
     )
 
 
+@pytest.mark.few(9)
 @pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
 @pytest.mark.parametrize("speed", [0.0, 10.0, 1000.0])
 @pytest.mark.parametrize("clearance", [40e-6, 50e-6, 60e-6, 90e-6, 110e-6, 150e-6])

@@ -106,6 +106,7 @@ def test_damping_ratio_in_closed_form(formulation: str) -> None:
     np.testing.assert_allclose(found.damping_ratio, expected, rtol=1e-4)
 
 
+@pytest.mark.few(1)
 @FORMULATIONS
 def test_the_threshold_is_the_critical_speed(formulation: str) -> None:
     """Whatever the factor; there, in itself, the shaft does not move and nothing is lost."""
@@ -128,6 +129,7 @@ def test_modes_that_take_longer_than_allowed_are_refused(monkeypatch: pytest.Mon
         modes(disc(), [0.0])
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 2.37])
 def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
     """At ω = nΩ forward whirl is slower than the shaft where n < 1, which drives it, and faster
@@ -141,6 +143,7 @@ def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
     assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * HALF, rel=1e-3, abs=1e-9)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("order", [0.6, 1.0, 1.5])
 def test_damping_at_critical_speeds_where_planes_are_one_for_a_while(order: float) -> None:
     """The same beside a spring that differs in both planes at high speeds only, of a tenth of the
@@ -159,6 +162,7 @@ def test_damping_at_critical_speeds_where_planes_are_one_for_a_while(order: floa
     assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * half, rel=1e-3, abs=1e-9)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("ratio", [0.0, 0.5, 0.999, 1.001, 2.0])
 def test_an_outer_damper_forbids_growth_at_all_speeds_or_at_none(ratio: float) -> None:
     """Of c ω against η k: above 1 forward whirl never grows, below it does from ω on."""
@@ -176,6 +180,7 @@ def test_an_outer_damper_forbids_growth_at_all_speeds_or_at_none(ratio: float) -
         assert ratio_found == pytest.approx(-forward.real / abs(forward), abs=1e-4 * ETA)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("loss", [0.0, 0.05, 0.9])
 def test_supports_against_shaft(loss: float) -> None:
     """η_n k_n outside against η k inside: growth beyond ω where the shaft loses more, else none."""
@@ -547,6 +552,7 @@ def test_a_sign_that_never_changes_drives_forward_whirl_at_rest() -> None:
     np.testing.assert_allclose(growth[1], -ETA / 2.0, rtol=1e-3)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("machine", [uneven, whole_machine])
 @pytest.mark.parametrize("eta", [0.02, 0.5])
 def test_the_number_of_modes(machine: Callable[..., Spindle], eta: float) -> None:

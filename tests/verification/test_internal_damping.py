@@ -57,6 +57,7 @@ def still(spindle: Spindle) -> tuple[float, float]:
     return omega, MASS * omega**2
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 1.0, 2.5])
 @pytest.mark.parametrize("formulation", ["inertial", "rotating"])
 def test_threshold_in_closed_form(ratio: float, formulation: str) -> None:

@@ -264,6 +264,7 @@ def test_joints_lie_within_the_shaft() -> None:
         replace(STEPPED, joints=(PARTED, replace(PARTED, name="other")))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("length", [0.1, 0.5, 5.0])
 @pytest.mark.parametrize("way", ["radial", "tilt"])
 def test_joints_ever_nearer_to_one_another(length: float, way: str) -> None:

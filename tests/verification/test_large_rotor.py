@@ -89,6 +89,7 @@ MACHINES = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", MACHINES)
 def test_both_ways_agree(name: str, both_ways: Any) -> None:
     """Frequencies, damping and the estimates of their errors."""

@@ -90,6 +90,7 @@ MACHINES = {
 }
 
 
+@pytest.mark.few(10)
 @pytest.mark.parametrize("conditions", [{}, {"element_length": 0.05}], ids=["accuracy", "standard"])
 @pytest.mark.parametrize("density", [1e-3, 1e-5, 1e-7, 1e-9])
 @pytest.mark.parametrize("machine", MACHINES)
@@ -110,6 +111,7 @@ def test_poles(machine: str, density: float, conditions: dict[str, float]) -> No
         assert inside.sum() == (swings & (exact.imag < 2.0 * math.pi * TOP)).sum()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("machine", ["between", "damped", "overhung", "two"])
 def test_over_twelve_decades_of_density(machine: str) -> None:
     """The distance to the massless shaft falls in proportion to its mass, down to what accuracy
@@ -133,6 +135,7 @@ def test_over_twelve_decades_of_density(machine: str) -> None:
     assert max(apart[3:]) < 1e-6
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("density", [1e-3, 1e-5, 1e-7, 1e-9])
 def test_threshold_of_stability(density: float) -> None:
     machine = ((0.25,), 2e7, 1e3, 2e-4)

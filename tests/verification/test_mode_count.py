@@ -40,6 +40,7 @@ def number(result: CampbellResult, row: int, highest: float, *kinds: str) -> int
     return int((frequency <= highest).sum())
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("seed", range(6))
 def test_isotropic_rotors_by_inertia_of_the_exact_shaft(seed: int) -> None:
     """Wittrick and Williams' count of both whirls: without elements, without eigenvalues."""
@@ -56,6 +57,7 @@ def test_isotropic_rotors_by_inertia_of_the_exact_shaft(seed: int) -> None:
     assert not result.unconverged
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("seed", [1, 4, 5, 7])
 def test_anisotropic_damped_rotors_by_all_eigenvalues(seed: int) -> None:
     """Against the dense eigenproblem of many standard elements, no DOF left out."""
@@ -105,6 +107,7 @@ def test_the_count_does_not_depend_on_the_frame() -> None:
     assert len(softened.mode) == len(inertial.mode)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [1, 4])
 def test_reduced_poles_are_those_of_all_freedoms(seed: int) -> None:
     """Up to sixty sections on damped uneven supports, the same elements by one dense solve."""

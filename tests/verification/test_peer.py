@@ -66,6 +66,7 @@ def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
     assert np.abs(found - wanted).max() < 1e-7 * np.abs(wanted).max()
 
 
+@pytest.mark.long
 def test_our_side_equals_a_dense_solve_where_that_is_asked() -> None:
     kind = "anisotropic, damped"
     modes = of_ours(spindle(kind), FINE.accuracy, machine.BAND, machine.SPEEDS[-1])
@@ -83,6 +84,7 @@ def test_our_side_equals_a_dense_solve_where_that_is_asked() -> None:
     assert response_errors(response, response, whole)["discrete"] < 1e-7
 
 
+@pytest.mark.few(1)
 @kinds
 def test_our_side_is_near_the_exact_shaft(kind: str) -> None:
     for own, truth in zip(our_modes(kind, FINE), exact_modes(kind), strict=True):

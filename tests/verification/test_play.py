@@ -25,6 +25,7 @@ MACHINES = {
 }
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", MACHINES)
 def test_same_path_as_event_by_event(name: str) -> None:
     case = rotordyn.vary(rotordyn.load("mfw2310"), MACHINES[name])

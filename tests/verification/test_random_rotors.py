@@ -15,6 +15,7 @@ from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.rotors import STEEL, support
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [2, 5])
 def test_cones_against_the_exact_shaft(seed: int) -> None:
     for (missing, pairs), accuracy in zip(against_exact(seed, "conical"), ACCURACIES, strict=True):
@@ -26,7 +27,11 @@ def test_cones_against_the_exact_shaft(seed: int) -> None:
         assert (told[known] > error[known] / 3.0).all()
 
 
-SLENDER = [("coaxial", 9), ("tapered", 128)]  # dense matrices of these have but six digits
+# Dense matrices of these have but six digits.
+SLENDER = [
+    pytest.param(sort, seed, marks=pytest.mark.long)
+    for sort, seed in (("coaxial", 9), ("tapered", 128))
+]
 
 
 @pytest.mark.parametrize(

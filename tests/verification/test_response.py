@@ -131,6 +131,7 @@ MACHINES = machines()
 SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy asked for are not judged
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("kind", MACHINES)
 def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
     """Against the same ten thousand times finer: damping of the rotor, of joints and by loss

@@ -92,6 +92,7 @@ def test_each_plane_by_itself() -> None:
     assert bending(mixed)[0] == pytest.approx(rest, rel=1e-9)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ways", [("y", "z"), ("y", "z", "thy", "thz"), ("y", "thy")])
 def test_limit_of_ever_stiffer_springs(ways: tuple[str, ...]) -> None:
     """The distance to springs falls as their stiffness grows."""

@@ -94,6 +94,7 @@ def compare(found: Scene, row: int) -> None:
     assert gap(curves, dense(found, row, EVERY), dense(found, row, DRIVEN)) < 1e-5
 
 
+@pytest.mark.long
 @settings(max_examples=15)
 @given(
     springs=st.tuples(definites(1e6, 1e9), definites(1e6, 1e9)),
@@ -117,6 +118,7 @@ def full_supports(*, skew: float = 0.0) -> tuple[object, object]:
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("skew", [0.0, 0.1], ids=["symmetric", "unsymmetric"])
 def test_reduced_basis_of_a_fine_mesh(skew: float) -> None:
     found = solved(on(*full_supports(skew=skew)), (0, 20000), None)

@@ -290,6 +290,7 @@ REDUNDANT = (
 )
 
 
+@pytest.mark.long
 @given(LOADS)
 def test_any_loads_are_in_equilibrium(drawn: list[tuple[float, ...]]) -> None:
     """Forces and moments about the front end vanish, and so do section forces at both ends."""
@@ -305,6 +306,7 @@ def test_any_loads_are_in_equilibrium(drawn: list[tuple[float, ...]]) -> None:
     assert np.abs(moment).max() <= 1e-11 * size
 
 
+@pytest.mark.long
 @settings(max_examples=30)
 @given(LOADS, LOADS)
 def test_loads_superpose(one: list[tuple[float, ...]], other: list[tuple[float, ...]]) -> None:

@@ -85,6 +85,7 @@ def test_only_what_nothing_holds_is_left_out(
     assert (result.frequency_error[0, bending] < 1e-4).all()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("seed", [128, 147, 196, 251])
 def test_lowest_modes_against_sixty_digits(seed: int) -> None:
     """Exact shaft and elements enclose the same zero of the determinant, and as told."""

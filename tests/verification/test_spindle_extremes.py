@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -90,6 +91,7 @@ def test_deflections_are_those_of_the_loads(
             assert abs(alone.displacement[0] - deflection[row, k]) < 1e-11
 
 
+@pytest.mark.long
 @settings(max_examples=12)
 @given(spindles(), st.floats(1000.0, 30000.0), st.floats(10.0, 1000.0))
 def test_every_question_has_an_answer_or_a_reason(

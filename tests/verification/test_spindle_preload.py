@@ -71,6 +71,7 @@ def test_equations_of_the_thesis(kinematics: str, rpm: float, force: float, clos
     compared(expected, rpm, kinematics, force, closed=closed)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("rpm", "closed"), [(0, False), (15000, False), (24000, True)])
 def test_with_an_independent_bearing_too(rpm: float, closed: bool) -> None:
     """Nothing of the product on the other side: network, ball balance and contacts."""

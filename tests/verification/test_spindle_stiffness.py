@@ -76,6 +76,7 @@ def test_secant_is_full_load_over_deflection() -> None:
     assert stiffness().secant[:, 0] == pytest.approx(500.0 / last)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("rpm", "rigid"), [(24000, False), (12000, True)])
 def test_curve_against_an_independent_equilibrium(rpm: int, rigid: bool) -> None:
     """Bodies found by MINPACK; bearings solved one at a time; the rotor by its flexibility.
@@ -193,6 +194,7 @@ def test_slope_of_the_curve_is_the_tangent() -> None:
     assert found.secant[:, 0] == pytest.approx(found.tangent[:, 0], rel=1e-5)
 
 
+@pytest.mark.long
 def test_pressures_met_on_the_way_to_a_state_are_not_its_own() -> None:
     """A light spindle under six times its preload, in two steps and in ten."""
     steel = Material("steel", 206e9, 0.3, 7800.0)
@@ -219,6 +221,7 @@ def test_pressures_met_on_the_way_to_a_state_are_not_its_own() -> None:
     np.testing.assert_allclose(few.deflection[:, 0, 1:], many.deflection[:, 0, 5::5], rtol=1e-7)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["hybrid", "inner"])
 def test_many_steps_of_a_next_to_nothing_force_are_a_straight_line(kinematics: str) -> None:
     """A thousandth of a newton in a hundred steps, beside preloads of hundreds."""

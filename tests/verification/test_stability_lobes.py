@@ -39,6 +39,7 @@ def test_random_machines_and_cuts(seed):
     assert cut.kind(1.002 * found.depth) == found.kind
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("seed", "closes"), [(176, False), (568, True), (957, True)])
 def test_losses_in_a_narrow_range_of_depths(seed, closes):
     """Islands, above which the cut is stable again, and a loss close to a tangency: a scan of the
@@ -192,6 +193,7 @@ def test_process_damping_at_zero_order():
     assert at[0] / 2.0 / math.pi == pytest.approx(many.frequency, rel=1e-5)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("rubs", [0.0, 2e-2])
 def test_the_largest_of_many_crossings_is_found(rubs):
     """Random modes, some 2000 waves between two cuts, against 24 times as many samples: which

@@ -369,6 +369,7 @@ def test_deep_groove_bearings_without_thrust(load: float) -> None:
     assert np.isnan(result.loss_share).all(), "they are not pressed all round without loads"
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("number", range(8))
 def test_shafts_lie_in_bearings_within_their_play(number: int) -> None:
     """Random shafts of 1 to 190 kg in two or three such bearings, under their weight and a force of

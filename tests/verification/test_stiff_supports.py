@@ -67,6 +67,7 @@ def pendulum(stiffness: float) -> float:
     return math.sqrt(stiffness * LENGTH**2 / inertia) / (2.0 * math.pi)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("soft", [1e3, 1.0])
 @pytest.mark.parametrize("stiff", [1e12, 1e14, 1e16, 1e18, 1e20])
 def test_a_slow_motion_beside_a_stiff_spring_keeps_its_error(soft: float, stiff: float) -> None:

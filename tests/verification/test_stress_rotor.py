@@ -194,6 +194,7 @@ def test_waves_shorter_than_matrices_hold_are_refused() -> None:
 # --- next to nothing -----------------------------------------------------------------------------
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("stiffness", [0.0, 5e-324, 1e-26, 1e-15])
 def test_next_to_no_support_is_none(stiffness: float) -> None:
     """As many free motions, the same modes and receptances as those of the free bar, no growth."""

@@ -70,6 +70,7 @@ def test_a_million_rpm_is_named_and_leaves_the_rest_as_it_is() -> None:
     assert np.isnan(both["frf"].receptance[1]).all()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_edge_of_lost_contact(way: float) -> None:
     """Up to the force that takes the last load off a bearing all is finite, and beyond it.
@@ -92,6 +93,7 @@ def test_edge_of_lost_contact(way: float) -> None:
     assert np.isfinite(system_of(scene).modes.pole).all()
 
 
+@pytest.mark.long
 def test_past_unloading_the_state_goes_on() -> None:
     """Against the axial cycle, which follows forces on its own; and as under a faint load across
     the axis, with which every bearing is solved in its five freedoms."""
@@ -174,6 +176,7 @@ def test_a_force_takes_the_shaft_through_the_gap_that_heat_has_left(force: float
     assert "preload lost" in lost
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("preload", [5e-324, 1e-5, 1e-2, 0.04])
 def test_next_to_no_preload_is_none(preload: float) -> None:
     found = dynamic_preload(preloaded(preload), STILL, LAW)

@@ -314,6 +314,7 @@ def steep(seed: int) -> Spindle:
     return on(film, support("other", 0.2, (4e7, 4e7), 50.0))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("seed", "coupled"), [(1, False), (2, False), (3, False), (1, True), (5, True)]
 )

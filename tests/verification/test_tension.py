@@ -50,6 +50,7 @@ def bending(spindle: Spindle, conditions: Conditions, highest: float = 1000.0) -
     return np.sort(found.frequency[:, [kind == "bending" for kind in found.kind]], axis=1)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("tension", [-0.9 * BUCKLING, 0.5 * BUCKLING, 20.0 * BUCKLING])
 @pytest.mark.parametrize("ways", [(), ("x",)])
 def test_pinned_beam_in_closed_form(tension: float, ways: tuple[str, ...]) -> None:
@@ -94,6 +95,7 @@ def test_a_column_buckles_at_the_load_of_euler_and_engesser() -> None:
         scene(2.0).require_solution()
 
 
+@pytest.mark.long
 def test_a_drawbar_in_part_of_the_shaft_buckles_it_where_the_lowest_mode_stands_still() -> None:
     """Held by the bar between its guides; f² falls to zero as the force grows."""
     given = replace(FINE, axial_stiffening=True)

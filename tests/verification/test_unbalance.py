@@ -166,6 +166,7 @@ SPEEDS = tuple(n * RPM for n in (0.0, 6000.0, 15000.0, 24000.0))
 SPREAD = (Unbalance("Oc2", 1e-6), Unbalance(0.3, 3e-6, 2.0), Unbalance("O2", 5e-6, -1.0))
 
 
+@pytest.mark.long
 def test_superposition(spindle: Spindle) -> None:
     points = ("Oc2", "O3")
     asked: Any = {"points": points}
@@ -362,6 +363,7 @@ def test_nothing_moves_at_rest() -> None:
     assert not result.force[0].any()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("element", [0.25, 0.1, 0.05])
 @pytest.mark.parametrize("ratio", [1.0, 1.5])
 def test_estimated_error_is_the_true_one(element: float, ratio: float) -> None:
@@ -403,6 +405,7 @@ def test_pedestals_in_closed_form(rotor: str) -> None:
             np.testing.assert_allclose(met, closed, rtol=1e-9 if rotor == "rigid" else 2e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("along", [False, True], ids=["apart", "coupled"])
 def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_work(
     along: bool,

@@ -85,6 +85,7 @@ def tip_of(case, feed=0.0):
     return Tip(scene, "tip", feed, 3000.0)
 
 
+@pytest.mark.long
 def test_limits_are_those_of_the_receptance_at_each_speed(case):
     loaded = case()
     result = rotordyn.run(loaded)["stability_lobes"]
@@ -209,6 +210,7 @@ def lobes(case):
     return rotordyn.run(case)["stability_lobes"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("rpm", "damping"), [(30.0, 1.2e4), (30.0, 1.6e4), (60.0, 2e4), (3000.0, 2e4)]
 )
@@ -288,6 +290,7 @@ def test_turning_is_that_of_the_oriented_receptance(case):
     np.testing.assert_allclose(result.removal.values, removal)
 
 
+@pytest.mark.long
 def test_band_holds_the_limits_of_changed_machines(case):
     """Stiffness and damping at the ends of their intervals, and the share of the coefficients."""
     result = lobes(case(speeds=SWEPT, interval="{stiffness: 10 %, damping: 20 %}"))
@@ -307,6 +310,7 @@ def test_band_of_coefficients_divides_the_limits(case):
     np.testing.assert_allclose(result.most.values, result.depth.values / 0.75, rtol=1e-12)
 
 
+@pytest.mark.long
 def test_sources_of_a_workpiece_span_a_band(case):
     """Limits of the middle source, and between those of all."""
     named = {"tangential": "null", "radial": "null", "speeds": SWEPT}

@@ -157,6 +157,7 @@ def test_unknown_kind_of_file() -> None:
         json_schema("tol")
 
 
+@pytest.mark.few(10)
 @pytest.mark.parametrize("kind", units.KINDS)
 @settings(max_examples=25)
 @given(data=st.data())

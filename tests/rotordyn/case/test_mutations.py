@@ -65,6 +65,7 @@ def put(data: Any, way: tuple[Any, ...], value: Any) -> None:
     data[way[-1]] = value
 
 
+@pytest.mark.long
 @relaxed
 @given(st.data())
 def test_any_value_replaced(folder: Path, data: st.DataObject) -> None:
@@ -74,6 +75,7 @@ def test_any_value_replaced(folder: Path, data: st.DataObject) -> None:
     read_or_refused(folder / "case.yaml", yaml.safe_dump(case))
 
 
+@pytest.mark.long
 @relaxed
 @given(st.data())
 def test_any_value_of_a_spindle_overridden(folder: Path, data: st.DataObject) -> None:
@@ -89,6 +91,7 @@ def test_any_value_of_a_spindle_overridden(folder: Path, data: st.DataObject) ->
     read_or_refused(folder / "case.yaml", yaml.safe_dump(case))
 
 
+@pytest.mark.long
 @relaxed
 @given(st.sampled_from(sorted(TEXTS)), st.data())
 def test_any_text_cut_and_spliced(folder: Path, name: str, data: st.DataObject) -> None:

@@ -168,6 +168,7 @@ def test_a_bearing_that_warms_up(limited):
     assert lines[-1].endswith(ends)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
 def test_a_bearing_whose_balls_differ(keys):
     """Contacts by load and around the ring; labels with units; NaN of unloaded contacts drawn."""
@@ -191,6 +192,7 @@ def test_a_bearing_whose_balls_differ(keys):
         assert all(re.search(r"\[[^\]]+\]$", label) for label in labels)
 
 
+@pytest.mark.long
 def test_a_four_point_bearing_under_thrust(tmp_path):
     bearing = four_point(QJ218)
     speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
@@ -212,6 +214,7 @@ def test_race_control_alone():
     assert [name for name, _ in jobs] == ["control"]
 
 
+@pytest.mark.long
 def test_one_speed_and_missing_values_can_be_drawn(case):
     results = samples.results(1, 40)
     results["campbell"].frequency[0, 2] = np.nan
@@ -252,6 +255,7 @@ def test_listing_figures_does_not_import_matplotlib():
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
+@pytest.mark.long
 def test_pyplot_is_never_imported(tmp_path):
     code = (
         "import sys; from pathlib import Path; from rotordyn.job.figures import figures;"

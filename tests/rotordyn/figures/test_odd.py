@@ -186,6 +186,7 @@ def test_one_frequency_has_no_map() -> None:
     assert not any("map" in name or "surface" in name for name in names)
 
 
+@pytest.mark.long
 def test_a_hundred_variants_are_coloured_by_what_was_varied():
     own, base = samples.case(), samples.campbell(5)
     variants = [

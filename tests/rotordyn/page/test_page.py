@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from docs.site.runs import case_run
+from docs.site.runs import case_run, drafted
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
@@ -72,7 +72,7 @@ def test_responses_are_those_of_the_result(flagship: Path) -> None:
     x, y = (array(chart["traces"][0]["moving"][key], numbers) for key in ("x", "y"))
     frf = rotordyn.open(flagship.parent)["frf"]
     assert [len(each["options"]) for each in chart["controls"]] == list(x.shape[:2])
-    for pair, speed in ((0, 0), (1, 20), (2, 48)):
+    for pair, speed in ((0, 0), (1, 2), (2, 3)):
         peaks = frf["peak_frequency"].values[speed, pair]
         sizes = np.abs(frf["peak_value"].values[speed, pair]) * 1e6
         for hertz, size in zip(peaks[np.isfinite(peaks)], sizes[np.isfinite(peaks)], strict=True):
@@ -108,11 +108,12 @@ def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
     assert ends in section
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", CASES)
 def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) -> None:
     pytest.importorskip("plotly", reason="the extra report is not installed")
     case = rotordyn.load(name)
-    results = rotordyn.open(case_run(case, runs))
+    results = rotordyn.open(case_run(drafted(case), runs))
     text = results.report(tmp_path / "page.html").read_text(encoding="utf-8")
     read = words(text)
     for part in results.parts.values():

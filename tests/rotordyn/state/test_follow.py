@@ -173,6 +173,7 @@ def test_mirrored_networks_have_mirrored_answers() -> None:
 # 20544: friction at its limit goes within and comes back to it in one step
 # 31575: a bearing of linear law is unloaded, and with it all that slides comes to rest
 # 3667: a bearing of linear law is loaded where sliding would otherwise come to rest
+@pytest.mark.few(5)
 @pytest.mark.parametrize("seed", [*range(RANDOM), 3667, 20544, 31575])
 def test_random_networks_are_in_balance_whatever_the_step(seed: int) -> None:
     network = random_network(np.random.default_rng(seed))

@@ -45,6 +45,7 @@ def case() -> Case:
     return rotordyn.load("mfw2310_identification")
 
 
+@pytest.mark.long
 def test_five_twins_are_found_again(case: Case) -> None:
     """95 % intervals: all but a few of 20 hold; three misses or fewer have a chance of 98 %."""
     inside = []
@@ -90,6 +91,7 @@ def test_shaft_alone_cannot_tell_the_preloads_apart(case: Case) -> None:
     assert both.correlation[0, 1] > sure.correlation[0, 1] < -0.98
 
 
+@pytest.mark.long
 def test_growth_and_three_shifts_are_not_told_apart() -> None:
     """Beside all others of the twin; with the shifts known, growth is."""
     asked = read_identification(STUDIES / "mfw2310_twin.yaml").searches
@@ -118,6 +120,7 @@ def test_growth_and_three_shifts_are_not_told_apart() -> None:
     assert np.abs(sure.directions[0][[0, 1, 2, 3, 4, 5, 6, 8]]).max() < 0.15
 
 
+@pytest.mark.long
 def test_first_model_of_the_story_is_insufficient() -> None:
     """Of the story in the thesis: 5.47 µm and three values on their bounds (D. Noël, 2013, 3.2)."""
     asked = read_identification(STUDIES / "mfw2310_phases.yaml")
@@ -218,6 +221,7 @@ def test_nearest_mode(case: Case) -> None:
     assert read.names == tuple(f"campbell.frequency bending 1 {whirl}" for whirl in whirls)
 
 
+@pytest.mark.long
 def test_interrupt_keeps_the_best_and_goes_on(
     case: Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

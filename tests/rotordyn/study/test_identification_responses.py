@@ -32,6 +32,7 @@ from tests.rotordyn.study.rotor_twin import (
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 
 
+@pytest.mark.long
 def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Path) -> None:
     """Frequencies of a speed that was not measured within 0.5 %; every true value in its interval
     of four deviations; χ² as the noise stated."""
@@ -63,6 +64,7 @@ def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Pa
     np.testing.assert_allclose(y[1], size * 1e6, rtol=1e-5)
 
 
+@pytest.mark.long
 def test_stiffness_of_a_joint_is_found() -> None:
     """Tilt as of half a diameter of shaft, beside a diameter, from twice and 10 % off."""
     true = 2.1e11 * np.pi / 64.0 * 0.05**4 / 0.025
@@ -91,6 +93,7 @@ def test_both_stiffnesses_of_an_anisotropic_support_are_found() -> None:
     assert (best.deviation < 0.02 * best.values).all()
 
 
+@pytest.mark.long
 def test_without_blurred_responses_the_search_stops_at_other_peaks(taps: Responses) -> None:
     """So that what leads it there is needed: the same start, samples alone."""
     asked = sought(case(spindle()), unknowns(0.2))

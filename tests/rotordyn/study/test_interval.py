@@ -45,6 +45,7 @@ def _alone(case: Case) -> Any:
     return solve(case, checks=Checks(wanted=False)).results
 
 
+@pytest.mark.long
 def test_combinations_are_what_single_runs_give() -> None:
     """All 16 of kinematics and sharing, on the flagship."""
     asked = {"kinematics": "all", "moment_sharing": "all"}
@@ -219,6 +220,7 @@ def test_the_power_that_adds_up_is_found(power: float) -> None:
         assert np.abs(plain.usual[0] - exact).max() > np.abs(found.usual[0] - exact).max()
 
 
+@pytest.mark.long
 def test_few_runs_cover_95_of_100_machines() -> None:
     """Of 60 drawn within the tolerances 90 to 99 % lie in the range, all within the worst case."""
     widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "+3/-2 deg"}

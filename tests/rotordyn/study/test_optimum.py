@@ -84,6 +84,7 @@ def test_span_of_least_deflection(tmp_path: Path) -> None:
     assert found.binding == []
 
 
+@pytest.mark.long
 def test_brute_force_is_not_better(case: Case) -> None:
     """Continuous and listed choices with an active limit, against every point of a grid."""
     choices = {SPRING: Span("400 N", "2400 N"), MODEL: ["vex70", "kh6014e"]}
@@ -117,6 +118,7 @@ def test_few_choices_are_all_tried(case: Case) -> None:
     assert found.dataset().sizes["trial"] == 6
 
 
+@pytest.mark.long
 def test_whole_numbers(case: Case) -> None:
     """The number of balls is whole in every trial: more are stiffer at rest, fewer at speed."""
     balls = "spindle.bearings.*.model.balls"
@@ -139,6 +141,7 @@ def test_nothing_keeps_the_limits(case: Case) -> None:
         _ = found.case
 
 
+@pytest.mark.long
 def test_trade_off(case: Case) -> None:
     """Stiffness against the preload that it costs: a front that is ordered and not beaten."""
     goals = [Goal(highest="preload.axial_load"), Goal(lowest="preload: sum")]
@@ -154,6 +157,7 @@ def test_trade_off(case: Case) -> None:
     assert np.ptp(front[:, 1]) > 0.8 * np.ptp(rest[:, 1])
 
 
+@pytest.mark.long
 def test_goes_on_after_a_stop(case: Case, tmp_path: Path) -> None:
     """What was tried is not tried again, a line cut short is; the answer is the same."""
     how: Any = dict(

@@ -98,6 +98,7 @@ def test_a_point_is_a_single_run(case: Case) -> None:
             np.testing.assert_allclose(whole, single.values, rtol=1e-12)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("small", "most", "checked"),
     [
@@ -284,6 +285,7 @@ def test_killed_processes_are_replaced(case: Case, alone: Any, tmp_path: Path) -
     same(found, alone)
 
 
+@pytest.mark.long
 def test_too_many_killed_processes_are_no_endless_loop() -> None:
     with pytest.raises(RotordynError, match="take fewer workers"):
         list(workers.solved_here(b"", [0, 1], 2, _dies))
@@ -312,6 +314,7 @@ def _dies_within(packed: bytes, number: int, points: int) -> Outcome:
     return Outcome(number)
 
 
+@pytest.mark.long
 def test_an_error_of_a_process_is_raised_here() -> None:
     with pytest.raises(InvalidInput, match="point 1 is none"):
         list(workers.solved_here(b"", [0, 1], 2, _refuses))
@@ -342,6 +345,7 @@ def _command(*words: str, cwd: Path) -> subprocess.Popen[str]:
     )
 
 
+@pytest.mark.long
 def test_killed_three_times_none_is_lost_none_computed_twice(tmp_path: Path) -> None:
     (tmp_path / "springs.yaml").write_text(STUDY)
     journal = tmp_path / "out" / "springs" / "points.jsonl"
@@ -393,6 +397,7 @@ def test_faults_of_a_study_file_have_their_lines(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.long
 def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case, alone: Any) -> None:
     from distributed import LocalCluster
 
@@ -469,6 +474,7 @@ def test_points_are_asked_for_numbers_alone(
     assert asked == [False, False, True, True]
 
 
+@pytest.mark.long
 def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
     """A machine after another, and before it."""
     warm = restricted(rotordyn.load("grinding_spindle_warm"), ("preload",))

@@ -34,6 +34,7 @@ def rendering() -> Iterator[Rendering]:
         yield rendered
 
 
+@pytest.mark.long
 def test_pictures_of_every_order(rendering: Rendering) -> None:
     stills = [rendering.still(0, 1, 0), rendering.still(1, 1, 0), rendering.still(1, 1, 1)]
     for picture in stills:

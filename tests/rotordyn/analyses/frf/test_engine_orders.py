@@ -56,6 +56,7 @@ def test_unbalance_is_the_first_order(kind: str) -> None:
     np.testing.assert_allclose(forward, moved, rtol=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("count", [2, 7])
 def test_peaks_are_those_of_many_speeds(count: int) -> None:
     spindle = machine("uneven")

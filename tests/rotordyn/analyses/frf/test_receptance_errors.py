@@ -54,6 +54,7 @@ PAIRS = {
 ALONG = [(Port("p1", "x"), Port("p0", "y")), (Port("p2", "x"), Port("p0", "x"))]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("asked", PAIRS)
 @pytest.mark.parametrize("kind", ["isotropic", "uneven", "lossy", "coupled"])
 def test_together_as_alone(kind: str, asked: str) -> None:

@@ -27,6 +27,7 @@ def test_names() -> None:
     assert table().body == ("shaft", "front", "rear")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seat", [0, 2, 4])
 def test_ball_values_of_an_independent_bearing(seat: int) -> None:
     """Loads, angles, inertia and tangent under the load of the table, at 12 000 rpm."""
