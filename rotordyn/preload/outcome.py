@@ -96,7 +96,8 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
     light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):
-        return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload"
+        given = f" of {LEAST_PRELOAD:g} N or more: given {pushed:.3g} N" if pushed else ""
+        return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
     lost = np.flatnonzero(~np.isfinite(load))
     if lost.size:
         return (

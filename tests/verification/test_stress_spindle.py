@@ -180,7 +180,8 @@ def test_a_force_takes_the_shaft_through_the_gap_that_heat_has_left(force: float
 @pytest.mark.parametrize("preload", [5e-324, 1e-5, 1e-2, 0.04])
 def test_next_to_no_preload_is_none(preload: float) -> None:
     found = dynamic_preload(preloaded(preload), STILL, LAW)
-    assert found.outcome == ("no bearing is preloaded at 0 rpm: give the springs a preload",)
+    given = f"give the springs a preload of 0.05 N or more: given {preload:.3g} N"
+    assert found.outcome == (f"no bearing is preloaded at 0 rpm: {given}",)
 
 
 @pytest.mark.parametrize("preload", [0.1, 30.0])
