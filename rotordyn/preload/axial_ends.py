@@ -1,5 +1,4 @@
-"""The law of a bearing along its axis: where it begins to carry, where it would push the other way,
-and where its points stand too far apart."""
+"""A bearing's load along its axis: where it begins, where it turns, where its points are too few."""
 
 from __future__ import annotations
 

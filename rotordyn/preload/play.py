@@ -52,7 +52,6 @@ FINE = np.unique(
 )  # the spline through them, drawn straight between
 FAR = 5e3  # to which a curve goes on beyond the spline: constant below, straight above
 GRID = np.arange(-1500.0, 500.0, 4.0)  # places of the shaft tried around the last one
-UNIT = 1e-6  # m, of these where all is in µm
 STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
 MOST_KEPT = 400  # curves, of which a fit over many machines would fill the memory
 
@@ -140,8 +139,9 @@ class BearingCurves:
             self.known[one] = _curve(SOLVED[good] * unit, load[good], slope[good], unit)
 
 
-def _curve(d: Array, load: Array, slope: Array, unit: float = UNIT) -> Curve:
-    """The spline through loads [N] and slopes [N/m] at deflections [m], and on beyond both ends."""
+def _curve(d: Array, load: Array, slope: Array, unit: float) -> Curve:
+    """The spline through loads [N] and slopes [N/m] at deflections [m], drawn at ``FINE`` of a
+    ``unit`` [m], and on beyond both ends."""
     from scipy.interpolate import CubicHermiteSpline
 
     inside = FINE[(d[0] <= FINE * unit) & (d[-1] >= FINE * unit)] * unit
