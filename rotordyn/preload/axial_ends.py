@@ -1,4 +1,4 @@
-"""A bearing's load along its axis: where it begins, where it turns, where its points are too few."""
+"""A bearing's load along its axis: where it begins and turns, and where its points are too few."""
 
 from __future__ import annotations
 
