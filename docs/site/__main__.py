@@ -22,7 +22,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="scripts/site", description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "site")
     parser.add_argument("--runs", type=Path, default=ROOT / "out" / "gallery")
-    parser.add_argument("--draft", type=Path, help="few speeds and few dots, of runs kept here")
+    parser.add_argument("--draft", type=Path, help="figures of few dots, of runs kept here")
     asked = parser.parse_args()
     output = asked.output.resolve()
     if output.exists() and any(output.iterdir()) and not (output / OURS).exists():
@@ -31,7 +31,7 @@ def main() -> int:
         style.DPI = DRAFT
     with tempfile.TemporaryDirectory() as made:
         tree = Path(made) / "pages"
-        lay_out(tree, (asked.draft or asked.runs).resolve(), draft=bool(asked.draft))
+        lay_out(tree, (asked.draft or asked.runs).resolve())
         return _build(tree, Path(made) / "built", output)
 
 

@@ -14,7 +14,7 @@ import yaml
 import rotordyn
 from docs.generate.places import DOCS, ROOT
 from docs.site.reports import EXTRA, REPORTS, write_case_report
-from docs.site.runs import case_run, drafted, example_run
+from docs.site.runs import case_run, example_run
 from rotordyn.case.library import models_root
 from rotordyn.figures import style
 
@@ -49,12 +49,11 @@ class Exhibit:
         return next((by_name[name] for name in FACES if name in by_name), self.pictures[0])
 
 
-def show_all(tree: Path, runs: Path, *, draft: bool) -> tuple[list[Exhibit], list[Exhibit]]:
-    """Run, or find, all cases and examples and write their pages into ``tree``; cases at few speeds
-    for a ``draft``."""
+def show_all(tree: Path, runs: Path) -> tuple[list[Exhibit], list[Exhibit]]:
+    """Run, or find, all cases and examples and write their pages into ``tree``."""
     cases, scripts = sorted(CASES.glob("*.yaml")), sorted(EXAMPLES.glob("*.py"))
     with ProcessPoolExecutor(os.cpu_count(), initializer=_dots, initargs=(style.DPI,)) as pool:
-        shown = pool.map(partial(_case, tree=tree, runs=runs, draft=draft), cases)
+        shown = pool.map(partial(_case, tree=tree, runs=runs), cases)
         tried = pool.map(partial(_example, tree=tree, runs=runs), scripts)
         return list(shown), list(tried)
 
@@ -81,9 +80,9 @@ def _thumbnail(exhibit: Exhibit, tree: Path) -> str:
     return f"[![](/thumbnails/{small.name}) {exhibit.title}](/{exhibit.page}.md)"
 
 
-def _case(path: Path, tree: Path, runs: Path, *, draft: bool) -> Exhibit:
+def _case(path: Path, tree: Path, runs: Path) -> Exhibit:
     case = rotordyn.load(path)
-    folder = case_run(drafted(case) if draft else case, runs)
+    folder = case_run(case, runs)
     note = yaml.safe_load(path.read_text(encoding="utf-8")).get("note", "")
     page = f"cases/{path.stem}"
     pictures = _copied(folder, tree / page)

@@ -25,23 +25,6 @@ from rotordyn.job.delivery import write
 
 COMPUTES = ("rotordyn", "bearings")
 LIBRARIES = ("numpy", "scipy", "matplotlib")
-DRAFT_SPEEDS = 4  # and so many tens of a stability chart
-
-
-def drafted(case: Case) -> Case:
-    """A case at few of its speeds, evenly from the first to the last: every question is still
-    asked, and everything drawn."""
-    changes = {"speeds": _few(case.speeds, DRAFT_SPEEDS)}
-    for name, spec in case.analyses.items():
-        if own := getattr(spec, "speeds", ()):
-            changes[f"analyses.{name}.speeds"] = _few(own, 10 * DRAFT_SPEEDS)
-    return rotordyn.vary(case, changes)
-
-
-def _few(values: tuple[float, ...], most: int) -> tuple[float, ...]:
-    if len(values) <= most:
-        return values
-    return tuple(values[round(k * (len(values) - 1) / (most - 1))] for k in range(most))
 
 
 def case_run(case: Case, runs: Path) -> Path:

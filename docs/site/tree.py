@@ -38,11 +38,11 @@ GROUPS = {
 }
 
 
-def lay_out(tree: Path, runs: Path, *, draft: bool) -> None:
+def lay_out(tree: Path, runs: Path) -> None:
     """Write all pages into ``tree``, after running what is new in the gallery."""
     copy_documents(tree)
     shutil.copy(README, tree / "index.md")
-    cases, examples = show_all(tree, runs, draft=draft)
+    cases, examples = show_all(tree, runs)
     _append(tree, CASES, "## Gallery", grid(cases, tree), contents(e.page for e in cases))
     if examples:
         pages = contents(e.page for e in examples)

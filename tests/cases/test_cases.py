@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 import rotordyn
-from docs.site.runs import case_run, drafted
+from docs.site.runs import case_run
 from rotordyn.case.case import Case
 from rotordyn.job.delivery import write
 from rotordyn.job.results import Results
 from rotordyn.report.datasets import dataset
+from tests.few_speeds import at_few_speeds
 from tests.hostile.numbers import unexplained
 from tests.oracles.spindles import CASES
 
@@ -69,7 +70,7 @@ def test_case_runs(path: Path, tmp_path: Path) -> None:
     case = rotordyn.load(path)
     assert case.name == path.stem
     assert case.title
-    few, folder = drafted(case), tmp_path / case.name
+    few, folder = at_few_speeds(case), tmp_path / case.name
     write(rotordyn.run(few, interval=few.uncertain is not None), folder, figures=False)
     assert not [*folder.glob("*.png")]
     _looked_at(few, folder)
@@ -77,10 +78,10 @@ def test_case_runs(path: Path, tmp_path: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("path", FILES, ids=NAMES)
-def test_case_runs_whole(path: Path, shared: Path) -> None:
+def test_case_runs_whole(path: Path, runs: Path) -> None:
     """At all its speeds, with figures."""
     case = rotordyn.load(path)
-    folder = case_run(case, shared / "whole")
+    folder = case_run(case, runs)
     results = _looked_at(case, folder)
     figures = {p.stem for p in folder.glob("*.png")}
     assert figures

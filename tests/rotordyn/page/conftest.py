@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import rotordyn
-from docs.site.runs import case_run, drafted
+from docs.site.runs import case_run
 from rotordyn.job import deliver
+from tests.few_speeds import at_few_speeds
 
 OPTIONS = [
     "--no-sandbox",  # which root has to do without
@@ -49,7 +50,7 @@ def flagship(runs: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page of the flagship, in a copy of its run."""
     pytest.importorskip("plotly", reason="the extra report is not installed")
     folder = tmp_path_factory.mktemp("page") / "mfw2310"
-    shutil.copytree(case_run(drafted(rotordyn.load("mfw2310")), runs), folder)
+    shutil.copytree(case_run(at_few_speeds(rotordyn.load("mfw2310")), runs / "few"), folder)
     return rotordyn.write_report(folder, folder / "report.html")
 
 

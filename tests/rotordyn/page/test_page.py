@@ -18,12 +18,13 @@ import numpy as np
 import pytest
 
 import rotordyn
-from docs.site.runs import case_run, drafted
+from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
+from tests.few_speeds import at_few_speeds
 from tests.rotordyn.page.conftest import array, evil, held
 
 CASES = (
@@ -113,7 +114,7 @@ def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
 def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) -> None:
     pytest.importorskip("plotly", reason="the extra report is not installed")
     case = rotordyn.load(name)
-    results = rotordyn.open(case_run(drafted(case), runs))
+    results = rotordyn.open(case_run(at_few_speeds(case), runs / "few"))
     text = results.report(tmp_path / "page.html").read_text(encoding="utf-8")
     read = words(text)
     for part in results.parts.values():
