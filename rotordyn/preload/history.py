@@ -48,6 +48,7 @@ Array = NDArray[np.float64]
 # Of the free distance of the groove centres of a bearing:
 SPACING = 2.0**-10  # of its table
 FINER = 2.0 ** np.arange(-22.0, -7.5, 0.25)  # distances of further points from where it loads
+CLOSE = 1e-9  # two points of which one is left out: rounding would make the slope between
 ROUNDS = 3  # of points more where cubic pieces miss others
 REACH = 0.25  # deflection: a table begins so far unloaded and hardly ends farther loaded
 NEAR = 2.0**-9  # a table gives the load at rest that near to where the bearing has it
@@ -365,7 +366,8 @@ def _solved(
     beside = np.concatenate([-FINER, [0.0], FINER]) + begins(model, *growth) / distance
     d = np.concatenate([even, beside, -beside if model.both_ways else []])
     lowest = max(even[0], float(turns(model, growth[0])) / distance)
-    more = np.unique(d.clip(lowest, even[-1])) * distance
+    d = np.unique(d.clip(lowest, even[-1]))
+    more = d[np.diff(d, prepend=-np.inf) > CLOSE] * distance
     points = np.empty((3, 0))  # deflection, load, slope
     for _ in range(ROUNDS):
         displacement = np.zeros((len(more), 5))

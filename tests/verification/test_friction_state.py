@@ -6,12 +6,14 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from bearings import AngularContactBallBearing
 from bearings.ball.law import Law
 from rotordyn.allowance import within
 from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
@@ -355,6 +357,16 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
     assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
     assert law(-d)[1] == pytest.approx(law(d)[1], rel=1e-6)
+
+
+@pytest.mark.parametrize("growth", [0.0, 3e-6])
+def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
+    """Rounding of the loads of such a pair would make its slope between."""
+    model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
+    law = _solved(model, Law("outer", "equal"), (growth, growth), 0.0, 50e-6)[0]
+    slope = np.array([law(d)[1] for d in law.knots])
+    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
+    assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
 
 
 def test_loads_at_rest_are_those_without_friction() -> None:
