@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import AngularContactBallBearing
+from bearings import AngularContactBallBearing, DeepGrooveBallBearing
 from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import (
@@ -306,6 +306,20 @@ def test_a_cycle_passes_the_states_without_memory(force: float, size: float) -> 
         1e-5,
         "positions",
     )
+
+
+@pytest.mark.parametrize("angle", [20.0, 35.0])
+@pytest.mark.parametrize("force", [-250.0, 800.0])
+def test_play_of_bearings_that_take_thrust_both_ways(force: float, angle: float) -> None:
+    """They carry from where it ends, at sin(angle) of the free distance, either way."""
+    cycle, plain = pushed(force, 1.0)
+    model = DeepGrooveBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(angle))
+    seats = tuple(replace(seat, bearing=model) for seat in cycle.spindle.seats)
+    both = (replace(c, spindle=replace(c.spindle, seats=seats)) for c in (cycle, plain))
+    found, wanted = (rotordyn.run(case) for case in both)
+    end = 0 if force < 0.0 else -1
+    load = found["axial_cycle"].axial_load.values[:, 0, end]
+    agree(load, wanted["preload"].axial_load.values, 1e-5, "loads")
 
 
 def test_bearings_pushed_far_apart_do_not_pull() -> None:
