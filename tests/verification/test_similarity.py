@@ -334,6 +334,25 @@ def test_bearings_pushed_far_apart_do_not_pull() -> None:
     assert np.array(shifts) == pytest.approx(far.position.values[:, 0, 0], abs=1e-8)
 
 
+CLOSE_12 = DeepGrooveBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(12))
+
+
+@pytest.mark.parametrize("model", [None, CLOSE_12], ids=["angular contact", "deep groove"])
+@pytest.mark.parametrize("force", [-250.0, 3000.0])
+def test_the_quick_solver_follows_close_grooves(
+    model: DeepGrooveBallBearing | None, force: float
+) -> None:
+    """Pressed by a tenth of the free distance of their centres and more; with play."""
+    case = pushed(force, 1.0)[0]
+    seats = tuple(replace(seat, bearing=model or seat.bearing) for seat in case.spindle.seats)
+    case = replace(case, spindle=replace(case.spindle, seats=seats))
+    end = 0 if force < 0.0 else -1
+    wanted = rotordyn.run(case)["axial_cycle"].position.values[:, 0, end]
+    quick = axial_run_up(case.spindle, case.conditions.law, np.array(case.speeds))
+    shifts = [quick.under(row, [force])[0] for row in range(len(case.speeds))]
+    assert np.array(shifts) == pytest.approx(wanted, abs=5e-9)
+
+
 def test_static_stiffness_by_three_analyses() -> None:
     """A small force at the tip: the tangent, a receptance that hardly moves, section forces."""
     case = whole(loads=False)
