@@ -390,6 +390,8 @@ def _solved(
         more = missed(*points[:, known])
         if not more.size:
             break
+    if not model.both_ways:
+        points[1] = np.maximum(points[1], 0.0)  # rounding does not pull
     law = sloped_table(*points[:, known].tolist())
     return law, float(points[1, known][-1]), bool(known[-1])
 

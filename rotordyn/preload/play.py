@@ -149,7 +149,7 @@ class BearingCurves:
                 points, drawn = points[:, points[0] > 0.0], np.union1d(-drawn, drawn)
                 other = points[:, ::-1] * np.array([[-1.0], [-1.0], [1.0]])
                 points = np.concatenate([other, points], axis=1)
-            self.known[one] = _curve(*points, drawn, unit)
+            self.known[one] = _curve(points[0], points[1], points[2], drawn, unit)
 
 
 def _curve(d: Array, load: Array, slope: Array, drawn: Array, unit: float) -> Curve:

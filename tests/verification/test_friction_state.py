@@ -360,6 +360,12 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     assert law(-d)[1] == pytest.approx(law(d)[1], rel=1e-6)
 
 
+def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
+    law = _solved(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)[0]
+    for d in (60e-6, 500e-6):
+        assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-6)
+
+
 @pytest.mark.parametrize("growth", [0.0, 3e-6])
 def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     """Rounding of the loads of such a pair would make its slope between."""
