@@ -48,8 +48,10 @@ Array = NDArray[np.float64]
 # Of the free distance of the groove centres of a bearing:
 SPACING = 2.0**-10  # of its table
 FINER = 2.0 ** np.arange(-22.0, -7.5, 0.25)  # distances of further points from where it loads
-ROUNDS = 3  # of points more where cubic pieces miss others
-REACH = 0.25  # deflection: a table begins so far unloaded and hardly ends farther loaded
+CLOSE = 1e-9  # two points of which one is left out: rounding would make the slope between
+ROUNDS = 3  # of points: the first, then more where cubic pieces miss others
+REACH = 0.25  # deflection: a table begins so far unloaded and ends so far loaded, or farther
+FARTHEST = 2.0  # deflection beyond where it loads: there a table ends, whatever its load
 NEAR = 2.0**-9  # a table gives the load at rest that near to where the bearing has it
 TABLES = 256  # kept: variants and analyses of a case share bearings and speeds
 SLIDING = 1e-9  # of the limit of friction
@@ -340,32 +342,36 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
 def _table(bearing: AxialBearing, speed: float, most: float) -> AxialLaw:
     """Axial loads and tangents of one bearing, up to the load ``most`` [N].
 
-    The largest deflection is doubled until it has that load, has no state, or exceeds ``REACH``.
+    The way from where it is loaded to the largest deflection is doubled until it has that load
+    there, has no state, or exceeds ``FARTHEST``.
     """
-    growth = float(bearing.static_growth[0]), float(bearing.growth[0])
-    reach = REACH * bearing.model.free_distance
-    high = 0.25 * reach
+    model, growth = bearing.model, (float(bearing.static_growth[0]), float(bearing.growth[0]))
+    begin = max(0.0, float(begins(model, *growth)))
+    way = REACH * model.free_distance
     while True:
-        law, load, whole = _solved(bearing.model, bearing.law, growth, speed, high)
-        if load >= most or high > reach or not whole:
+        law, load, whole = _solved(model, bearing.law, growth, speed, begin + way)
+        if load >= most or way > FARTHEST * model.free_distance or not whole:
             return law
-        high *= 2.0
+        way *= 2.0
 
 
 @lru_cache(TABLES)
 def _solved(
     model: BallBearing, balls: Law, growth: tuple[float, float], speed: float, high: float
 ) -> tuple[AxialLaw, float, bool]:
-    """The table of a bearing up to a deflection ``high`` [m], its last load [N], and whether there
-    is a state at its end; ``growth`` [m]: static, and all of it at speed."""
+    """The table of a bearing up to a deflection ``high`` [m], and down to −``high`` where it takes
+    thrust both ways, its last load [N], and whether there is a state at its end; ``growth`` [m]:
+    static, and all of it at speed."""
     from bearings.ring.tangents import stiffness
 
     distance = model.free_distance
-    even = np.arange(-round(REACH / SPACING), round(high / distance / SPACING) + 1) * SPACING
+    low = high / distance if model.both_ways else REACH
+    even = np.arange(-round(low / SPACING), round(high / distance / SPACING) + 1) * SPACING
     beside = np.concatenate([-FINER, [0.0], FINER]) + begins(model, *growth) / distance
     d = np.concatenate([even, beside, -beside if model.both_ways else []])
     lowest = max(even[0], float(turns(model, growth[0])) / distance)
-    more = np.unique(d.clip(lowest, even[-1])) * distance
+    d = np.unique(d.clip(lowest, even[-1]))
+    more = d[np.diff(d, prepend=-np.inf) > CLOSE] * distance
     points = np.empty((3, 0))  # deflection, load, slope
     for _ in range(ROUNDS):
         displacement = np.zeros((len(more), 5))
@@ -384,6 +390,8 @@ def _solved(
         more = missed(*points[:, known])
         if not more.size:
             break
+    if not model.both_ways:
+        points[1] = np.maximum(points[1], 0.0)  # rounding does not pull
     law = sloped_table(*points[:, known].tolist())
     return law, float(points[1, known][-1]), bool(known[-1])
 

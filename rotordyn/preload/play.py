@@ -38,17 +38,23 @@ from rotordyn.preload.arrangement import (
     as_mounted,
     rigid,
 )
-from rotordyn.preload.axial_ends import turns
+from rotordyn.preload.axial_ends import begins, turns
 
 Array = NDArray[np.float64]
 # Lengths in thousandths of the free distance of groove centres, some 1 µm; dense near 0, by halving
 # steps above it: there the law d^1.5 of a bearing at rest is not smooth
-PARTS = ((-300.0, -100.0, 20.0), (-100.0, -40.0, 4.0), (-40.0, 50.0, 1.5), (50.0, 80.1, 5.0))
+PARTS = (
+    (-300.0, -100.0, 20.0),
+    (-100.0, -40.0, 4.0),
+    (-40.0, 50.0, 1.5),
+    (50.0, 80.0, 5.0),
+    (80.0, 300.1, 10.0),
+)
 SOLVED = np.unique(
     np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
-)  # deflections at which bearings are solved
+)  # deflections at which bearings are solved, beyond where those for both ways begin
 FINE = np.unique(
-    np.round(np.concatenate([np.arange(-300.0, 80.1), np.arange(-40.0, 40.0, 0.1)]), 1)
+    np.round(np.concatenate([np.arange(-300.0, 300.1), np.arange(-40.0, 40.0, 0.1)]), 1)
 )  # the spline through them, drawn straight between
 FAR = 5e3  # to which a curve goes on beyond the spline: constant below, straight above
 GRID = np.arange(-1500.0, 500.0, 4.0)  # places of the shaft tried around the last one
@@ -115,9 +121,11 @@ class BearingCurves:
 
         model, law, *rest = zip(*group, strict=True)
         static_growth, growth, speed = (np.array(values)[:, None] for values in rest)
-        unit = 1e-3 * model[0].free_distance
+        unit, both_ways = 1e-3 * model[0].free_distance, model[0].both_ways
+        start = np.maximum(begins(model[0], static_growth, growth), 0.0) * both_ways
+        place = start + SOLVED * unit
         displacement = np.zeros((len(group), len(SOLVED), 5))
-        displacement[..., 0] = SOLVED * unit
+        displacement[..., 0] = place
         state = model[0].equilibrium(
             displacement=displacement,
             speed=speed,
@@ -126,9 +134,9 @@ class BearingCurves:
             **asdict(law[0]),
         )
         slopes = stiffness(state, "complete")[..., 0, 0]
-        one_way = displacement[..., 0] >= turns(model[0], static_growth)
-        loads = np.where(one_way, state.load[..., 0], np.nan)
-        for one, load, slope in zip(group, loads, slopes, strict=True):
+        lowest = 0.0 if both_ways else turns(model[0], static_growth)
+        loads = np.where(place >= lowest, state.load[..., 0], np.nan)
+        for one, at, d, load, slope in zip(group, start[:, 0], place, loads, slopes, strict=True):
             good = np.isfinite(load) & np.isfinite(slope)
             if good.sum() < 2:
                 raise NoSolution(
@@ -136,15 +144,20 @@ class BearingCurves:
                     f"{one.speed * 30.0 / np.pi:.6g} rpm, groove growth {one.growth * 1e6:.4g} µm: "
                     "it has no axial state at any deflection; lower the speed or the growth"
                 )
-            self.known[one] = _curve(SOLVED[good] * unit, load[good], slope[good], unit)
+            points, drawn = np.stack([d, load, slope])[:, good], at + FINE * unit
+            if both_ways:  # the law is odd
+                points, drawn = points[:, points[0] > 0.0], np.union1d(-drawn, drawn)
+                other = points[:, ::-1] * np.array([[-1.0], [-1.0], [1.0]])
+                points = np.concatenate([other, points], axis=1)
+            self.known[one] = _curve(points[0], points[1], points[2], drawn, unit)
 
 
-def _curve(d: Array, load: Array, slope: Array, unit: float) -> Curve:
-    """The spline through loads [N] and slopes [N/m] at deflections [m], drawn at ``FINE`` of a
-    ``unit`` [m], and on beyond both ends."""
+def _curve(d: Array, load: Array, slope: Array, drawn: Array, unit: float) -> Curve:
+    """The spline through loads [N] and slopes [N/m] at deflections [m], ``drawn`` at others, and on
+    beyond both ends, ``FAR`` of a ``unit`` [m]."""
     from scipy.interpolate import CubicHermiteSpline
 
-    inside = FINE[(d[0] <= FINE * unit) & (d[-1] >= FINE * unit)] * unit
+    inside = drawn[(d[0] <= drawn) & (d[-1] >= drawn)]
     fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
     step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
     far = FAR * unit

@@ -77,7 +77,8 @@ class RestBall:
 class Table:
     """Cubic pieces between ``knots`` [m], each (d³, d², d, 1) from its left knot.
 
-    Beyond the last knot the last slope goes on; before the first one the first, down to no load.
+    Beyond the last knot the last slope goes on; before the first one the first, down to no load, or
+    on where that knot is pressed the other way.
     """
 
     knots: Sequence[float]
@@ -88,9 +89,9 @@ class Table:
         """F [N] and its slope [N/m]."""
         first, last = self.knots[0], self.knots[-1]
         if d < first:
-            _, _, slope, force = self.pieces[0]
-            force += slope * (d - first)
-            return (force, slope) if force > 0.0 else (0.0, 0.0)
+            _, _, slope, start = self.pieces[0]
+            force = start + slope * (d - first)
+            return (force, slope) if force > 0.0 or start < 0.0 else (0.0, 0.0)
         if d >= last:
             force, slope = self._piece(len(self.pieces) - 1, last)
             return force + slope * (d - last), slope

@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from bearings import AngularContactBallBearing
 from bearings.ball.law import Law
 from rotordyn.allowance import within
 from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
@@ -23,8 +25,9 @@ from rotordyn.errors import InvalidInput, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.arrangement import arrangement
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, _solved, history, moments, most_moments
+from rotordyn.preload.history import Moment, _solved, _table, history, moments, most_moments
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.loads import PointLoad
@@ -355,6 +358,31 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
     assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
     assert law(-d)[1] == pytest.approx(law(d)[1], rel=1e-6)
+
+
+def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
+    law = _solved(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)[0]
+    for d in (60e-6, 500e-6):
+        assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-6)
+
+
+@pytest.mark.parametrize("growth", [0.0, 3e-6])
+def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
+    """Rounding of the loads of such a pair would make its slope between."""
+    model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
+    law = _solved(model, Law("outer", "equal"), (growth, growth), 0.0, 50e-6)[0]
+    slope = np.array([law(d)[1] for d in law.knots])
+    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
+    assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
+
+
+def test_tables_reach_far_above_the_loads_that_are_known() -> None:
+    """What growth and stops press on bearings is known later."""
+    one = arrangement(mfw2310(), REST, 0.0, LAW).bearings[0]
+    d = 0.2 * one.model.free_distance
+    growth = {"static_growth": one.static_growth[0], "growth": one.growth[0]}
+    exact = one.model.equilibrium(displacement=[d, 0, 0, 0, 0], **growth, **asdict(one.law))
+    assert _table(one, 0.0, 100.0)(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
 
 
 def test_loads_at_rest_are_those_without_friction() -> None:

@@ -88,7 +88,8 @@ def test_a_curve_goes_on_level_below_and_straight_above() -> None:
     """F = 9e6 d + 1e11 d² up to 80 µm is met between its points; beyond, its slope goes on."""
     d = np.linspace(-20e-6, 80e-6, 11)
     pressed = np.maximum(d, 0.0)
-    curve = play._curve(d, 9e6 * pressed + 1e11 * pressed**2, (9e6 + 2e11 * d) * (d >= 0.0), 1e-6)
+    load, slope = 9e6 * pressed + 1e11 * pressed**2, (9e6 + 2e11 * d) * (d >= 0.0)
+    curve = play._curve(d, load, slope, play.FINE * 1e-6, 1e-6)
     assert curve(np.array([-1e-3, -3e-4])).tolist() == [0.0, 0.0]
     inside = np.array([31e-6, 77e-6])
     assert curve(inside) == pytest.approx(9e6 * inside + 1e11 * inside**2, rel=1e-6)

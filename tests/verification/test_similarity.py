@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import AngularContactBallBearing
+from bearings import AngularContactBallBearing, DeepGrooveBallBearing
 from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import (
@@ -308,6 +308,20 @@ def test_a_cycle_passes_the_states_without_memory(force: float, size: float) -> 
     )
 
 
+@pytest.mark.parametrize("angle", [20.0, 35.0])
+@pytest.mark.parametrize("force", [-250.0, 800.0])
+def test_play_of_bearings_that_take_thrust_both_ways(force: float, angle: float) -> None:
+    """They carry from where it ends, at sin(angle) of the free distance, either way."""
+    cycle, plain = pushed(force, 1.0)
+    model = DeepGrooveBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(angle))
+    seats = tuple(replace(seat, bearing=model) for seat in cycle.spindle.seats)
+    both = (replace(c, spindle=replace(c.spindle, seats=seats)) for c in (cycle, plain))
+    found, wanted = (rotordyn.run(case) for case in both)
+    end = 0 if force < 0.0 else -1
+    load = found["axial_cycle"].axial_load.values[:, 0, end]
+    agree(load, wanted["preload"].axial_load.values, 1e-5, "loads")
+
+
 def test_bearings_pushed_far_apart_do_not_pull() -> None:
     """Twice as far as contact angles are free they would touch the side that takes no thrust."""
     force = -700.0
@@ -318,6 +332,25 @@ def test_bearings_pushed_far_apart_do_not_pull() -> None:
     quick = axial_run_up(case.spindle, case.conditions.law, np.array(case.speeds))
     shifts = [quick.under(row, [force])[0] for row in range(len(case.speeds))]
     assert np.array(shifts) == pytest.approx(far.position.values[:, 0, 0], abs=1e-8)
+
+
+CLOSE_12 = DeepGrooveBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(12))
+
+
+@pytest.mark.parametrize("model", [None, CLOSE_12], ids=["angular contact", "deep groove"])
+@pytest.mark.parametrize("force", [-250.0, 3000.0])
+def test_the_quick_solver_follows_close_grooves(
+    model: DeepGrooveBallBearing | None, force: float
+) -> None:
+    """Pressed by a tenth of the free distance of their centres and more; with play."""
+    case = pushed(force, 1.0)[0]
+    seats = tuple(replace(seat, bearing=model or seat.bearing) for seat in case.spindle.seats)
+    case = replace(case, spindle=replace(case.spindle, seats=seats))
+    end = 0 if force < 0.0 else -1
+    wanted = rotordyn.run(case)["axial_cycle"].position.values[:, 0, end]
+    quick = axial_run_up(case.spindle, case.conditions.law, np.array(case.speeds))
+    shifts = [quick.under(row, [force])[0] for row in range(len(case.speeds))]
+    assert np.array(shifts) == pytest.approx(wanted, abs=5e-9)
 
 
 def test_static_stiffness_by_three_analyses() -> None:
