@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bearings.bearing import BallBearing
 from bearings.geometry import geometry, groove_origin
+from rotordyn.errors import NoSolution
 
 Array = NDArray[np.float64]
 MISSED, FLAT = 1e-2, 1e-4  # of a slope, and of the largest, by which cubic pieces may miss it
@@ -16,7 +17,7 @@ INSIDE = np.arange(1.0, 8.0) / 8.0  # of a piece, further points
 def begins(model: BallBearing, static_growth: ArrayLike, growth: ArrayLike) -> Array:
     """Deflection [m] at which balls without inertia are loaded; growth [m]: static, and all of it.
 
-    Where growth leaves no contact angle it is any number.
+    Where growth leaves no contact angle it says nothing: free distance or 0.
     """
     axial, radial = _origin(model, static_growth, growth)
     return np.sqrt(np.maximum(model.free_distance**2 - radial**2, 0.0)) - axial
@@ -44,6 +45,14 @@ def missed(d: Array, load: Array, slope: Array) -> Array:
     bent[[0, -1]] = False
     between = bent[1:] | bent[:-1]
     return (d[:-1, None] + np.diff(d)[:, None] * INSIDE)[between].ravel()
+
+
+def without_state(which: str, speed: float, growth: float) -> NoSolution:
+    """That a bearing has no axial state at a speed [rad/s], its grooves grown [m]."""
+    return NoSolution(
+        f"{which} at {speed * 30.0 / np.pi:.6g} rpm, groove growth {growth * 1e6:.4g} µm: "
+        "it has no axial state at any deflection; lower the speed or the growth"
+    )
 
 
 def _origin(model: BallBearing, *growth: ArrayLike) -> Array:

@@ -33,7 +33,7 @@ from rotordyn.preload.arrangement import (
     as_mounted,
     has_stop,
 )
-from rotordyn.preload.axial_ends import begins, missed, turns
+from rotordyn.preload.axial_ends import begins, missed, turns, without_state
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
@@ -387,6 +387,8 @@ def _solved(
         points = np.concatenate([points, new], axis=1)
         points = points[:, np.argsort(points[0])]
         known = np.asarray(np.isfinite(points).all(axis=0))
+        if known.sum() < 2:
+            raise without_state("a bearing of the spindle", speed, growth[1])
         more = missed(*points[:, known])
         if not more.size:
             break

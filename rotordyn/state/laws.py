@@ -1,7 +1,7 @@
 """Axial laws of a bearing: load F(d) [N] of a deflection d [m], and its slope [N/m].
 
-Every law is unilateral and does not fall: F = 0 up to its first kink, from there it rises, smooth
-between two kinks.
+No law falls. One that takes thrust one way is F = 0 up to its first kink and rises from there, one
+for both ways is odd; between two kinks they are smooth.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ from rotordyn.analyses.axial_cycle.solve import answer as axial_cycle
 from rotordyn.analyses.preload.solve import answer as preload_answer
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
-from rotordyn.errors import InvalidInput, TooCostly
+from rotordyn.errors import InvalidInput, NoSolution, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -394,3 +394,10 @@ def test_loads_at_rest_are_those_without_friction() -> None:
     held = scene(rubbing(), speed, axial_force=200.0)
     found = stiffness_answer(held, StiffnessSpec("Oc2", 100.0, variants=("constant_preload",)))
     assert np.isfinite(found.tangent).all()
+
+
+def test_a_bearing_without_any_state_is_named() -> None:
+    """Growth has left its balls no room."""
+    model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
+    with pytest.raises(NoSolution, match=r"no axial state at any deflection; lower the speed"):
+        _solved(model, Law("outer", "equal"), (0.0, 0.0), 4e5, 1e-9)
