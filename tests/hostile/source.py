@@ -254,7 +254,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "rotordyn/preload/history.py": [
         (
             "2.0 -> 2.2",
-            "high",
+            "way",
             "how far a table goes that is doubled as needed",
         ),
         (
