@@ -27,7 +27,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if item.get_closest_marker("few"):
             every.setdefault(item.nodeid.split("[")[0], []).append(item)
     for sets in every.values():
-        (count,) = sets[0].iter_markers("few").__next__().args
+        (count,) = next(sets[0].iter_markers("few")).args
         kept = {round((k + 0.5) * len(sets) / count - 0.5) for k in range(count)}
         for k, item in enumerate(sets):
             if k not in kept:

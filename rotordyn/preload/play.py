@@ -5,8 +5,7 @@ of the shaft: friction leaves it where it is between the places at which it woul
 (the play operator). Where the shaft moves one way, all forces of the way are solved together.
 
 ``rotordyn.preload.history`` solves the same physics event by event, for any history of loads and
-temperatures. This one stands beside it for identification, which asks for thousands of machines:
-cycles of 25 forces at 3 speeds take a twentieth of the time; positions agree within 2 nm.
+temperatures. This one stands beside it for identification, which asks for thousands of machines.
 
 Theory: docs/theory/identification.md.
 """
