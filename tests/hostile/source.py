@@ -251,12 +251,15 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "a mass that is next to nothing, both",
         ),
     ],
-    "rotordyn/preload/history.py": [
+    "rotordyn/preload/axial_tables.py": [
         (
             "2.0 -> 2.2",
             "way",
             "how far a table goes that is doubled as needed",
         ),
+        ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed"),
+    ],
+    "rotordyn/preload/history.py": [
         (
             "2.0 -> 2.2",
             "most",
@@ -267,7 +270,6 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "_ways",
             "a way in one direction may be cut in two",
         ),
-        ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed"),
     ],
     "rotordyn/preload/on_films.py": [
         (

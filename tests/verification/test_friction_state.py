@@ -26,8 +26,9 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import arrangement
+from rotordyn.preload.axial_tables import _solved, axial_table
 from rotordyn.preload.friction import Rubbing, operating_state
-from rotordyn.preload.history import Moment, _solved, _table, history, moments, most_moments
+from rotordyn.preload.history import Moment, history, moments, most_moments
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.loads import PointLoad
@@ -382,7 +383,7 @@ def test_tables_reach_far_above_the_loads_that_are_known() -> None:
     d = 0.2 * one.model.free_distance
     growth = {"static_growth": one.static_growth[0], "growth": one.growth[0]}
     exact = one.model.equilibrium(displacement=[d, 0, 0, 0, 0], **growth, **asdict(one.law))
-    assert _table(one, 0.0, 100.0)(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
+    assert axial_table(one, 0.0, 100.0)(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
 
 
 def test_loads_at_rest_are_those_without_friction() -> None:
