@@ -188,13 +188,15 @@ class Scene(Statics):
     def stop_speeds(self) -> Array:
         """Lowest speed at which each sleeve stands at its stop (sleeves,) [rad/s], NaN: at none. It
         is met there, or left on the way back from a higher speed."""
-        if not self.loaded and not self.preload.rubs.any():
+        balanced = self.conditions.heat_flow or self.conditions.films
+        if not (self.loaded or balanced or self.preload.rubs.any()):
             return self.preload.stop_speeds()
         stopped = self.preload.stopped
         return np.array([self._stop_speed(k, stopped[:, k]) for k in range(stopped.shape[1])])
 
     def _stop_speed(self, sleeve: int, stopped: Flags) -> float:
-        """The same under loads across the axis or with friction, between the speeds of the case."""
+        """The same under loads across the axis, with friction, or with films or temperatures that
+        follow from the state, between the speeds of the case."""
         from scipy.optimize import brentq
 
         first = np.flatnonzero(stopped)
