@@ -41,6 +41,7 @@ MODES_ALONG = {
     "followed": 1,
     "whirl": 1,
 }  # axis of modes in arrays of a sweep
+NO_POLE = complex(np.nan, np.nan)
 PLANAR = 1e-6  # whirl degree below which a motion is straight
 
 
@@ -208,8 +209,8 @@ class _Sweep:
         columns = order[:, : int(many.max(initial=0))]
         there = np.arange(columns.shape[1]) < many
         vectors = np.take_along_axis(self.vector, columns[:, None], axis=2)
-        values = np.take_along_axis(self.pole.imag, columns, axis=1)
-        steps = Steps(np.where(there[:, None], vectors, 0.0), np.where(there, values, np.nan))
+        poles = np.where(there, np.take_along_axis(self.pole, columns, axis=1), NO_POLE)
+        steps = Steps(np.where(there[:, None], vectors, 0.0), poles)
         return columns, steps
 
     def doubts(self, band: Band) -> list[float]:
@@ -228,7 +229,7 @@ class _Sweep:
         if self.constant:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
         else:
-            path = follow(steps, np.take_along_axis(expected.imag, columns, axis=1))
+            path = follow(steps, np.take_along_axis(expected, columns, axis=1))
         path = path[:, (path[self.given] >= 0).any(axis=0)]
         column = np.where(path < 0, -1, np.take_along_axis(columns, path, axis=1))
         return self._branches(linear, subsystem, side, column)
@@ -254,7 +255,7 @@ class _Sweep:
         """Paths by their ``column`` at every speed (s, k); −1 where they are lost."""
         lost, given = column < 0, self.given
         pole = np.take_along_axis(self.pole, column, axis=1)
-        pole[lost] = complex(np.nan, np.nan)
+        pole[lost] = NO_POLE
         vector = np.take_along_axis(self.vector, column[:, None], axis=2)
         vector = as_beside(self.speed, pole, vector)
         kinds, here = _kinds(linear, vector, ~lost), vector[given]

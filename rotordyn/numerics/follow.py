@@ -12,7 +12,7 @@ from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.numerics.repeated import joined, near, spanning
 
 LEAST_MAC = 0.2
-NEARNESS = 0.3  # of the MAC that the farthest value costs
+NEARNESS = 0.3  # of the MAC that the farthest pole costs
 CLEAR = 0.7  # MAC from which a vector is known again
 FAR = 1e3  # ratio of root gaps from which they tell nothing
 TOUCHING = 3e-6  # of a value: a crossing met so closely is one
@@ -29,21 +29,21 @@ def mac(a: Complex, b: Complex) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Steps:
-    """``vectors`` (steps, n, k) of ``values`` (steps, k) through a sweep; where a step has fewer
-    they come first, before vectors of zeros and values of NaN."""
+    """``vectors`` (steps, n, k) of ``poles`` (steps, k) through a sweep; where a step has fewer
+    they come first, before vectors of zeros and poles of NaN."""
 
     vectors: Complex
-    values: Array
+    poles: Complex
 
     @cached_property
     def many(self) -> Indices:
         """How many each step has (steps,)."""
-        return np.asarray((~np.isnan(self.values)).sum(axis=1))
+        return np.asarray((~np.isnan(self.poles)).sum(axis=1))
 
-    def of(self, step: int) -> tuple[Complex, Array]:
-        """Vectors and values of one step, (n, k) and (k,)."""
+    def of(self, step: int) -> tuple[Complex, Complex]:
+        """Vectors and poles of one step, (n, k) and (k,)."""
         many = self.many[step]
-        return self.vectors[step, :, :many], self.values[step, :many]
+        return self.vectors[step, :, :many], self.poles[step, :many]
 
     @cached_property
     def alike(self) -> Array:
@@ -52,22 +52,22 @@ class Steps:
         whole = self.vectors / np.where(size > 0.0, size, 1.0)
         inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
         alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
-        repeated = near(self.values).sum(axis=(1, 2)) > self.many
+        repeated = near(self.poles).sum(axis=(1, 2)) > self.many
         for step in np.flatnonzero(repeated[:-1] | repeated[1:]).tolist():
             here, there = self.many[step], self.many[step + 1]
             alike[step, :here, :there] = _shared(*self.of(step), *self.of(step + 1))
         return np.asarray(alike)
 
 
-def follow(steps: Steps, ahead: Array | None = None) -> Indices:
+def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
     """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
 
-    ``ahead`` (steps, k): what the values are expected to be at the next step, the same if left out.
+    ``ahead`` (steps, k): what the poles are expected to be at the next step, the same if left out.
     Of vectors equally alike the one nearest to that is taken. The most alike pairs are matched
     first, each vector once; a vector that nobody claims begins a path of its own. Vectors of
-    repeated values are any basis of what they span: each is like all that this space holds.
+    repeated poles are any basis of what they span: each is like all that this space holds.
     """
-    expected = steps.values if ahead is None else ahead
+    expected = steps.poles if ahead is None else ahead
     partner, clear = _partners_at_once(steps, expected)
     last = np.arange(steps.many[0])  # column of each path at the step where it was last seen
     seen, rows = np.zeros(len(last), dtype=np.intp), [last]
@@ -76,14 +76,14 @@ def follow(steps: Steps, ahead: Array | None = None) -> Indices:
             last, seen = partner[k - 1, last], np.full(len(last), k)
             rows.append(last)
             continue
-        fresh, value = steps.of(k)
+        fresh, pole = steps.of(k)
         if (seen == k - 1).all():
-            alike = steps.alike[k - 1, last, : len(value)]
+            alike = steps.alike[k - 1, last, : len(pole)]
         else:
-            alike = _shared(steps.vectors[seen, :, last].T, steps.values[seen, last], fresh, value)
-        column = matched(_score(alike, expected[seen, last], value), LEAST_MAC)
+            alike = _shared(steps.vectors[seen, :, last].T, steps.poles[seen, last], fresh, pole)
+        column = matched(_score(alike, expected[seen, last], pole), LEAST_MAC)
         known = column >= 0
-        born = np.setdiff1d(np.arange(len(value)), column[known])
+        born = np.setdiff1d(np.arange(len(pole)), column[known])
         last = np.append(np.where(known, column, last), born)
         seen = np.append(np.where(known, k, seen), np.full(len(born), k))
         rows.append(np.append(column, born))
@@ -93,10 +93,10 @@ def follow(steps: Steps, ahead: Array | None = None) -> Indices:
     return path
 
 
-def _partners_at_once(steps: Steps, expected: Array) -> tuple[Indices, Flags]:
+def _partners_at_once(steps: Steps, expected: Complex) -> tuple[Indices, Flags]:
     """Column at the next step of each vector (steps − 1, k), and the steps (steps − 1,) at which
     all go on, each to its own, and none is new."""
-    score = _score(steps.alike, expected[:-1], steps.values[1:])
+    score = _score(steps.alike, expected[:-1], steps.poles[1:])
     score[np.isnan(score)] = -np.inf
     columns = np.arange(score.shape[-1])
     missing = columns >= steps.many[:-1, None]
@@ -108,42 +108,42 @@ def _partners_at_once(steps: Steps, expected: Array) -> tuple[Indices, Flags]:
     return partner, each.all(axis=1) & (steps.many[:-1] == steps.many[1:])
 
 
-def _score(alike: Array, at: Array, value: Array) -> Array:
-    """Score (…, k, l) of every pair: the MAC ``alike`` (…, k, l) less what ``value`` (…, l) is away
-    from where it is expected, ``at`` (…, k)."""
-    value, at = value[..., None, :], at[..., None]
-    apart = np.abs(value - at) / (np.abs(at) + np.abs(value) + 1e-300)
+def _score(alike: Array, at: Complex, pole: Complex) -> Array:
+    """Score (…, k, l) of every pair: the MAC ``alike`` (…, k, l) less what ``pole`` (…, l) is away
+    from where it is expected, ``at`` (…, k): modes of one shape may differ in damping alone."""
+    pole, at = pole[..., None, :], at[..., None]
+    apart = np.abs(pole - at) / (np.abs(at) + np.abs(pole) + 1e-300)
     return np.asarray(alike - NEARNESS * apart)
 
 
-def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
-    """MAC of columns (k, l), those of repeated values together."""
-    alike = mac(spanning(last, before), spanning(fresh, value))
-    return np.minimum(joined(before) @ alike @ joined(value), 1.0)
+def _shared(last: Complex, before: Complex, fresh: Complex, pole: Complex) -> Array:
+    """MAC of columns (k, l), those of repeated poles together."""
+    alike = mac(spanning(last, before), spanning(fresh, pole))
+    return np.minimum(joined(before) @ alike @ joined(pole), 1.0)
 
 
 def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
     """Places between the steps ``at`` (steps,) where another one would tell who is who.
 
-    Where a vector with a value below ``within`` is like no single one of the next step, as in a
-    veering, the nearer to a step the closer values are there; and where two that stay themselves
-    change their order, at the crossing, until it is met so closely that a veering as narrow would
-    show. No step becomes smaller than ``narrowest``.
+    Where a vector with a frequency below ``within`` is like no single one of the next step, as in a
+    veering, the nearer to a step the closer poles are there; and where the frequencies of two that
+    stay themselves change their order, at the crossing, until it is met so closely that a veering
+    as narrow would show. No step becomes smaller than ``narrowest``.
     """
-    alike, one, other = steps.alike, steps.values[:-1], steps.values[1:]
+    alike, one, other = steps.alike, steps.poles[:-1].imag, steps.poles[1:].imag
     wide = (np.diff(at) > 2.0 * narrowest) & (steps.many[:-1] > 0) & (steps.many[1:] > 0)
     if not wide.any():
         return []
     unclear = [
-        (alike.max(axis=2 - side) < CLEAR) & (value < within)
-        for side, value in enumerate((one, other))
+        (alike.max(axis=2 - side) < CLEAR) & (frequency < within)
+        for side, frequency in enumerate((one, other))
     ]
     veers = wide & (unclear[0].any(axis=1) | unclear[1].any(axis=1))
     after = np.take_along_axis(other, alike.argmax(axis=2), axis=1)
     share = np.where(wide, _crossings(one, after, one < within), np.inf)
     for k in np.flatnonzero(veers).tolist():
-        values = [steps.of(k)[1], steps.of(k + 1)[1]]
-        share[k] = _veering(values, [np.flatnonzero(each[k]) for each in unclear])
+        poles = [steps.of(k)[1], steps.of(k + 1)[1]]
+        share[k] = _veering(poles, [np.flatnonzero(each[k]) for each in unclear])
     chosen = np.flatnonzero(share < np.inf)
     width, share = np.diff(at)[chosen], share[chosen]
     room = narrowest / width
@@ -151,14 +151,14 @@ def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[flo
     return wanted
 
 
-def _veering(values: list[Array], unclear: list[Indices]) -> float:
+def _veering(poles: list[Complex], unclear: list[Indices]) -> float:
     """A place whose distance to its neighbours is to be the mean, in ratio, of what it is at the
     two steps: vectors change where it is small. Half-way where one only comes or goes."""
     if not (unclear[0].size and unclear[1].size):
         return 0.5
     gaps = []
-    for value, unclear_at in zip(values, unclear, strict=True):
-        apart = np.abs(value[unclear_at, None] - value)
+    for pole, unclear_at in zip(poles, unclear, strict=True):
+        apart = np.abs(pole[unclear_at, None] - pole)
         apart[np.arange(len(unclear_at)), unclear_at] = np.inf
         gaps.append(math.sqrt(float(apart.min(initial=1e300))))
     if max(gaps) >= FAR * min(gaps):  # also where both are none

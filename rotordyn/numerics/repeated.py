@@ -33,7 +33,7 @@ def groups(values: Array | Complex, share: float = REPEATED) -> list[Indices]:
     return [np.flatnonzero(row) for row in np.unique(same[same.sum(axis=1) > 1], axis=0)]
 
 
-def spanning(vectors: Complex, values: Array) -> Complex:
+def spanning(vectors: Complex, values: Array | Complex) -> Complex:
     """Vectors (n, k), those of repeated ``values`` (k,) as an orthonormal basis of their span."""
     vectors = vectors.copy()
     for group in groups(values):

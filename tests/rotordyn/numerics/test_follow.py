@@ -83,6 +83,13 @@ def test_equally_alike_goes_to_the_nearer_value() -> None:
     assert path[1, 0] == 1
 
 
+def test_modes_of_one_shape_are_told_apart_by_their_damping() -> None:
+    """Their frequencies change places from one step to the next."""
+    both = np.ones((1, 2), dtype=complex)
+    poles = [np.array([-0.6 + 0.99j, -0.01 + 1.0j]), np.array([-0.01 + 0.99j, -0.6 + 1.0j])]
+    assert follow(steps_of([both, both], poles)).tolist() == [[0, 1], [1, 0]]
+
+
 @settings(max_examples=60)
 @example(7285, 5, 0.0, True)
 @given(st.integers(0, 10**6), st.integers(1, 6), st.floats(0.0, 1.0), st.booleans())
@@ -120,9 +127,10 @@ def test_steps_matched_together_are_matched_as_one_by_one(
         whole = np.linalg.qr(whole + 0.7 * turned * draw.normal(size=(size, size)))[0]
         chosen = draw.permutation(size)[: int(draw.integers(0, size + 1)) if leave else size]
         vectors.append(whole[:, chosen])
-        values.append(np.sort(1.0 + 0.1 * draw.normal(size=len(chosen))))
+        frequency = np.sort(1.0 + 0.1 * draw.normal(size=len(chosen)))
+        values.append(-0.2 * draw.random(len(chosen)) + 1j * frequency)
     steps = steps_of(vectors, values)
-    ahead = steps.values + 0.05 * draw.normal(size=steps.values.shape)
+    ahead = steps.poles + 0.05 * draw.normal(size=steps.poles.shape)
     known = [(0, k) for k in range(len(values[0]))]
     wanted = [list(range(len(known)))]
     for step in range(1, 8):
