@@ -13,9 +13,10 @@ import pytest
 import rotordyn
 from bearings import AngularContactBallBearing
 from bearings.materials import SILICON_NITRIDE, STEEL
-from rotordyn.analyses import PreloadSpec
+from rotordyn.analyses import PreloadSpec, Unbalance, UnbalanceSpec
 from rotordyn.case.case import Case
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
+from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
@@ -91,3 +92,45 @@ def test_rows_of_a_table_on_the_line_between_others_change_no_mode() -> None:
     spindle = replace(case.spindle, supports=tuple(map(tabled, case.spindle.supports)))
     few, many = (poles_of(one, (500.0, 4500.0)) for one in (case, replace(case, spindle=spindle)))
     assert many == pytest.approx(few, rel=1e-6)
+
+
+HELD = {("y", "y"): 3e7, ("z", "z"): 1e7, ("y", "z"): 3e6, ("z", "y"): -2e6}
+DAMPED = {("y", "y"): 2e3, ("z", "z"): 8e2}
+ROD = Shaft(0.0, (Section(0.4, 0.05, 0.01, STEEL),))
+
+
+def held(name: str, holds: str = "spindle") -> tuple[LinearSupport, LinearSupport]:
+    """Both ends of a rod."""
+    return (
+        LinearSupport(f"{name}1", 0.05, HELD, DAMPED, holds=holds),
+        LinearSupport(f"{name}2", 0.35, HELD, DAMPED, holds=holds),
+    )
+
+
+def whirling(
+    points: tuple[str, ...], at: tuple[str, ...], spindle: Spindle, angle: float = 0.3
+) -> np.ndarray:
+    """Displacements under an unbalance at each of the points ``at``."""
+    asked = UnbalanceSpec(points, tuple(Unbalance(each, 1e-5, angle) for each in at))
+    case = Case("rods", "", (300.0, 700.0), {"unbalance": asked}, Conditions(), spindle)
+    return rotordyn.run(case)["unbalance"].displacement.values
+
+
+@pytest.mark.parametrize("ratio", [1.0, -1.0])
+def test_a_rotor_that_nothing_joins_to_the_shaft_whirls_as_by_itself(ratio: float) -> None:
+    """Beside an equal one; the other way round it is its own mirror image in z."""
+    alone = Spindle("rod", ROD, supports=held("a"), points={"p": 0.2})
+    mirrored = {pair: k if ratio > 0.0 or pair[0] == pair[1] else -k for pair, k in HELD.items()}
+    others = tuple(replace(each, stiffness=mirrored) for each in held("b", "other"))
+    both = replace(
+        alone,
+        supports=(*alone.supports, *others),
+        rotors=(Rotor("other", ratio, ROD, points={"q": 0.2}),),
+    )
+    wanted = whirling(("p",), ("p",), alone)[:, 0]
+    found = whirling(("p", "other.q"), ("other.q",), both, 0.3 * ratio)
+    assert not found[:, 0].any()
+    assert found[:, 1] == pytest.approx(wanted * [1.0, ratio], rel=1e-6)
+    if ratio > 0.0:
+        found = whirling(("p", "other.q"), ("p", "other.q"), both)
+        assert found == pytest.approx(np.stack([wanted, wanted], axis=1), rel=1e-6)

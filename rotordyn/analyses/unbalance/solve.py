@@ -41,7 +41,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     ------
     NoSolution : no speed has one
     """
-    scene.system(_bending_subsystem(scene))  # tells of instability (``Scene.warnings``)
+    for k in _moved(scene, spec):
+        scene.system(k)  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
     scene, error = solve_accurately(
@@ -50,8 +51,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         lambda errors: float(np.nanmax(errors, initial=0.0)),
     )
     speed = ratio * scene.speed[scene.usable]
-    motions = scene.system(_bending_subsystem(scene))
-    absent = _absences(motions, speed)
+    motions = [scene.system(k) for k in _moved(scene, spec)]
+    absent = [max(words) for words in zip(*(_absences(one, speed) for one in motions), strict=True)]
     counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
     why = [word for word, one in zip(absent, counts, strict=True) if one]
     if all(why):
@@ -77,7 +78,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance=tuple(one.name for one in placed),
         critical=tuple(each.mode for each in critical),
         outcome=_outcome(scene, absent),
-        unstable=scene.flagged(np.asarray(motions.growing.any(axis=1))),
+        unstable=scene.flagged(np.any([one.growing.any(axis=1) for one in motions], axis=0)),
         displacement=displacement,
         amplitude=np.abs(displacement),
         phase=np.angle(displacement),
@@ -109,9 +110,12 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
 
 def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
     """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
-    linear, speed = scene.linear(_bending_subsystem(scene)), ratio * scene.speed[scene.usable]
-    motion = _steady(scene, linear, spec, speed)
-    parts = [_displacements(scene, linear, spec, motion), _forces(scene, linear, speed, motion)]
+    speed, every = ratio * scene.speed[scene.usable], []
+    for linear in map(scene.linear, _moved(scene, spec)):
+        motion = _steady(scene, linear, spec, speed)
+        moved = _displacements(scene, linear, spec, motion)
+        every.append((moved, _forces(scene, linear, speed, motion)))
+    parts = [np.sum(each, axis=0) for each in zip(*every, strict=True)]
     return parts if ratio > 0.0 else [each.conj() for each in parts]  # e^(irΩt) as e^(i|r|Ωt)
 
 
@@ -141,9 +145,9 @@ def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
     return peaks
 
 
-def _bending_subsystem(scene: Scene) -> int:
-    """The subsystem of bending."""
-    return scene.owner(scene.spindle.shaft.start, "y")
+def _moved(scene: Scene, spec: UnbalanceSpec) -> list[int]:
+    """Subsystems in which something is out of balance; of rotors that nothing joins, several."""
+    return sorted({scene.owner(at, "y") for at in spec.acting})
 
 
 class Steady(NamedTuple):
@@ -240,8 +244,10 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
         return np.full(len(spec.points), np.nan)
 
     def values(one: Scene, rows: Indices) -> Complex:
-        linear = one.linear(_bending_subsystem(one), rows)
-        motion = _steady(one, linear, spec, ratio * one.speed[one.usable[rows]])
-        return np.nan_to_num(_displacements(one, linear, spec, motion))
+        speed, moved = ratio * one.speed[one.usable[rows]], []
+        for k in _moved(one, spec):
+            linear = one.linear(k, rows)
+            moved.append(_displacements(one, linear, spec, _steady(one, linear, spec, speed)))
+        return np.nan_to_num(np.sum(moved, axis=0))
 
     return changes(scene, values, 1)
