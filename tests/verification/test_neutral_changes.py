@@ -13,7 +13,7 @@ import pytest
 import rotordyn
 from bearings import AngularContactBallBearing
 from bearings.materials import SILICON_NITRIDE, STEEL
-from rotordyn.analyses import PreloadSpec, Unbalance, UnbalanceSpec
+from rotordyn.analyses import CampbellSpec, PreloadSpec, Unbalance, UnbalanceSpec
 from rotordyn.case.case import Case
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.machine.rotor import Rotor
@@ -107,6 +107,12 @@ def held(name: str, holds: str = "spindle") -> tuple[LinearSupport, LinearSuppor
     )
 
 
+def mirrored(supports: tuple[LinearSupport, ...]) -> tuple[LinearSupport, ...]:
+    """In z: what turns one way turns the other."""
+    other = {pair: k if pair[0] == pair[1] else -k for pair, k in HELD.items()}
+    return tuple(replace(each, stiffness=other) for each in supports)
+
+
 def whirling(
     points: tuple[str, ...], at: tuple[str, ...], spindle: Spindle, angle: float = 0.3
 ) -> np.ndarray:
@@ -120,8 +126,7 @@ def whirling(
 def test_a_rotor_that_nothing_joins_to_the_shaft_whirls_as_by_itself(ratio: float) -> None:
     """Beside an equal one; the other way round it is its own mirror image in z."""
     alone = Spindle("rod", ROD, supports=held("a"), points={"p": 0.2})
-    mirrored = {pair: k if ratio > 0.0 or pair[0] == pair[1] else -k for pair, k in HELD.items()}
-    others = tuple(replace(each, stiffness=mirrored) for each in held("b", "other"))
+    others = held("b", "other") if ratio > 0.0 else mirrored(held("b", "other"))
     both = replace(
         alone,
         supports=(*alone.supports, *others),
@@ -134,3 +139,25 @@ def test_a_rotor_that_nothing_joins_to_the_shaft_whirls_as_by_itself(ratio: floa
     if ratio > 0.0:
         found = whirling(("p", "other.q"), ("p", "other.q"), both)
         assert found == pytest.approx(np.stack([wanted, wanted], axis=1), rel=1e-6)
+
+
+@pytest.mark.parametrize("ratio", [1.5, -1.5])
+def test_either_of_two_rotors_may_be_called_the_spindle(ratio: float) -> None:
+    """Critical speeds are then in its own turns."""
+    rods = ROD, Shaft(0.0, (Section(0.4, 0.03, 0.0, STEEL),))
+    joint = LinearSupport("between", 0.2, {("y", "y"): 2e7, ("z", "z"): 2e7}, against="other")
+    found = []
+    for (first, second), turns in ((rods, ratio), (rods[::-1], 1.0 / ratio)):
+        ends = (*held("a"), *held("b", "other"))
+        ends = mirrored(ends) if first is not ROD and ratio < 0.0 else ends
+        spindle = Spindle(
+            "two", first, supports=(*ends, joint), rotors=(Rotor("other", turns, second),)
+        )
+        at = tuple(np.array([0.0, 3000.0]) * (1.0 if turns == ratio else abs(ratio)))
+        asked = {"campbell": CampbellSpec(600.0, shapes=False)}
+        results = rotordyn.run(Case("two", "", at, asked, Conditions(accuracy=1e-6), spindle))
+        one = results["campbell"]
+        found.append((np.sort_complex(one.pole.values), np.sort(one.critical_speed / at[1])))
+    assert found[1][0] == pytest.approx(found[0][0], rel=1e-7)
+    assert len(found[0][1]) > 1
+    assert found[1][1] == pytest.approx(found[0][1], rel=1e-6)
