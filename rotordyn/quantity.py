@@ -321,6 +321,9 @@ ThermalExpansion = Annotated[
 ThermalConductance = Annotated[
     float, Quantity("thermal conductance", at_least="0 W/K", at_most="100000 W/K")
 ]
+Instant = Annotated[float, Quantity("time", at_least="0 s", at_most="1000 s")]
+LastInstant = Annotated[float, Quantity("time", at_least="0 s", at_most="1000 s", infinite="none")]
+TimeSpan = Annotated[float, Quantity("time", above="0 s", at_most="1000 s")]
 Duration = Annotated[float, Quantity("duration", above="0 h", at_most="1e9 h")]
 SlidingFriction = Annotated[float, Quantity("number", at_least="0.001", at_most="1")]
 Cleanness = Annotated[float, Quantity("number", at_least="0", at_most="1")]

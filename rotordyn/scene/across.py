@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import count
 
 import numpy as np
 
 from rotordyn.equation.statics import Across
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.loads import PointLoad
 
 
-def with_stations(spindle: Spindle, loads: Iterable[PointLoad]) -> Spindle:
-    """The spindle with a point at every station [m] where a load acts."""
-    stations = {
-        f"load {k}": load.at for k, load in enumerate(loads, 1) if not isinstance(load.at, str)
-    }
-    return replace(spindle, points={**spindle.points, **stations}) if stations else spindle
+def with_stations(spindle: Spindle, places: Iterable[str | float]) -> Spindle:
+    """With a named point at every station [m] among ``places`` that has none, so that nodes and
+    static answers are there."""
+    free = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
+    known = {at for at in places if not isinstance(at, str)} - set(spindle.points.values())
+    points = {next(free): x for x in sorted(known)}
+    return replace(spindle, points={**spindle.points, **points}) if points else spindle
 
 
 def across(spindle: Spindle, conditions: Conditions) -> Across:

@@ -50,7 +50,7 @@ class Statics(Staged):
         clock: Clock | None = None,
     ) -> None:
         super().__init__(memo, clock)
-        self.spindle = with_stations(spindle, conditions.loads)
+        self.spindle = with_stations(spindle, (load.at for load in conditions.loads))
         self.conditions = conditions
         self.speed = speed
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import replace
-from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +18,7 @@ from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.across import with_stations
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan
 
 
@@ -38,11 +37,8 @@ def unbalanced(spindle: Spindle, spec: UnbalanceSpec) -> str:
 
 
 def marked(spindle: Spindle, spec: UnbalanceSpec) -> Spindle:
-    """With a named point wherever unbalance acts, so that nodes and static answers are there."""
-    free = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
-    known = {at for at in spec.places if not isinstance(at, str)} - set(spindle.points.values())
-    points = {next(free): x for x in sorted(known)}
-    return replace(spindle, points={**spindle.points, **points}) if points else spindle
+    """With a named point wherever unbalance acts."""
+    return with_stations(spindle, spec.places)
 
 
 def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:

@@ -1,0 +1,92 @@
+"""The linear equation of motion along and across the axis, and how rings, points and forces are in
+its coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
+from rotordyn.arrays import Array, Indices
+from rotordyn.equation.dofs import position
+from rotordyn.equation.linear import Linear
+from rotordyn.equation.seat import BEARING_DIRECTIONS, HALF_TURN_ABOUT_Y
+from rotordyn.scene.scene import Scene
+
+RING = [position(way) for way in BEARING_DIRECTIONS]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Equation:
+    """q̈ + C q̇ + K q = f of all that moves along and across the axis, at usable speeds (s,).
+
+    ``stiffness``, ``damping`` (s, n, n). By the coordinates: ``rings`` (5·seats, n), displacement
+    of every inner ring against its outer ring in the frame of the bearing; ``points``
+    (3·points, n); ``sleeves`` (sleeves, n) along the axis; ``pushed`` (n, inputs): what the forces
+    push.
+    """
+
+    stiffness: Array
+    damping: Array
+    rings: Array
+    points: Array
+    sleeves: Array
+    pushed: Array
+
+    @classmethod
+    def of(cls, scene: Scene, spec: TimeResponseSpec, rows: Indices | None = None) -> Equation:
+        """At all usable speeds, or at some ``rows`` of them."""
+        parts = [scene.linear(k, rows) for k in scene.with_motions(("bending", "axial"))]
+
+        def joined(each: Callable[[Linear], Array]) -> Array:
+            return np.concatenate([each(part) @ part.basis for part in parts], axis=-1)
+
+        def displaced(places: list[tuple[str | float, str]]) -> Array:
+            at = [(*scene.spindle.place(point), way) for point, way in places]
+            none = np.zeros((0, 1))
+            return joined(
+                lambda part: np.stack([part.row(*each) for each in at]) if at else none @ none.T
+            )
+
+        acting = [(each.at, each.direction) for each in spec.forces]
+        acting += [(each.at, way) for each in spec.unbalances for way in ("y", "z")]
+        return cls(
+            stiffness=_blocks([part.allowed_stiffness for part in parts]),
+            damping=_blocks([part.within(part.damping) for part in parts]),
+            rings=joined(lambda part: _rings(scene, part)),
+            points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
+            sleeves=joined(lambda part: _sleeves(scene, part)),
+            pushed=displaced(acting).T,
+        )
+
+
+def _blocks(parts: list[Array]) -> Array:
+    """Matrices (s, n, n) side by side on the diagonal of one."""
+    ends = np.cumsum([0, *(part.shape[-1] for part in parts)])
+    whole = np.zeros((len(parts[0]), ends[-1], ends[-1]))
+    for begin, end, part in zip(ends[:-1], ends[1:], parts, strict=True):
+        whole[:, begin:end, begin:end] = part
+    return whole
+
+
+def _rings(scene: Scene, part: Linear) -> Array:
+    """Of every seat the displacement of its rings by the coordinates of a subsystem
+    (5·seats, n)."""
+    seats, links = scene.spindle.seats, scene.rotor.seats
+    motions = {id(each.link): each.motions for each in part.connections}
+    whole = np.zeros((len(seats), len(RING), part.size))
+    for k, (seat, link) in enumerate(zip(seats, links, strict=True)):
+        if id(link) in motions:
+            turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else np.ones(len(RING))
+            whole[k] = turn[:, None] * motions[id(link)][RING]
+    return whole.reshape(-1, part.size)
+
+
+def _sleeves(scene: Scene, part: Linear) -> Array:
+    """Of every sleeve its way along the axis by the coordinates of a subsystem (sleeves, n)."""
+    motions = {each.link.name: each.motions[0] for each in part.connections}
+    none = np.zeros(part.size)
+    names = [f"sleeve {sleeve.name}" for sleeve in scene.spindle.sleeves]
+    return np.array([motions.get(name, none) for name in names]).reshape(-1, part.size)

@@ -1,0 +1,55 @@
+"""Figures: response over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from rotordyn.analyses.contract import Code
+from rotordyn.figures.draw import Job
+from rotordyn.results.described import Described, Shown
+from rotordyn.results.display import MICROMETRE, RPM
+from rotordyn.results.headline import Curve
+
+code = partial(Code, __name__)
+
+MOST_POINTS = 3
+LINE = 0.05  # of the way along one axis: a path that is no wider along the other is a line
+
+
+def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    """The figures of a result."""
+    yield "time_response", partial(code("histories:motion_figure"), result)
+    if _runs_round(result):
+        yield "time_response_orbits", partial(code("histories:orbit_figure"), result)
+    if result.bearing:
+        yield "time_response_bearings", partial(code("histories:bearing_figure"), result)
+
+
+def _runs_round(result: Any) -> bool:
+    """Whether the path of some point across the axis is more than a line."""
+    across = np.nan_to_num(np.abs(result.displacement[..., 1:])).max(axis=1)
+    return bool((across.min(axis=-1) > LINE * across.max(axis=-1)).any())
+
+
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Displacement of the first points along y and z at the highest speed."""
+    result = variant.result
+    rpm = f"{result.speed[-1] * RPM.factor:.0f} rpm"
+    for k, point in enumerate(result.point[:MOST_POINTS]):
+        for axis in (1, 2):
+            values = result.displacement[-1, :, k, axis] * MICROMETRE.factor
+            yield Curve(
+                "time_response",
+                "displacement",
+                MICROMETRE.unit,
+                result.time * 1e3,
+                values,
+                series=result.axis[axis],
+                panel=point,
+                along="time [ms]",
+                title=f"{point}, {rpm}",
+            )

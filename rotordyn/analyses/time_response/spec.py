@@ -1,0 +1,179 @@
+"""What a case asks of the response over time (SI)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.description import Description, Faults, ascending, known, repeated
+from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.spindle import Spindle
+from rotordyn.quantity import (
+    Angle,
+    Choice,
+    Force,
+    Frequency,
+    Instant,
+    Items,
+    LastInstant,
+    OptionalName,
+    PointName,
+    TimeSpan,
+)
+from rotordyn.scene.formulation import ROTATING
+from rotordyn.scene.loads import At, Unbalance
+from rotordyn.scene.spec import Setting, Spec, placed
+
+DIRECTIONS = ("x", "y", "z")
+SAMPLES = 20  # instants given in a period of the highest frequency
+MOST_SAMPLES = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class ForceOverTime(Description):
+    """A force on the shaft that changes with time.
+
+    Of one shape: constant from `start` to `end`; sinusoidal where it has a `frequency`; half sines
+    where it has a `pulse`, one or one every `period`; or by a table of `times` and `forces`,
+    straight in between and zero outside.
+    """
+
+    at: Annotated[At, "where it acts: a point or station"]
+    direction: Annotated[str, Choice(DIRECTIONS), "in which it acts"]
+    name: Annotated[OptionalName, "in results; by default its number"] = ""
+    force: Annotated[Force | None, "its size; the amplitude of what swings"] = None
+    start: Annotated[Instant, "when it sets in"] = 0.0
+    end: Annotated[LastInstant, "when it ends"] = math.inf
+    frequency: Annotated[Frequency | None, "of a sinusoidal force"] = None
+    phase: Annotated[Angle, "of a sinusoidal force at its start: 0° of a sine, 90° of a cosine"] = (
+        0.0
+    )
+    pulse: Annotated[TimeSpan | None, "length of a half sine"] = None
+    period: Annotated[TimeSpan | None, "from the start of one half sine to that of the next"] = None
+    times: Annotated[tuple[Instant, ...], "of a table, ascending"] = ()
+    forces: Annotated[tuple[Force, ...], "of a table, one for each of `times`"] = ()
+
+    def _faults(self) -> Faults:
+        if (self.force is None) == (not self.times):
+            given = "neither" if self.force is None else "both"
+            yield (
+                ("force",),
+                f"its size, or a table of times and forces: given {given}; allowed: one of both",
+            )
+        if self.end <= self.start:
+            yield ("end",), "not after the start: given {given}; allowed: a later time"
+        yield from self._of_shape()
+        yield from self._of_table()
+
+    def _of_shape(self) -> Faults:
+        if self.frequency is not None and self.pulse is not None:
+            yield ("pulse",), "given beside a frequency: a force has one shape, leave one out"
+        if self.frequency is None and self.phase:
+            yield ("phase",), "only a sinusoidal force has one: give its frequency, or leave it out"
+        if self.period is None:
+            return
+        if self.pulse is None:
+            yield ("period",), "only half sines are repeated: give the pulse, or leave it out"
+        elif self.period < self.pulse:
+            yield ("period",), "shorter than the pulse: given {given}; allowed: at least the pulse"
+
+    def _of_table(self) -> Faults:
+        for key in ("frequency", "pulse", "period"):
+            if self.times and getattr(self, key) is not None:
+                yield (key,), "given beside a table of times and forces: leave one of both out"
+        if len(self.times) != len(self.forces):
+            counts = f"given {len(self.times)} and {len(self.forces)}"
+            yield ("forces",), f"times and forces are not as many: {counts}"
+        if len(self.times) == 1:
+            yield ("times",), "a table has two times at least: given one"
+        yield from ascending("times", self.times)
+
+
+@dataclass(frozen=True, slots=True)
+class TimeResponseSpec(Spec):
+    """Motion over time under forces and unbalance, from the preload state on.
+
+    Bearings follow their load–displacement law, of which all other analyses take the tangent.
+    Forces and unbalances act together; they set in at time 0 unless they say otherwise.
+    """
+
+    duration: Annotated[TimeSpan, "how long"]
+    max_frequency: Annotated[
+        Frequency,
+        "highest frequency of interest: modes far above it are left out, and results given "
+        f"{SAMPLES} times in its period",
+    ]
+    points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
+    forces: Annotated[tuple[ForceOverTime, ...], "on the shaft"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
+
+    @property
+    def samples(self) -> int:
+        """Instants in results, both ends counted: a multiple of four, and one."""
+        return 4 * math.ceil(self.duration * self.max_frequency * SAMPLES / 4.0 - 1e-6) + 1
+
+    @property
+    def places(self) -> tuple[str | float, ...]:
+        """Points and stations at which something acts or is asked for."""
+        acting = [each.at for each in self.forces] + [each.at for each in self.unbalances]
+        return (*self.points, *acting)
+
+    def _faults(self) -> Faults:
+        yield from repeated("points", self.points)
+        yield from repeated("forces", (each.name for each in self.forces))
+        if not (self.forces or self.unbalances):
+            yield (), "nothing acts: allowed: at least one of forces, unbalances"
+        if not (known(self.duration) and known(self.max_frequency)):
+            return
+        if self.samples > MOST_SAMPLES:
+            yield (
+                ("duration",),
+                f"{self.samples} instants at {SAMPLES} times max_frequency: given {{given}}; "
+                f"allowed: up to {MOST_SAMPLES}",
+            )
+        for index, each in enumerate(self.forces):
+            if each.frequency is not None and each.frequency > self.max_frequency:
+                yield (
+                    ("forces", index, "frequency"),
+                    "above max_frequency: given {given}; allowed: up to "
+                    f"{self.max_frequency:g} Hz, or a higher max_frequency",
+                )
+            if each.start >= self.duration:
+                yield (
+                    ("forces", index, "start"),
+                    f"not within the duration: given {{given}}; allowed: below {self.duration:g} s",
+                )
+
+    def faults_on(self, setting: Setting) -> Faults:
+        spindle = setting.spindle
+        if setting.conditions.formulation == ROTATING:
+            yield (), "motion over time is that of the fixed frame: take formulation: inertial"
+        if setting.conditions.films is not None:
+            yield (), "bearings over time have no oil films: leave films out of the conditions"
+        if spindle.hysteretic:
+            yield (
+                (),
+                "a loss factor is defined for steady vibration and has no response over time: give "
+                "rotor_damping, or damping of bearings and supports, instead",
+            )
+        if not misnamed(spindle):
+            yield from self._places(spindle)
+
+    def _places(self, spindle: Spindle) -> Faults:
+        """Points exist, and what is out of balance turns."""
+        for index, name in enumerate(self.points):
+            for sentence in unknown("point", name, spindle.places):
+                yield ("points", index), sentence
+        for key, acting in (("forces", self.forces), ("unbalances", self.unbalances)):
+            for index, at in enumerate(each.at for each in acting):
+                yield from placed(at, spindle, (key, index, "at"), rotors=True)
+        for index, each in enumerate(self.unbalances):
+            if isinstance(each.at, str) and each.at not in spindle.places:
+                continue
+            rotor = spindle.place(each.at).rotor
+            if spindle.ratios[rotor] == 0.0:
+                yield (
+                    ("unbalances", index, "at"),
+                    f"rotor '{rotor}' stands still, and no unbalance acts there",
+                )
