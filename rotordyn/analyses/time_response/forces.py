@@ -34,8 +34,8 @@ def sizes(force: ForceOverTime, time: Array) -> Array:
     return np.where(acts, force.force * shape, 0.0)
 
 
-def applied(spec: TimeResponseSpec, time: Array, speed: Array) -> Array:
-    """All inputs at instants (t,) and speeds of the rotor out of balance (s, unbalances) [rad/s].
+def applied(spec: TimeResponseSpec, speed: Array, time: Array) -> Array:
+    """All inputs at speeds of the rotors out of balance (s, unbalances) [rad/s] and instants (t,).
 
     Shape (s, inputs, t) [N]: every force, then of every unbalance its forces along y and z.
     """

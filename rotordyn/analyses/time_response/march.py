@@ -28,7 +28,12 @@ BEYOND = np.array([[1.0, -3.0, 3.0], [3.0, -8.0, 6.0]])  # the same at x = 3/2 a
 SETTLED = 1e-9  # of the largest way of a ring: a smaller Newton step is the last
 NEARLY = 1e-15  # m, added to that
 ITERATIONS = 12
-TOLD = 1000  # steps from one word of progress to the next
+AT_ONCE = 1000  # steps for which forces are sampled together
+SUBSTEPS = 64  # of a step, at whose middles forces are sampled
+PLACES = (np.arange(SUBSTEPS) + 0.5) / SUBSTEPS
+FITTED = np.linalg.pinv(np.vander(PLACES, 3, increasing=True) @ LAGRANGE.T)
+"""(3, substeps): of a force the quadratic with its impulse and first moments, so that jumps and
+corners within a step do no harm; at start, middle and end."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -88,32 +93,36 @@ class Path:
 
 def march(
     equation: Equation,
-    force: Array,
+    force: Callable[[Array], Array],
     length: float,
+    steps: int,
     bearings: Remainder | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Path:
-    """From rest under inputs ``force`` (s, inputs, t) at start, middle and end of steps of
-    ``length`` [s]; without ``bearings`` these are linear."""
+    """From rest in ``steps`` of ``length`` [s] under inputs ``force``: (s, inputs, t) at instants
+    (t,) [s]. Without ``bearings`` these are linear."""
     watch = np.concatenate([equation.points, equation.sleeves])
     rings = equation.rings if bearings is not None else equation.rings[:0]
     inputs = np.hstack([-rings.T, equation.pushed])
     step = Step.of(equation.stiffness, equation.damping, inputs, length)
-    (speeds, _, instants), n, r = force.shape, len(inputs), len(rings)
+    speeds, (n, p), r, instants = len(equation.stiffness), inputs.shape, len(rings), 2 * steps + 1
     seen = np.concatenate([watch, rings])
     free = seen @ step.free[:, :, :n]
     forced = np.moveaxis(seen @ step.forced[:, :, :, :n], 2, 3).reshape(speeds, 2, len(seen), -1)
     to_end = np.moveaxis(step.forced[:, 1], 1, 2).reshape(speeds, 2 * n, -1)
     by_push = np.moveaxis(rings @ step.forced[:, :, 1:, :n, :r], 2, 3).reshape(speeds, 2 * r, 2 * r)
 
-    state, pushed = np.zeros((speeds, 2 * n)), np.zeros((speeds, NODES, r + force.shape[1]))
+    state, pushed = np.zeros((speeds, 2 * n)), np.zeros((speeds, NODES, p))
     path, beyond = np.zeros((speeds, instants, len(seen))), np.zeros((speeds, instants, r))
     lost, unsettled = np.full(speeds, instants), np.zeros(speeds, dtype=bool)
     for k in range(0, instants - 1, 2):
-        if k % (2 * TOLD) == 0:
+        if k % (2 * AT_ONCE) == 0:
             require_time("time_response", "not finished")
-            progress(f"instant {k} of {instants}")
-        pushed[:, :, r:] = force[:, :, k : k + NODES].swapaxes(1, 2)
+            progress(f"step {k // 2} of {steps}")
+            every = np.arange(k // 2, min(k // 2 + AT_ONCE, steps))[:, None] + PLACES
+            sampled = force(length * every.ravel()).reshape(speeds, -1, *every.shape)
+            of_steps = np.einsum("ap,sikp->ksai", FITTED, sampled)
+        pushed[:, :, r:] = of_steps[k // 2 % AT_ONCE]
         if k:
             beyond[:, k + 1 : k + NODES] = BEYOND @ beyond[:, k - 2 : k + 1]
         pushed[:, :, :r] = beyond[:, k : k + NODES]

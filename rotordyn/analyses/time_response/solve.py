@@ -27,6 +27,7 @@ from rotordyn.scene.refinement import changes, response_accuracy, solve_accurate
 from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
+LEAST = 0.1  # of the error asked for is left to the steps
 AXES = len(DIRECTIONS)
 
 
@@ -54,8 +55,8 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     )
     if not seats:
         return _result(scene, spec, linear, linear.path, None)
-    bearings = Remainder.of(scene)
-    nonlinear = _nonlinear(scene, spec, bearings)
+    bearings, left = Remainder.of(scene), response_accuracy(scene) - np.nanmax(linear.error)
+    nonlinear = _nonlinear(scene, spec, bearings, max(left, LEAST * response_accuracy(scene)))
     both = nonlinear._replace(error=nonlinear.error + linear.error)
     return _result(scene, spec, both, linear.path, bearings)
 
@@ -72,9 +73,10 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
     return Motion(path, changes(scene, values, 2))
 
 
-def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Remainder) -> Motion:
-    """With the law of the bearings; its error is the change by the last halving of the steps."""
-    count, wanted = spec.samples // 4, response_accuracy(scene)
+def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Remainder, wanted: float) -> Motion:
+    """With the law of the bearings; its error is the change by the last halving of the steps, if it
+    can be below what is ``wanted``."""
+    count = spec.samples // 4
     path = _path(scene, spec, count, bearings)
     for halving in range(HALVINGS):
         before, path = path, _path(scene, spec, 2 ** (halving + 1) * count, bearings)
@@ -98,9 +100,8 @@ def _path(
     equation = Equation.of(scene, spec, rows)
     speed = scene.speed[scene.usable] if rows is None else scene.speed[scene.usable[rows]]
     ratios = [scene.spindle.ratios[scene.spindle.place(each.at).rotor] for each in spec.unbalances]
-    time = np.linspace(0.0, spec.duration, 2 * count + 1)
-    force = applied(spec, time, speed[:, None] * np.array(ratios))
-    return march(equation, force, spec.duration / count, bearings, scene.progress)
+    force = partial(applied, spec, speed[:, None] * np.array(ratios))
+    return march(equation, force, spec.duration / count, count, bearings, scene.progress)
 
 
 def _displacement(path: Path, spec: TimeResponseSpec) -> Array:
