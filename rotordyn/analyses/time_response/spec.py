@@ -101,7 +101,7 @@ class TimeResponseSpec(Spec):
     duration: Annotated[TimeSpan, "how long"]
     max_frequency: Annotated[
         Frequency,
-        "highest frequency of interest: modes far above it are left out, and results given "
+        "highest frequency of interest: modes far above it are truncated, and results given "
         f"{SAMPLES} times in its period",
     ]
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
