@@ -27,7 +27,7 @@ VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one
 CORRECTION = 1.5e-9  # s of a mode with loss factors, for each cubed row
 TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
 STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-3 s where they slide
-BEARING_STEP = 4e-4  # s of a bearing over a step of the response over time
+BEARING_STEP, EQUATION_STEP = 2e-4, 3e-4  # s of a step of time, of each bearing and of the rest
 FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
 REMEDY = "take fewer speeds, steps or points, or lower frequencies, or say yes to that (--yes)"
 DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
@@ -122,10 +122,12 @@ def require_history(what: str, tables: int, steps: int) -> None:
     _require(what, seconds, TABLE_BYTES * tables + STEP_BYTES * steps)
 
 
-def require_marching(name: str, bearings: int, steps: float) -> None:
-    """The same of so many bearings over so many steps of time, those of all speeds counted."""
+def require_marching(name: str, bearings: int, steps: float, followed: int) -> None:
+    """The same of so many bearings over so many steps of time, and of numbers that are ``followed``
+    at start and middle of each; those of all speeds counted."""
     what = f"{name}: {steps:.0f} steps of time with {bearings} bearings, all speeds counted"
-    _require(what, BEARING_STEP * bearings * steps, 0.0)
+    seconds = (EQUATION_STEP + BEARING_STEP * bearings) * steps
+    _require(what, seconds, 16.0 * ARRAYS * followed * steps)
 
 
 def require_figures(figures: int, pictures: int) -> None:

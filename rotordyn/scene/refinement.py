@@ -60,7 +60,11 @@ def changes(scene: Scene, values: Callable[[Scene, Indices], Array | Complex], a
     """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
     all axes but ``axis``."""
     rows = few_rows(scene)
-    coarse, fine = values(scene, rows), values(scene.refined, rows)
+    return relative_change(values(scene, rows), values(scene.refined, rows), axis)
+
+
+def relative_change(coarse: Array | Complex, fine: Array | Complex, axis: int) -> Array:
+    """Largest change of values (…, n, …) over their largest size; along all axes but ``axis``."""
     along = tuple(k for k in range(coarse.ndim) if k != axis)
     size = np.abs(fine).max(axis=along, initial=0.0)
     with np.errstate(invalid="ignore"):  # responses without limit

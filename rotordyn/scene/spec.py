@@ -77,6 +77,15 @@ def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = Fals
         yield path, sentence
 
 
+def turning(at: str | float, spindle: Spindle, path: Path) -> Faults:
+    """A fault where what is out of balance does not turn."""
+    if isinstance(at, str) and at not in spindle.places:
+        return
+    rotor = spindle.place(at).rotor
+    if spindle.ratios[rotor] == 0.0:
+        yield path, f"rotor '{rotor}' stands still, and no unbalance acts there"
+
+
 def spanned(
     start: str | float, to: str | float, spindle: Spindle, path: Path, *, rotors: bool = False
 ) -> Faults:

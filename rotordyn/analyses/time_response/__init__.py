@@ -19,5 +19,5 @@ ANALYSIS = in_folder(
     marks=Code(__name__, "forces:marked"),
     tables=LAYOUTS,
     heading="largest displacement over time",
-    title="response over time",
+    title="Response over time",
 )

@@ -1,5 +1,5 @@
-"""The linear equation of motion along and across the axis, and how rings, points and forces are in
-its coordinates."""
+"""The linear equation of motion along and across the axis, and how forces, points and rings of
+bearings stand in its coordinates."""
 
 from __future__ import annotations
 
@@ -20,45 +20,50 @@ RING = [position(way) for way in BEARING_DIRECTIONS]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Equation:
-    """q̈ + C q̇ + K q = f of all that moves along and across the axis, at usable speeds (s,).
+    """q̈ + C q̇ + K q = L g of all that moves along and across the axis, at some speeds (s,).
 
-    ``stiffness``, ``damping`` (s, n, n). By the coordinates: ``rings`` (5·seats, n), displacement
-    of every inner ring against its outer ring in the frame of the bearing; ``points``
-    (3·points, n); ``sleeves`` (sleeves, n) along the axis; ``pushed`` (n, inputs): what the forces
-    push.
+    ``stiffness`` K, ``damping`` C (s, n, n). ``inputs`` L (n, p): every force, then every unbalance
+    along y and along z. ``speed`` (s, unbalances) [rad/s]: of the rotors of the unbalances. By the
+    coordinates: ``points`` (3·points, n), displacements; ``rings`` (5·seats, n), displacement of
+    every inner ring against its outer ring in the frame of the bearing; ``sleeves`` (sleeves, n),
+    displacement along the axis, which springs and closed stops resist by ``held`` (s, sleeves)
+    [N/m].
     """
 
     stiffness: Array
     damping: Array
-    rings: Array
+    inputs: Array
+    speed: Array
     points: Array
+    rings: Array
     sleeves: Array
-    pushed: Array
+    held: Array
 
     @classmethod
     def of(cls, scene: Scene, spec: TimeResponseSpec, rows: Indices | None = None) -> Equation:
-        """At all usable speeds, or at some ``rows`` of them."""
+        """At all usable speeds of a scene, or at some ``rows`` of them."""
         parts = [scene.linear(k, rows) for k in scene.with_motions(("bending", "axial"))]
+        spindle = scene.spindle
 
         def joined(each: Callable[[Linear], Array]) -> Array:
             return np.concatenate([each(part) @ part.basis for part in parts], axis=-1)
 
         def displaced(places: list[tuple[str | float, str]]) -> Array:
-            at = [(*scene.spindle.place(point), way) for point, way in places]
-            none = np.zeros((0, 1))
-            return joined(
-                lambda part: np.stack([part.row(*each) for each in at]) if at else none @ none.T
-            )
+            at = [(*spindle.place(point), way) for point, way in places]
+            return joined(lambda part: np.stack([part.row(*each) for each in at]))
 
         acting = [(each.at, each.direction) for each in spec.forces]
         acting += [(each.at, way) for each in spec.unbalances for way in ("y", "z")]
+        ratios = [spindle.ratios[spindle.place(each.at).rotor] for each in spec.unbalances]
         return cls(
             stiffness=_blocks([part.allowed_stiffness for part in parts]),
             damping=_blocks([part.within(part.damping) for part in parts]),
-            rings=joined(lambda part: _rings(scene, part)),
+            inputs=displaced(acting).T,
+            speed=parts[0].speed[:, None] * np.array(ratios),
             points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
+            rings=joined(lambda part: _rings(scene, part)),
             sleeves=joined(lambda part: _sleeves(scene, part)),
-            pushed=displaced(acting).T,
+            held=np.sum([_held(scene, part) for part in parts], axis=0),
         )
 
 
@@ -85,8 +90,19 @@ def _rings(scene: Scene, part: Linear) -> Array:
 
 
 def _sleeves(scene: Scene, part: Linear) -> Array:
-    """Of every sleeve its way along the axis by the coordinates of a subsystem (sleeves, n)."""
+    """Displacement of every sleeve along the axis by the coordinates of a subsystem
+    (sleeves, n)."""
     motions = {each.link.name: each.motions[0] for each in part.connections}
     none = np.zeros(part.size)
     names = [f"sleeve {sleeve.name}" for sleeve in scene.spindle.sleeves]
     return np.array([motions.get(name, none) for name in names]).reshape(-1, part.size)
+
+
+def _held(scene: Scene, part: Linear) -> Array:
+    """What springs and closed stops of the sleeves in a subsystem resist by (s, sleeves) [N/m]."""
+    links = {each.link.name: each.matrices.stiffness for each in part.connections}
+    whole = np.zeros((len(part.speed), len(scene.spindle.sleeves)))
+    for k, sleeve in enumerate(scene.spindle.sleeves):
+        if f"sleeve {sleeve.name}" in links:
+            whole[:, k] = links[f"sleeve {sleeve.name}"][:, 0, 0]
+    return whole

@@ -1,4 +1,4 @@
-"""Forces that act over time: their sizes at given instants, and the motions that they push."""
+"""Forces over time: at given instants, and as means over short times."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def marked(spindle: Spindle, spec: TimeResponseSpec) -> Spindle:
     return with_stations(spindle, spec.places)
 
 
-def sizes(force: ForceOverTime, time: Array) -> Array:
+def values(force: ForceOverTime, time: Array) -> Array:
     """A force [N] at instants ``time`` [s], of the same shape."""
     if force.times:
         return np.interp(time, force.times, force.forces, left=0.0, right=0.0)
@@ -34,13 +34,43 @@ def sizes(force: ForceOverTime, time: Array) -> Array:
     return np.where(acts, force.force * shape, 0.0)
 
 
-def applied(spec: TimeResponseSpec, speed: Array, time: Array) -> Array:
-    """All inputs at speeds of the rotors out of balance (s, unbalances) [rad/s] and instants (t,).
+def impulse(force: ForceOverTime, time: Array) -> Array:
+    """Integral of a force from 0 to ``time`` [N·s], of the same shape."""
+    if force.times:
+        return _of_table(np.array(force.times), np.array(force.forces), time)
+    assert force.force is not None, "a force without a table has a size"
+    acted = np.clip(time, force.start, force.end) - force.start
+    if force.frequency is not None:
+        omega = 2.0 * math.pi * force.frequency
+        shape = (math.cos(force.phase) - np.cos(omega * acted + force.phase)) / omega
+    elif force.pulse is not None:
+        whole = np.zeros_like(acted) if force.period is None else acted // force.period
+        within = acted if force.period is None else acted - whole * force.period
+        phase = math.pi * np.minimum(within, force.pulse) / force.pulse
+        shape = force.pulse / math.pi * (2.0 * whole + 1.0 - np.cos(phase))
+    else:
+        shape = acted
+    return np.asarray(force.force * shape)
 
-    Shape (s, inputs, t) [N]: every force, then of every unbalance its forces along y and z.
-    """
-    steady = [np.broadcast_to(sizes(each, time), (len(speed), len(time))) for each in spec.forces]
+
+def _of_table(times: Array, forces: Array, time: Array) -> Array:
+    """Of straight lines between points."""
+    areas = 0.5 * (forces[1:] + forces[:-1]) * np.diff(times)
+    before, slope = np.concatenate([[0.0], np.cumsum(areas)]), np.diff(forces) / np.diff(times)
+    at = np.clip(time, times[0], times[-1])
+    k = np.clip(np.searchsorted(times, at, side="right") - 1, 0, len(slope) - 1)
+    since = at - times[k]
+    return np.asarray(before[k] + forces[k] * since + 0.5 * slope[k] * since**2)
+
+
+def mean_inputs(spec: TimeResponseSpec, speed: Array, edges: Array) -> Array:
+    """Means between successive ``edges`` (t + 1,) [s] of every force, then of the force of every
+    unbalance along y and z (s, inputs, t) [N]; ``speed`` (s, unbalances) [rad/s] of its rotor."""
+    width, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
+    means = [np.diff(impulse(each, edges)) / width for each in spec.forces]
+    inputs = [np.broadcast_to(mean, (len(speed), len(width))) for mean in means]
     for each, omega in zip(spec.unbalances, speed.T, strict=True):
-        angle, size = omega[:, None] * time + each.angle, each.unbalance * omega[:, None] ** 2
-        steady += [size * np.cos(angle), size * np.sin(angle)]
-    return np.stack(steady, axis=1)
+        angle, turned = omega[:, None] * middle + each.angle, omega[:, None] * width
+        size = each.unbalance * omega[:, None] ** 2 * np.sinc(0.5 * turned / math.pi)
+        inputs += [size * np.cos(angle), size * np.sin(angle)]
+    return np.stack(inputs, axis=1)

@@ -1,9 +1,8 @@
-"""Steps of q̈ + C q̇ + K q = L g(t), exact where g is a quadratic of time.
+"""Steps of q̈ + C q̇ + K q = L g(t) − Rᵀ r(R q), exact where g and r are quadratics of time.
 
-What bearings push depends on where their rings are, at the middle and the end of the step too. The
-equation is linear but for that: over a step the motion of the rings is linear in what bearings
-push, and Newton's method has only as many unknowns as rings have motions, however many coordinates
-the machine has. The error falls with the fourth power of the step.
+The nonlinear forces r of the bearings depend on the displacements R q of their rings, which are
+solved for at the middle and the end of a step. Over a step these are linear in r: Newton's method
+has only as many unknowns as rings have motions, however many coordinates the machine has.
 
 Theory: docs/theory/time_response.md.
 """
@@ -16,43 +15,53 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rotordyn.allowance import require_time
+from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
-from rotordyn.analyses.time_response.remainder import Remainder
 from rotordyn.arrays import Array, Flags, Indices
 
-NODES = 3  # of a step: start, middle, end
+NODES = 3  # of a quadratic: start, middle and end of a step
 LAGRANGE = np.array(  # by powers 1, x, x² of the time over the step: polynomials that are 1 at one
     [[1.0, -3.0, 2.0], [0.0, 4.0, -4.0], [0.0, -1.0, 2.0]]
 )
-BEYOND = np.array([[1.0, -3.0, 3.0], [3.0, -8.0, 6.0]])  # the same at x = 3/2 and 2
-SETTLED = 1e-9  # of the largest way of a ring: a smaller Newton step is the last
-NEARLY = 1e-15  # m, added to that
-ITERATIONS = 12
-AT_ONCE = 1000  # steps for which forces are sampled together
-SUBSTEPS = 64  # of a step, at whose middles forces are sampled
-PLACES = (np.arange(SUBSTEPS) + 0.5) / SUBSTEPS
-FITTED = np.linalg.pinv(np.vander(PLACES, 3, increasing=True) @ LAGRANGE.T)
-"""(3, substeps): of a force the quadratic with its impulse and first moments, so that jumps and
-corners within a step do no harm; at start, middle and end."""
+CONTINUED = np.array([[1.0, -3.0, 3.0], [3.0, -8.0, 6.0]])  # the same at x = 3/2 and 2
+SUBSTEPS = 16  # of a step, over which means of the forces are taken
+_EDGES = np.arange(SUBSTEPS + 1)[:, None] / SUBSTEPS
+_MEANS = SUBSTEPS * np.diff(_EDGES ** [1, 2, 3], axis=0) / [1, 2, 3]  # of 1, x, x²
+FITTED = np.linalg.pinv(_MEANS @ LAGRANGE.T)
+"""(3, substeps): the quadratic whose means are closest; it has the impulse of the force."""
+AT_ONCE = 1000  # steps for which forces are computed together
+CONVERGED = 1e-9  # of the largest displacement of a ring: a smaller Newton step is the last
+ROUNDING = 1e-15  # m, added to that
+ITERATIONS = 20  # two are usual; more only where contacts open or close
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Step:
-    """Of states z = (q, q̇/ω), ω some scale, those at middle and end of a step.
+    """What a step makes of a state z = (q, q̇/ω), ω = ``scale``, and of p inputs at three nodes.
 
-    z = ``free`` z₀ + Σ ``forced`` g, ``free`` (s, 2, m, m) and ``forced`` (s, 2, 3, m, p) with
-    m = 2n coordinates, p inputs and the three nodes of g.
+    At its end, z = ``by_state`` z₀ + ``by_input`` g, (s, m, m) and (s, m, 3p) with m = 2n. What is
+    seen at middle and end alike: ``seen_by_state`` (s, 2, w, m), ``seen_by_input`` (s, 2, w, 3p).
     """
 
-    free: Array
-    forced: Array
+    scale: float
+    by_state: Array
+    by_input: Array
+    seen_by_state: Array
+    seen_by_input: Array
 
     @classmethod
-    def of(cls, stiffness: Array, damping: Array, inputs: Array, length: float) -> Step:
-        """For K and C (s, n, n), L (n, p) and a step of ``length`` [s]."""
+    def of(
+        cls, stiffness: Array, damping: Array, inputs: Array, seen: Array, length: float
+    ) -> Step:
+        """For K and C (s, n, n), L (n, p), what is ``seen`` by the coordinates (w, n), and a step
+        of ``length`` [s].
+
+        Inputs as further states: Van Loan, IEEE Transactions on Automatic Control 23 (1978) 395.
+        """
         from scipy.linalg import expm
 
         s, n, p = *stiffness.shape[:2], inputs.shape[1]
+        # velocities over the highest frequency, or else K dwarfs all other entries
         scale = max(float(np.sqrt(np.abs(stiffness).max())), 1.0 / length)
         m, powers = 2 * n, NODES * p
         rate = np.zeros((s, m + powers, m + powers))
@@ -62,119 +71,184 @@ class Step:
         rate[:, m : m + powers - p, m + p :] = np.eye(powers - p) / length  # of 1, x and x²/2
         both = np.stack([expm(0.5 * length * rate), expm(length * rate)], axis=1)
         by_power = both[:, :, :m, m:].reshape(s, 2, m, NODES, p) * [[1.0], [1.0], [2.0]]
-        return cls(both[:, :, :m, :m], np.einsum("ak,sjmkp->sjamp", LAGRANGE, by_power))
+        by_node = np.einsum("ak,sjmkp->sjmap", LAGRANGE, by_power).reshape(s, 2, m, powers)
+        by_state = both[:, :, :m, :m]
+        shown = seen @ by_state[:, :, :n], seen @ by_node[:, :, :n]
+        return cls(scale, by_state[:, 1], by_node[:, 1], *shown)
+
+    def end(self, state: Array, inputs: Array) -> Array:
+        """The state at the end (s, m), of that at the start and inputs (s, 3, p)."""
+        given = inputs.reshape(len(state), -1, 1)
+        return (self.by_state @ state[..., None] + self.by_input @ given)[..., 0]
+
+    def seen(self, state: Array, inputs: Array) -> Array:
+        """What is seen at middle and end (s, 2, w)."""
+        given = inputs.reshape(len(state), 1, -1, 1)
+        return (self.seen_by_state @ state[:, None, :, None] + self.seen_by_input @ given)[..., 0]
+
+    def of_rings(self, count: int) -> Array:
+        """The last ``count`` of what is seen by as many first inputs (s, 2·count, 2·count), both at
+        middle and end."""
+        s, _, w, _ = self.seen_by_input.shape
+        whole = self.seen_by_input.reshape(s, 2, w, NODES, -1)
+        return whole[:, :, w - count :, 1:, :count].reshape(s, 2 * count, 2 * count)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Path:
     """Motion at the instants (t,): start, middle and end of every step.
 
-    ``watched`` (s, t, points and sleeves), ``rings`` (s, t, 5·seats) and what bearings push beyond
-    their tangents, ``beyond``, alike. ``lost`` (s,): the instant from which on a speed has no
-    answer, t where there is none; ``unsettled`` (s,): since no balance was found with such steps.
+    Displacements of the ``points`` (s, t, 3·points), ``sleeves`` (s, t, sleeves) and ``rings``
+    (s, t, 5·seats), and the nonlinear ``force`` of the bearings (s, t, 5·seats), NaN from instant
+    ``ended`` (s,) on; t where there is an answer to the end. ``unbalanced`` (s,): it ended for want
+    of a balance of the bearings, else since it grew beyond all numbers.
     """
 
-    watched: Array
+    points: Array
+    sleeves: Array
     rings: Array
-    beyond: Array
-    lost: Indices
-    unsettled: Flags
+    force: Array
+    ended: Indices
+    unbalanced: Flags
 
     def every(self, step: int) -> Path:
         """At every so many of the instants."""
-        return replace(
-            self,
-            watched=self.watched[:, ::step],
-            rings=self.rings[:, ::step],
-            beyond=self.beyond[:, ::step],
-            lost=-(-self.lost // step),
-        )
+        names = ("points", "sleeves", "rings", "force")
+        fewer = {name: getattr(self, name)[:, ::step] for name in names}
+        return replace(self, ended=-(-self.ended // step), **fewer)
 
 
 def march(
     equation: Equation,
-    force: Callable[[Array], Array],
+    inputs: Callable[[Array], Array],
     length: float,
     steps: int,
-    bearings: Remainder | None = None,
+    begun: tuple[Array, Array],
+    bearings: Bearings | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Path:
-    """From rest in ``steps`` of ``length`` [s] under inputs ``force``: (s, inputs, t) at instants
-    (t,) [s]. Without ``bearings`` these are linear."""
-    watch = np.concatenate([equation.points, equation.sleeves])
-    rings = equation.rings if bearings is not None else equation.rings[:0]
-    inputs = np.hstack([-rings.T, equation.pushed])
-    step = Step.of(equation.stiffness, equation.damping, inputs, length)
-    speeds, (n, p), r, instants = len(equation.stiffness), inputs.shape, len(rings), 2 * steps + 1
-    seen = np.concatenate([watch, rings])
-    free = seen @ step.free[:, :, :n]
-    forced = np.moveaxis(seen @ step.forced[:, :, :, :n], 2, 3).reshape(speeds, 2, len(seen), -1)
-    to_end = np.moveaxis(step.forced[:, 1], 1, 2).reshape(speeds, 2 * n, -1)
-    by_push = np.moveaxis(rings @ step.forced[:, :, 1:, :n, :r], 2, 3).reshape(speeds, 2 * r, 2 * r)
+    """In ``steps`` of ``length`` [s] from q and q̇ (s, n) as ``begun``.
 
-    state, pushed = np.zeros((speeds, 2 * n)), np.zeros((speeds, NODES, p))
-    path, beyond = np.zeros((speeds, instants, len(seen))), np.zeros((speeds, instants, r))
-    lost, unsettled = np.full(speeds, instants), np.zeros(speeds, dtype=bool)
-    for k in range(0, instants - 1, 2):
-        if k % (2 * AT_ONCE) == 0:
-            require_time("time_response", "not finished")
-            progress(f"step {k // 2} of {steps}")
-            every = np.arange(k // 2, min(k // 2 + AT_ONCE, steps))[:, None] + PLACES
-            sampled = force(length * every.ravel()).reshape(speeds, -1, *every.shape)
-            of_steps = np.einsum("ap,sikp->ksai", FITTED, sampled)
-        pushed[:, :, r:] = of_steps[k // 2 % AT_ONCE]
-        if k:
-            beyond[:, k + 1 : k + NODES] = BEYOND @ beyond[:, k - 2 : k + 1]
-        pushed[:, :, :r] = beyond[:, k : k + NODES]
-        moved = _sum(free, state, forced, pushed)
-        if bearings is not None:
-            alive = lost == instants
-            way = moved[:, :, len(watch) :].reshape(speeds, -1)
-            push, exists, found = _settled(bearings, by_push, way, pushed[:, 1:, :r], alive)
-            lost[alive & ~(exists & found)] = k + 1
-            unsettled |= alive & exists & ~found
-            pushed[:, 1:, :r] = beyond[:, k + 1 : k + NODES] = push
-            moved = _sum(free, state, forced, pushed)
-        path[:, k + 1 : k + NODES] = moved
-        state = (step.free[:, 1] @ state[..., None] + to_end @ pushed.reshape(speeds, -1, 1))[
-            ..., 0
-        ]
-    endless = np.asarray(~np.isfinite(path).all(axis=2))
-    lost = np.minimum(lost, np.where(endless.any(axis=1), endless.argmax(axis=1), instants))
-    gone = np.arange(instants) >= lost[:, None]
-    path[gone], beyond[gone] = np.nan, np.nan
-    return Path(path[..., : len(watch)], path[..., len(watch) :], beyond, lost, unsettled)
-
-
-def _sum(free: Array, state: Array, forced: Array, pushed: Array) -> Array:
-    """What is seen at middle and end (s, 2, seen)."""
-    of_force = pushed.reshape(len(pushed), 1, -1, 1)
-    return (free @ state[:, None, :, None] + forced @ of_force)[..., 0]
-
-
-def _settled(
-    bearings: Remainder, by_push: Array, way: Array, push: Array, alive: Flags
-) -> tuple[Array, Flags, Flags]:
-    """What bearings push beyond their tangents (s, 2, 5·seats) where rings move by ``by_push``
-    (s, 10·seats, 10·seats) of it: Newton's method from ``push``, with which they move by ``way``
-    (s, 10·seats). Then speeds at which every bearing has a state, and at which this is found.
+    ``inputs`` gives means between edges (t + 1,) [s], shape (s, p, t). Without ``bearings`` these
+    are linear. Raises TooCostly where the time of a run is over.
     """
-    shape, (speeds, size) = push.shape, way.shape
-    push, exists, found = push.reshape(speeds, size), alive.copy(), np.zeros(speeds, dtype=bool)
-    scale = np.tile(bearings.lever, 2)
-    for _ in range(ITERATIONS):
-        way[~exists] = 0.0
-        there = bearings.at(way.reshape(speeds, 2, -1, 5))
-        exists &= there.exists
-        beyond = np.where(exists[:, None], there.beyond.reshape(speeds, size), 0.0)
-        slope = np.where(exists[:, None, None, None], there.slope.reshape(speeds, -1, 5, 5), 0.0)
-        turned = np.einsum("sabi,sbij->sabj", by_push.reshape(speeds, size, -1, 5), slope)
-        gap = by_push @ (beyond - push)[..., None]
-        change = np.linalg.solve(np.eye(size) - turned.reshape(by_push.shape), gap)[..., 0]
-        more = np.einsum("sbij,sbj->sbi", slope, change.reshape(speeds, -1, 5))
-        push, way = beyond + more.reshape(speeds, size), way + change
-        bearings.largest = np.maximum(bearings.largest, np.abs(way * scale).max(axis=1))
-        found = np.abs(change * scale).max(axis=1) <= SETTLED * bearings.largest + NEARLY
-        if (found | ~exists).all():
-            break
-    return push.reshape(shape), exists, found
+    rings = equation.rings if bearings is not None else equation.rings[:0]
+    seen, r = np.concatenate([equation.points, equation.sleeves, rings]), len(rings)
+    joined = np.hstack([-rings.T, equation.inputs])
+    step = Step.of(equation.stiffness, equation.damping, joined, seen, length)
+    speeds, instants = len(equation.stiffness), 2 * steps + 1
+    moved = np.full((speeds, instants, len(seen)), np.nan)
+    force, given = np.zeros((speeds, instants, r)), np.zeros((speeds, NODES, joined.shape[1]))
+    state = np.concatenate([begun[0], begun[1] / step.scale], axis=1)
+    moved[:, 0] = begun[0] @ seen.T
+    newton = None
+    if bearings is not None:
+        newton = _Newton(bearings, step.of_rings(r))
+        force[:, 0] = newton.start(moved[:, 0, len(seen) - r :])
+    unbalanced, ended = np.zeros(speeds, dtype=bool), np.full(speeds, instants)
+    for k in range(steps):
+        if k % AT_ONCE == 0:
+            require_time("time_response", "not finished")
+            progress(f"step {k} of {steps}")
+            external = _fitted(inputs, length, k, min(AT_ONCE, steps - k))
+        first, last = 2 * k, 2 * k + NODES
+        given[:, :, r:] = external[k % AT_ONCE]
+        if newton is not None:
+            if k:
+                force[:, first + 1 : last] = CONTINUED @ force[:, first - 2 : first + 1]
+            given[:, :, :r] = force[:, first:last]
+            trial = step.seen(state, given)[:, :, len(seen) - r :]
+            force[:, first + 1 : last], found = newton.balance(trial, given[:, 1:, :r])
+            ended = np.where(~found & ~unbalanced, first + 1, ended)
+            unbalanced |= ~found
+            given[:, :, :r] = force[:, first:last]
+        moved[:, first + 1 : last] = step.seen(state, given)
+        state = step.end(state, given)
+    return _path(equation, moved, force, ended, unbalanced)
+
+
+def _fitted(inputs: Callable[[Array], Array], length: float, first: int, steps: int) -> Array:
+    """At the three nodes of each of some ``steps`` (steps, s, 3, p)."""
+    edges = length * (first + np.arange(steps * SUBSTEPS + 1) / SUBSTEPS)
+    means = inputs(edges)
+    return np.einsum("ac,spkc->ksap", FITTED, means.reshape(*means.shape[:2], steps, SUBSTEPS))
+
+
+def _path(
+    equation: Equation, moved: Array, force: Array, ended: Indices, unbalanced: Flags
+) -> Path:
+    """What was seen, up to where it ends."""
+    lost = np.asarray(~np.isfinite(moved).all(axis=2))
+    ended = np.minimum(ended, np.where(lost.any(axis=1), lost.argmax(axis=1), moved.shape[1]))
+    gone = np.arange(moved.shape[1]) >= ended[:, None]
+    moved[gone], force[gone] = np.nan, np.nan
+    points, sleeves = len(equation.points), len(equation.sleeves)
+    parts = np.split(moved, [points, points + sleeves], axis=2)
+    return Path(parts[0], parts[1], parts[2], force, ended, unbalanced)
+
+
+class _Newton:
+    """Balance of the bearings over a step, by Newton's method.
+
+    Displacements δ (s, 10·seats) of the rings at middle and end are linear in the nonlinear forces
+    r alike: ``by_force`` (s, 10·seats, 10·seats).
+    """
+
+    def __init__(self, bearings: Bearings, by_force: Array) -> None:
+        self._bearings, self._by_force = bearings, by_force
+        speeds, size, _ = by_force.shape
+        self._columns = by_force.reshape(speeds, size, -1, 5).swapaxes(1, 2)
+        self._lever = np.tile(bearings.lever, 2)
+        self._last, self._largest = np.zeros((speeds, size)), np.zeros(speeds)
+        self._alive = np.ones(speeds, dtype=bool)
+
+    def start(self, moved: Array) -> Array:
+        """Nonlinear forces (s, 5·seats) where rings are at the beginning."""
+        twice = np.repeat(moved[:, None], 2, axis=1)
+        force, _, exists = self._evaluate(twice.reshape(self._last.shape))
+        self._alive &= exists
+        self._last = np.where(exists[:, None], twice.reshape(self._last.shape), 0.0)
+        return np.where(exists[:, None], force[:, : moved.shape[1]], 0.0)
+
+    def balance(self, trial: Array, force: Array) -> tuple[Array, Flags]:
+        """Nonlinear forces r (s, 2, 5·seats) in balance, and speeds at which they are; from
+        ``force``, with which rings would be at ``trial`` (s, 2, 5·seats).
+
+        A place without a state of a bearing is one that Newton's method overshot to: the way there
+        from where all had one is halved.
+        """
+        shape = force.shape
+        moved, force = trial.reshape(self._last.shape), force.reshape(self._last.shape)
+        base, good = moved - (self._by_force @ force[..., None])[..., 0], self._last.copy()
+        good_force, found = force.copy(), np.zeros(len(moved), dtype=bool)
+        for _ in range(ITERATIONS):
+            moved[~self._alive] = 0.0
+            here, slope, exists = self._evaluate(moved)
+            slope = np.where(exists[:, None, None, None], slope, 0.0)
+            here = np.where(exists[:, None], here, 0.0)
+            gap = base + (self._by_force @ here[..., None])[..., 0] - moved
+            turned = (self._columns @ slope).swapaxes(1, 2).reshape(self._by_force.shape)
+            change = np.linalg.solve(np.eye(gap.shape[1]) - turned, gap[..., None])[..., 0]
+            more = (slope @ change.reshape(*slope.shape[:2], 5, 1)).reshape(gap.shape)
+            good = np.where(exists[:, None], moved, good)
+            good_force = np.where(exists[:, None], here + more, good_force)
+            size = np.abs(good * self._lever).max(axis=1)
+            small = np.abs(change * self._lever).max(axis=1) <= (
+                CONVERGED * np.maximum(self._largest, size) + ROUNDING
+            )
+            found = exists & small
+            if (found | ~self._alive).all():
+                break
+            moved = np.where(exists[:, None], moved + change, 0.5 * (moved + good))
+        self._alive &= found
+        self._last = np.where(found[:, None], good, self._last)
+        self._largest = np.where(found, np.maximum(self._largest, size), self._largest)
+        return np.where(self._alive[:, None], good_force, 0.0).reshape(shape), self._alive.copy()
+
+    def _evaluate(self, moved: Array) -> tuple[Array, Array, Flags]:
+        """Nonlinear forces (s, 10·seats), slopes (s, 2·seats, 5, 5), where there are states."""
+        speeds = len(moved)
+        found = self._bearings.at(moved.reshape(speeds, 2, -1, 5))
+        self._bearings = found.bearings
+        force, slope = found.force.reshape(moved.shape), found.slope.reshape(speeds, -1, 5, 5)
+        return force, slope, found.exists & self._alive

@@ -9,21 +9,23 @@ from rotordyn.results.display import Shown
 from rotordyn.results.kinds import Array, Words
 
 MILLISECOND = Shown("ms", 1e3)
-ENDED = Absence("from the time on at which a bearing has no state", by=("speed", "time"))
-POINT, BEARING = ("speed", "point"), ("speed", "bearing")
+ENDED = Absence("from the time on at which the answer ends", by=("speed", "time"))
+POINT, BEARING, SLEEVE = ("speed", "point"), ("speed", "bearing"), ("speed", "sleeve")
 
 
 @dataclass(frozen=True)
 class TimeResponseResult:
-    """Motion from the preload state on, bearings by their load–displacement law.
+    """Motion over time, bearings by their nonlinear load–displacement law.
 
-    ``displacement`` is counted from that state; ``linear_displacement``: what it would be if
+    ``displacement`` is counted from the preload state; ``linear_displacement``: what it would be if
     bearings had the tangents of that state, on which frequencies and receptances rest.
-    ``bearing_load``: of the shaft on the bearing, preload included, in the directions of the
-    spindle. ``largest``: farthest way from the state in any direction. ``peak_…``: when the load
-    of a bearing is largest. ``stop_gap``: least gap of an end stop on the way; the motion knows no
-    stops, and where it is below zero a sleeve would strike its own. ``ended``: time up to which
-    there is an answer.
+    ``bearing_load``: of the shaft on the inner ring, preload included and damping not, in the
+    directions of the spindle. ``largest``: greatest magnitude of the displacement.
+    ``peak_pressure`` and ``peak_idle``: largest of the instants at which the load peaks.
+    End stops stay as they are in the preload state: where ``stop_gap``, the least gap of an open
+    one, is below zero it would close. ``holding``: largest force over what holds a sleeve that
+    stands at its stop or is held by dry friction; above 1 it would move. ``ended``: time up to
+    which there is an answer, and ``ending`` why it ends.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -35,33 +37,50 @@ class TimeResponseResult:
     force: Words = coordinate("force", unit="", label="force")
     outcome: Words = quantity("speed", unit="", label="outcome")
     ended: Array = quantity("speed", unit="s", label="end of the answer", printed=MILLISECOND)
+    ending: Words = quantity("speed", unit="", label="why it ends early")
     applied: Array = quantity("time", "force", unit="N", label="applied force")
     displacement: Array = quantity(
         "speed", "time", "point", "axis", unit="m", label="displacement", absent=(ENDED,)
     )
     linear_displacement: Array = quantity(
-        "speed", "time", "point", "axis", unit="m", label="displacement of a linear machine"
+        "speed",
+        "time",
+        "point",
+        "axis",
+        unit="m",
+        label="displacement with linear bearings",
+        absent=(ENDED,),
     )
     bearing_load: Array = quantity(
         "speed", "time", "bearing", "axis", unit="N", label="load on the bearing", absent=(ENDED,)
     )
     largest: Array = quantity(*POINT, unit="m", label="largest displacement")
-    largest_time: Array = quantity(*POINT, unit="s", label="time of that", printed=MILLISECOND)
+    largest_time: Array = quantity(
+        *POINT, unit="s", label="time of the largest displacement", printed=MILLISECOND
+    )
     linear_largest: Array = quantity(
-        *POINT, unit="m", label="largest displacement of a linear machine"
+        *POINT, unit="m", label="largest displacement with linear bearings"
     )
     peak_load: Array = quantity(*BEARING, unit="N", label="largest load on the bearing")
-    peak_time: Array = quantity(*BEARING, unit="s", label="time of that", printed=MILLISECOND)
-    peak_pressure: Array = quantity(*BEARING, unit="Pa", label="contact pressure at that time")
-    peak_idle: Array = quantity(*BEARING, unit="", label="balls without inner load at that time")
+    peak_time: Array = quantity(
+        *BEARING, unit="s", label="time of the largest load", printed=MILLISECOND
+    )
+    peak_pressure: Array = quantity(*BEARING, unit="Pa", label="largest contact pressure")
+    pressure_time: Array = quantity(
+        *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
+    )
+    peak_idle: Array = quantity(*BEARING, unit="", label="most balls without inner load")
     stop_gap: Array = quantity(
-        "speed",
-        "sleeve",
+        *SLEEVE,
         unit="m",
         label="least gap of the end stop",
-        absent=(
-            Absence("of a sleeve without a stop, or that stands at it", by=("speed", "sleeve")),
-        ),
+        absent=(Absence("of a sleeve without an open stop", by=("speed", "sleeve")),),
+    )
+    holding: Array = quantity(
+        *SLEEVE,
+        unit="1",
+        label="largest force over what holds the sleeve",
+        absent=(Absence("of a sleeve that nothing holds", by=("speed", "sleeve")),),
     )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(

@@ -1,7 +1,8 @@
-"""Motion over time under forces, from the preload state on.
+"""Motion over time under forces, at constant speed.
 
-The machine is solved twice: with the tangents of its bearings, and with their law. Steps are halved
-until the motion changes by less than is asked for.
+The machine is solved twice, with the tangents of its bearings and with their law. One half of the
+error asked for is for the model, the other for the steps of time, which are halved until the motion
+changes by less.
 
 Theory: docs/theory/time_response.md.
 """
@@ -14,21 +15,21 @@ from typing import NamedTuple
 import numpy as np
 
 from rotordyn.allowance import require_marching
+from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
-from rotordyn.analyses.time_response.forces import applied, sizes
+from rotordyn.analyses.time_response.forces import mean_inputs, values
 from rotordyn.analyses.time_response.march import Path, march
-from rotordyn.analyses.time_response.remainder import Remainder
+from rotordyn.analyses.time_response.peaks import loads_and_peaks, longest
 from rotordyn.analyses.time_response.result import TimeResponseResult
+from rotordyn.analyses.time_response.sleeves import sleeve_margins
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.arrays import Array, Indices
-from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
-from rotordyn.preload.arrangement import SHAFT
-from rotordyn.scene.refinement import changes, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import changes, relative_change, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
-LEAST = 0.1  # of the error asked for is left to the steps
-AXES = len(DIRECTIONS)
+HALF = 0.5  # of the error asked for, that model and steps may have each
+ENDINGS = {True: "no balance of the bearings is found", False: "it grows beyond all numbers"}
 
 
 class Motion(NamedTuple):
@@ -45,46 +46,60 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     Raises
     ------
     NoSolution : no speed has one
+    TooCostly : it would take longer, or more memory, than a run may
     """
     for k in scene.with_motions(("bending", "axial")):
-        scene.system(k)  # tells of instability (``Scene.warnings``)
-    seats = len(scene.spindle.seats)
-    require_marching("time_response", len(scene.usable) * seats, 0.75 * spec.samples)
+        scene.system(k)  # whose free motions ``Scene.warnings`` looks at for instability
+    _require(scene, spec, 0.75)
     scene, linear = solve_accurately(
-        scene, partial(_linear, spec), lambda motion: float(motion.error.max())
+        scene, partial(_linear, spec), lambda motion: float(motion.error.max()) / HALF
     )
-    if not seats:
+    if not scene.spindle.seats:
         return _result(scene, spec, linear, linear.path, None)
-    bearings, left = Remainder.of(scene), response_accuracy(scene) - np.nanmax(linear.error)
-    nonlinear = _nonlinear(scene, spec, bearings, max(left, LEAST * response_accuracy(scene)))
+    bearings = Bearings.of(scene)
+    nonlinear = _nonlinear(scene, spec, bearings)
     both = nonlinear._replace(error=nonlinear.error + linear.error)
     return _result(scene, spec, both, linear.path, bearings)
 
 
+def _require(scene: Scene, spec: TimeResponseSpec, share: float) -> None:
+    """Time and memory of steps, so many as a ``share`` of the instants of the result."""
+    states, seats = len(scene.usable), len(scene.spindle.seats)
+    followed = 3 * len(spec.points) + len(scene.spindle.sleeves) + 10 * seats
+    require_marching("time_response", states * seats, share * spec.samples, states * followed)
+
+
 def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
-    """Of the linear machine; its error is the change by a finer model."""
-    path = _path(scene, spec, spec.samples // 2)
-    if scene.rigid or not scene.checks.wanted:
-        return Motion(path, np.full(len(spec.points), 0.0 if scene.rigid else np.nan))
+    """Of the linear machine, in half the usual steps; its error is the change by a finer model in
+    half of those."""
+    equation, count = Equation.of(scene, spec), spec.samples - 1
+    path = _path(scene, spec, equation, count).every(2)
+    if not scene.checks.wanted:
+        return Motion(path, np.full(len(spec.points), np.nan))
 
-    def values(one: Scene, rows: Indices) -> Array:
-        return _displacement(_path(one, spec, spec.samples // 2, rows=rows), spec)
+    def moved(one: Scene, rows: Indices) -> Array:
+        finer = 2 if one is not scene else 1
+        found = _path(one, spec, Equation.of(one, spec, rows), finer * count)
+        return _displacement(found.every(2 * finer))
 
-    return Motion(path, changes(scene, values, 2))
+    return Motion(path, changes(scene, moved, 2))
 
 
-def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Remainder, wanted: float) -> Motion:
-    """With the law of the bearings; its error is the change by the last halving of the steps, if it
-    can be below what is ``wanted``."""
-    count = spec.samples // 4
-    path = _path(scene, spec, count, bearings)
+def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Bearings) -> Motion:
+    """With the law of the bearings; its error is the change by the last halving of the steps."""
+    equation, count = Equation.of(scene, spec), spec.samples // 4
+    if not scene.checks.wanted:
+        path = _path(scene, spec, equation, 2 * count, bearings)
+        return Motion(path, np.full(len(spec.points), np.nan))
+    path, wanted = _path(scene, spec, equation, count, bearings), HALF * response_accuracy(scene)
     for halving in range(HALVINGS):
-        before, path = path, _path(scene, spec, 2 ** (halving + 1) * count, bearings)
-        here = _displacement(path.every(2), spec)
-        change = np.abs(here - _displacement(before, spec))
-        size = np.nan_to_num(np.abs(here)).max(axis=(0, 1, 3))
-        error = np.nan_to_num(change).max(axis=(0, 1, 3)) / np.where(size > 0.0, size, 1.0)
-        if error.max() <= wanted and not path.unsettled.any():
+        if halving:
+            _require(scene, spec, 0.5 * 2**halving)
+        before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, bearings)
+        here, there = _displacement(path.every(2)), _displacement(before)
+        error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2)
+        ended = len(path.points[0])
+        if error.max() <= wanted and (path.ended == ended).all():
             break
     return Motion(path.every(2**halving), error)
 
@@ -92,31 +107,60 @@ def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Remainder, wanted
 def _path(
     scene: Scene,
     spec: TimeResponseSpec,
+    equation: Equation,
     count: int,
-    bearings: Remainder | None = None,
-    rows: Indices | None = None,
+    bearings: Bearings | None = None,
 ) -> Path:
-    """In so many steps, at all usable speeds or at some ``rows`` of them."""
-    equation = Equation.of(scene, spec, rows)
-    speed = scene.speed[scene.usable] if rows is None else scene.speed[scene.usable[rows]]
-    ratios = [scene.spindle.ratios[scene.spindle.place(each.at).rotor] for each in spec.unbalances]
-    force = partial(applied, spec, speed[:, None] * np.array(ratios))
-    return march(equation, force, spec.duration / count, count, bearings, scene.progress)
+    """In so many steps."""
+    inputs = partial(mean_inputs, spec, equation.speed)
+    begun = _on_orbit(spec, equation)
+    step = spec.duration / count
+    return march(equation, inputs, step, count, begun, bearings, scene.progress)
 
 
-def _displacement(path: Path, spec: TimeResponseSpec) -> Array:
+def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
+    """q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; at rest where a speed has
+    none, at a critical speed without damping."""
+    s, n, _ = equation.stiffness.shape
+    begun = np.zeros((2, s, n))
+    first = len(spec.forces)
+    for k, (each, omega) in enumerate(zip(spec.unbalances, equation.speed.T, strict=True)):
+        along_y, along_z = equation.inputs[:, first + 2 * k : first + 2 * k + 2].T
+        size = each.unbalance * omega**2 * np.exp(1j * each.angle)
+        load = size[:, None] * (along_y - 1j * along_z)  # along z a quarter turn later
+        swing = 1j * omega[:, None, None]
+        dynamic = equation.stiffness + swing * equation.damping + swing**2 * np.eye(n)
+        for row in np.flatnonzero(omega):
+            try:
+                moved = np.linalg.solve(dynamic[row], load[row])
+            except np.linalg.LinAlgError:
+                continue
+            begun[:, row] += moved.real, (1j * omega[row] * moved).real
+    return begun[0], begun[1]
+
+
+def _displacement(path: Path) -> Array:
     """Of the points (s, t, points, 3)."""
-    watched = path.watched[..., : AXES * len(spec.points)]
-    return watched.reshape(*watched.shape[:2], len(spec.points), AXES)
+    return path.points.reshape(*path.points.shape[:2], -1, len(DIRECTIONS))
 
 
 def _result(
-    scene: Scene, spec: TimeResponseSpec, motion: Motion, linear: Path, bearings: Remainder | None
+    scene: Scene,
+    spec: TimeResponseSpec,
+    motion: Motion,
+    linear: Path,
+    bearings: Bearings | None,
 ) -> TimeResponseResult:
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
-    moved, straight = _displacement(path, spec), _displacement(linear, spec)
-    load, at, pressure, idle = _of_bearings(scene, path, bearings)
-    far, size = _largest(moved)
+    moved, straight = _displacement(path), _displacement(linear)
+    far, size = longest(moved)
+    ending = ["" for _ in scene.speed]
+    for row, one in enumerate(scene.usable):
+        if path.ended[row] < spec.samples:
+            ending[one] = ENDINGS[bool(path.unbalanced[row])]
+    loads = loads_and_peaks(scene, path, time, bearings)
+    margins = sleeve_margins(scene, Equation.of(scene, spec).held, path.sleeves)
+    applied = [values(each, time) for each in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,
         time=time,
@@ -126,60 +170,16 @@ def _result(
         sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
         force=tuple(each.name or f"force {k}" for k, each in enumerate(spec.forces, start=1)),
         outcome=scene.outcome,
-        ended=scene.scattered(time[np.minimum(path.lost, spec.samples) - 1]),
-        applied=np.stack([sizes(each, time) for each in spec.forces], axis=1)
-        if spec.forces
-        else np.zeros((spec.samples, 0)),
+        ended=scene.scattered(time[np.minimum(path.ended, spec.samples) - 1]),
+        ending=tuple(ending),
+        applied=np.array(applied).reshape(len(spec.forces), spec.samples).T,
         displacement=scene.scattered(moved),
         linear_displacement=scene.scattered(straight),
-        bearing_load=scene.scattered(load),
         largest=scene.scattered(size),
         largest_time=scene.scattered(time[far]),
-        linear_largest=scene.scattered(_largest(straight)[1]),
-        peak_load=scene.scattered(_largest(load)[1]),
-        peak_time=scene.scattered(time[at]),
-        peak_pressure=scene.scattered(pressure),
-        peak_idle=scene.scattered(idle),
-        stop_gap=scene.scattered(_stop_gaps(scene, path.watched[..., AXES * len(spec.points) :])),
+        linear_largest=scene.scattered(longest(straight)[1]),
+        **{name: scene.scattered(each) for name, each in loads.items()},
+        **{name: scene.scattered(each) for name, each in margins.items()},
         error=motion.error,
         error_asked=response_accuracy(scene),
     )
-
-
-def _largest(values: Array) -> tuple[Indices, Array]:
-    """When vectors (s, t, n, 3) are longest (s, n), and how long they are."""
-    length = np.nan_to_num(np.linalg.norm(values, axis=-1))
-    return length.argmax(axis=1), length.max(axis=1)
-
-
-def _of_bearings(
-    scene: Scene, path: Path, bearings: Remainder | None
-) -> tuple[Array, Indices, Array, Array]:
-    """Loads of the shaft on them (s, t, seats, 3) in the directions of the spindle; the instant at
-    which that is largest, and there the contact pressure and the balls without load (s, seats)."""
-    seats = scene.spindle.seats
-    shape = (*path.watched.shape[:2], len(seats))
-    if bearings is None:
-        none = np.zeros((shape[0], shape[2]))
-        return np.zeros((*shape, AXES)), none.astype(np.intp), none, none
-    rings, beyond = (part.reshape(*shape, 5) for part in (path.rings, path.beyond))
-    load = bearings.load[:, None] + beyond
-    load = load + np.einsum("skij,stkj->stki", bearings.tangent, rings)
-    thrust = np.array([seat.thrust for seat in seats])
-    turn = np.where(thrust[:, None] < 0, HALF_TURN_ABOUT_Y[:AXES], 1.0)
-    load = load[..., :AXES] * turn
-    at = _largest(load)[0]
-    there = np.take_along_axis(rings, at[:, None, :, None], axis=1)[:, 0]
-    return load, at, *bearings.balls_at(np.nan_to_num(there))
-
-
-def _stop_gaps(scene: Scene, way: Array) -> Array:
-    """Least gap of the end stops (s, sleeves) where sleeves move along the axis (s, t, sleeves);
-    NaN of those without a stop, or that stand at it."""
-    if not scene.spindle.sleeves or not scene.spindle.seats:
-        return np.full((len(way), way.shape[-1]), np.nan)
-    state, rows = scene.preload, scene.bearing_row[scene.usable]
-    outward = state.network.arrangement.direction[SHAFT + 1 :]
-    gap = state.stop_gaps()[rows] + np.nanmin(outward * way, axis=1)
-    stops = np.isfinite(state.limit[SHAFT + 1 :])
-    return np.where(stops & ~state.stopped[rows], gap, np.nan)

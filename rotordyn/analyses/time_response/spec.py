@@ -23,7 +23,7 @@ from rotordyn.quantity import (
 )
 from rotordyn.scene.formulation import ROTATING
 from rotordyn.scene.loads import At, Unbalance
-from rotordyn.scene.spec import Setting, Spec, placed
+from rotordyn.scene.spec import Setting, Spec, placed, turning
 
 DIRECTIONS = ("x", "y", "z")
 SAMPLES = 20  # instants given in a period of the highest frequency
@@ -34,22 +34,20 @@ MOST_SAMPLES = 1_000_000
 class ForceOverTime(Description):
     """A force on the shaft that changes with time.
 
-    Of one shape: constant from `start` to `end`; sinusoidal where it has a `frequency`; half sines
-    where it has a `pulse`, one or one every `period`; or by a table of `times` and `forces`,
-    straight in between and zero outside.
+    Of one shape: constant; sinusoidal where it has a `frequency`; half sines where it has a
+    `pulse`, a single one or one every `period`; or by a table of `times` and `forces`, straight in
+    between and zero outside.
     """
 
     at: Annotated[At, "where it acts: a point or station"]
-    direction: Annotated[str, Choice(DIRECTIONS), "in which it acts"]
+    direction: Annotated[str, Choice(DIRECTIONS), "along which axis it acts"]
     name: Annotated[OptionalName, "in results; by default its number"] = ""
-    force: Annotated[Force | None, "its size; the amplitude of what swings"] = None
-    start: Annotated[Instant, "when it sets in"] = 0.0
+    force: Annotated[Force | None, "or the amplitude of a sine, a half sine"] = None
+    start: Annotated[Instant, "when it begins"] = 0.0
     end: Annotated[LastInstant, "when it ends"] = math.inf
     frequency: Annotated[Frequency | None, "of a sinusoidal force"] = None
-    phase: Annotated[Angle, "of a sinusoidal force at its start: 0° of a sine, 90° of a cosine"] = (
-        0.0
-    )
-    pulse: Annotated[TimeSpan | None, "length of a half sine"] = None
+    phase: Annotated[Angle, "of a sinusoidal force at its start; 90° of a cosine"] = 0.0
+    pulse: Annotated[TimeSpan | None, "duration of a half sine"] = None
     period: Annotated[TimeSpan | None, "from the start of one half sine to that of the next"] = None
     times: Annotated[tuple[Instant, ...], "of a table, ascending"] = ()
     forces: Annotated[tuple[Force, ...], "of a table, one for each of `times`"] = ()
@@ -79,9 +77,10 @@ class ForceOverTime(Description):
             yield ("period",), "shorter than the pulse: given {given}; allowed: at least the pulse"
 
     def _of_table(self) -> Faults:
-        for key in ("frequency", "pulse", "period"):
-            if self.times and getattr(self, key) is not None:
-                yield (key,), "given beside a table of times and forces: leave one of both out"
+        given = {key: getattr(self, key) is not None for key in ("frequency", "pulse", "period")}
+        given |= {"start": self.start > 0.0, "end": self.end < math.inf}
+        for key in (key for key, there in given.items() if there and self.times):
+            yield (key,), "given beside a table of times and forces: leave one of both out"
         if len(self.times) != len(self.forces):
             counts = f"given {len(self.times)} and {len(self.forces)}"
             yield ("forces",), f"times and forces are not as many: {counts}"
@@ -92,16 +91,16 @@ class ForceOverTime(Description):
 
 @dataclass(frozen=True, slots=True)
 class TimeResponseSpec(Spec):
-    """Motion over time under forces and unbalance, from the preload state on.
+    """Motion over time under forces and unbalance, at constant speed.
 
-    Bearings follow their load–displacement law, of which all other analyses take the tangent.
-    Forces and unbalances act together; they set in at time 0 unless they say otherwise.
+    Bearings follow their nonlinear load–displacement law, of which other analyses take the
+    tangent. The machine begins in its preload state, on the steady orbit of its unbalances.
     """
 
-    duration: Annotated[TimeSpan, "how long"]
+    duration: Annotated[TimeSpan, "length of time that is computed"]
     max_frequency: Annotated[
         Frequency,
-        "highest frequency of interest: modes far above it are truncated, and results given "
+        "up to which the machine is modelled; forces have none above it, and results are given "
         f"{SAMPLES} times in its period",
     ]
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
@@ -110,7 +109,8 @@ class TimeResponseSpec(Spec):
 
     @property
     def samples(self) -> int:
-        """Instants in results, both ends counted: a multiple of four, and one."""
+        """Instants in results, both ends counted: a multiple of four and one, so that steps of two
+        intervals can be halved from twice that length."""
         return 4 * math.ceil(self.duration * self.max_frequency * SAMPLES / 4.0 - 1e-6) + 1
 
     @property
@@ -139,6 +139,12 @@ class TimeResponseSpec(Spec):
                     "above max_frequency: given {given}; allowed: up to "
                     f"{self.max_frequency:g} Hz, or a higher max_frequency",
                 )
+            if each.pulse is not None and each.pulse < 0.5 / self.max_frequency:
+                yield (
+                    ("forces", index, "pulse"),
+                    "shorter than a half sine of max_frequency: given {given}; allowed: from "
+                    f"{0.5 / self.max_frequency:g} s, or a higher max_frequency",
+                )
             if each.start >= self.duration:
                 yield (
                     ("forces", index, "start"),
@@ -159,6 +165,22 @@ class TimeResponseSpec(Spec):
             )
         if not misnamed(spindle):
             yield from self._places(spindle)
+            yield from self._turning_slowly(setting)
+
+    def _turning_slowly(self, setting: Setting) -> Faults:
+        """Unbalances turn no faster than the machine is modelled."""
+        top = max(setting.speeds, default=0.0) / (2.0 * math.pi)
+        for each in self.unbalances:
+            if isinstance(each.at, str) and each.at not in setting.spindle.places:
+                continue
+            ratio = abs(setting.spindle.ratios[setting.spindle.place(each.at).rotor])
+            if ratio * top > self.max_frequency:
+                yield (
+                    ("max_frequency",),
+                    "below the speed at which unbalance turns: given {given}; allowed: from "
+                    f"{ratio * top:g} Hz",
+                )
+                return
 
     def _places(self, spindle: Spindle) -> Faults:
         """Points exist, and what is out of balance turns."""
@@ -169,11 +191,4 @@ class TimeResponseSpec(Spec):
             for index, at in enumerate(each.at for each in acting):
                 yield from placed(at, spindle, (key, index, "at"), rotors=True)
         for index, each in enumerate(self.unbalances):
-            if isinstance(each.at, str) and each.at not in spindle.places:
-                continue
-            rotor = spindle.place(each.at).rotor
-            if spindle.ratios[rotor] == 0.0:
-                yield (
-                    ("unbalances", index, "at"),
-                    f"rotor '{rotor}' stands still, and no unbalance acts there",
-                )
+            yield from turning(each.at, spindle, ("unbalances", index, "at"))

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.time_response.result import TimeResponseResult
+from rotordyn.analyses.time_response.result import MILLISECOND, TimeResponseResult
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
-PLASTIC = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
+MOST = 6  # points or bearings listed
 
 
 def summary(result: TimeResponseResult) -> Iterator[str]:
@@ -22,8 +24,8 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
         moved = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
-                f"{result.largest_time[row, k] * 1e3:.3g} ms (linear "
-                f"{result.linear_largest[row, k] * MICROMETRE.factor:.4g})"
+                f"{result.largest_time[row, k] * MILLISECOND.factor:.3g} ms (linear bearings "
+                f"{result.linear_largest[row, k] * MICROMETRE.factor:.4g} µm)"
             )
             for k, name in enumerate(result.point)
         ]
@@ -34,17 +36,22 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             )
             for k, name in enumerate(result.bearing)
         ]
-        rpm = f"{result.speed[row] * RPM.factor:.0f} rpm"
-        yield f"over time  {rpm}, largest displacement: {', '.join(moved)}"
+        yield f"over time  {_rpm(result, row)}, largest displacement: {_few(moved)}"
         if pushed:
-            yield f"           largest load and pressure then: {', '.join(pushed)}"
+            yield f"           largest load and contact pressure: {_few(pushed)}"
+
+
+def _few(words: list[str]) -> str:
+    rest = len(words) - MOST
+    return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
 
 
 def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
     """By point the largest displacement at the first and the last speed, and the largest load of
     any bearing."""
     for k, name in enumerate(result.point):
-        yield from ends(result, name, MICROMETRE.unit, result.largest[:, k] * 1e6, digits=2)
+        largest = result.largest[:, k] * MICROMETRE.factor
+        yield from ends(result, name, MICROMETRE.unit, largest, digits=2)
     if result.bearing:
         yield from ends(result, "bearing load", "N", result.peak_load.max(axis=1), digits=0)
 
@@ -57,30 +64,19 @@ def accuracy(result: TimeResponseResult) -> list[str]:
 
 def warnings(result: TimeResponseResult) -> Iterator[str]:
     """Where the answer ends early, what its hypotheses do not hold for, and its accuracy."""
-    for row in np.flatnonzero(result.ended < result.time[-1]).tolist():
-        yield (
-            f"time_response: at {_rpm(result, row)} a bearing has no state at "
-            f"{result.ended[row] * 1e3:.4g} ms, with its rings where the forces push them, and the "
-            "response ends there: lower the forces, or raise the preload"
-        )
-    for k, name in enumerate(result.sleeve):
-        struck = np.flatnonzero(result.stop_gap[:, k] < 0.0)
-        if struck.size:
-            row = int(struck[result.stop_gap[struck, k].argmin()])
+    for row, why in enumerate(result.ending):
+        if why:
             yield (
-                f"time_response: sleeve {name} would go "
-                f"{-result.stop_gap[row, k] * MICROMETRE.factor:.3g} µm beyond its end stop at "
-                f"{_rpm(result, row)}: the response knows no stops, and is right only until then"
+                f"time_response: at {_rpm(result, row)} the motion is computed up to "
+                f"{result.ended[row] * MILLISECOND.factor:.4g} ms, from where on {why}: lower the "
+                "forces, or look at the stability of the machine"
             )
+    yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
-        pressure = np.nan_to_num(result.peak_pressure[:, k])
-        if pressure.max(initial=0.0) > PLASTIC:
-            row = int(pressure.argmax())
-            yield (
-                f"time_response: the contact pressure in bearing {name} reaches "
-                f"{pressure[row] * GIGAPASCAL.factor:.1f} GPa at {_rpm(result, row)}, above the "
-                "4.2 GPa that leave dents (ISO 76)"
-            )
+        peak = np.nan_to_num(result.peak_pressure[:, k])
+        if sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
+            beyond = ", where no contact is elastic and results mean nothing"
+            yield sentence + beyond * bool(peak.max() > HIGHEST_PRESSURE)
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
@@ -88,6 +84,26 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
         )
+
+
+def _sleeves(result: TimeResponseResult) -> Iterator[str]:
+    """Stops that would close or open, friction that would give way."""
+    for k, name in enumerate(result.sleeve):
+        gap, holding = np.nan_to_num(result.stop_gap[:, k]), np.nan_to_num(result.holding[:, k])
+        row = int(gap.argmin())
+        if gap[row] < 0.0:
+            yield (
+                f"time_response: sleeve {name} would go {-gap[row] * MICROMETRE.factor:.3g} µm "
+                f"beyond its end stop at {_rpm(result, row)}; stops do not close in the response, "
+                "which is right only up to there"
+            )
+        row = int(holding.argmax())
+        if holding[row] > 1.0:
+            yield (
+                f"time_response: {holding[row]:.3g} times what holds sleeve {name}, its stop or "
+                f"dry friction, pulls at it at {_rpm(result, row)}; it stays in the response, "
+                "which is right only up to there"
+            )
 
 
 def _rpm(result: TimeResponseResult, row: int) -> str:

@@ -11,7 +11,7 @@ from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Items, PointName
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
-from rotordyn.scene.spec import Setting, Spec, placed, spanned
+from rotordyn.scene.spec import Setting, Spec, placed, spanned, turning
 from rotordyn.units import format_quantity
 
 
@@ -58,9 +58,8 @@ class UnbalanceSpec(Spec):
                 continue
             rotor = spindle.place(at).rotor
             ratio = spindle.ratios[rotor]
-            if ratio == 0.0:
-                yield path, f"rotor '{rotor}' stands still, and no unbalance acts there"
-            elif ratio == ratio and ratio not in first:
+            yield from turning(at, spindle, path)
+            if ratio == ratio and ratio != 0.0 and ratio not in first:
                 first[ratio] = rotor
                 if len(first) > 1:
                     others = " and ".join(f"'{name}'" for name in first.values())

@@ -42,7 +42,7 @@ def motion_figure(result: TimeResponseResult) -> Figure:
             moved = result.displacement[row, :, k, axis] * MICROMETRE.factor
             axes.plot(result.time * 1e3, linear, color=GREY, lw=0.8, zorder=1.5)
             axes.plot(result.time * 1e3, moved, label=name, **{**line_of(axis), "lw": 1.0})
-        axes.plot([], [], color=GREY, lw=0.8, label="by linear bearings")
+        axes.plot([], [], color=GREY, lw=0.8, label="linear bearings")
         _name(axes, result, row, first=not k, last=k == len(points) - 1)
         if not column:
             axes.set_ylabel(f"{points[k]} [µm]", fontsize=FONT_SIZE)

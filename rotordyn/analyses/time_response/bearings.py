@@ -1,0 +1,105 @@
+"""Nonlinear forces of the bearings: their load less that of their tangents."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from bearings.ring.assembly import full_assembly
+from bearings.ring.iterate import Settled, settled
+from bearings.ring.request import solved
+from bearings.ring.state import BearingState
+from rotordyn.arrays import Array, Flags
+from rotordyn.scene.scene import Scene
+
+PLACES = 2  # in time at which bearings are solved together: middle and end of a step
+
+
+class Evaluation(NamedTuple):
+    """Nonlinear forces (s, 2, seats, 5), their slopes (s, 2, seats, 5, 5), speeds at which every
+    bearing has a state (s,), and the bearings where they stand now."""
+
+    force: Array
+    slope: Array
+    exists: Flags
+    bearings: Bearings
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Bearings:
+    """All bearings about their preload states at usable speeds (s,), in their own frames.
+
+    ``displacement``, ``load`` (s, seats, 5) and ``tangent`` (s, seats, 5, 5) of these states;
+    ``radius`` (seats,) of the pitch circles [m]; ``states``: by model the seats and their states
+    (s, places); ``near``: where the balls of these stand (s, places, 2), sought from there.
+    """
+
+    displacement: Array
+    load: Array
+    tangent: Array
+    radius: Array
+    states: list[tuple[list[int], BearingState]]
+    near: list[Settled]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Bearings:
+        """About the preload state of a scene."""
+        placed, rows = scene.preload.seat_states(), scene.bearing_row[scene.usable]
+        by_model: dict[int, tuple[BearingState, list[int]]] = {}
+        for seat, (state, _) in enumerate(placed):
+            by_model.setdefault(id(state), (state, []))[1].append(seat)
+        displacement, load = np.zeros((2, len(rows), len(placed), 5))
+        states, near = [], []
+        for state, seats in by_model.values():
+            columns = np.array([placed[seat][1] for seat in seats])
+            chosen = state.rows(np.ix_(rows, columns))
+            twice = np.repeat(chosen.displacement[:, :, None], PLACES, axis=2)
+            balls = settled(chosen.operation.at(twice), full_assembly)
+            states.append((seats, chosen))
+            near.append(balls)
+            displacement[:, seats], load[:, seats] = chosen.displacement, balls.load[:, :, 0]
+        radius = np.array([0.5 * seat.bearing.pitch_diameter for seat in scene.spindle.seats])
+        return cls(displacement, load, scene.seat_stiffness, radius, states, near)
+
+    @property
+    def lever(self) -> Array:
+        """What makes displacements of rings lengths (5·seats,): 1, 1, 1 and the radius twice."""
+        one = np.ones_like(self.radius)
+        return np.stack([one, one, one, self.radius, self.radius], axis=1).ravel()
+
+    def at(self, moved: Array) -> Evaluation:
+        """With rings displaced by ``moved`` (s, 2, seats, 5) from their states."""
+        moved, near = moved.swapaxes(1, 2), []
+        force, slope = np.zeros(moved.shape), np.zeros((*moved.shape, 5))
+        exists = np.ones(len(moved), dtype=bool)
+        for (seats, _), before in zip(self.states, self.near, strict=True):
+            here = before.moved(self.displacement[:, seats, None] + moved[:, seats])
+            near.append(here)
+            force[:, seats] = here.load - self.load[:, seats, None]
+            slope[:, seats] = here.stiffness - self.tangent[:, seats, None]
+            exists &= np.isfinite(here.error).all(axis=(1, 2))
+        force -= np.einsum("skij,sknj->skni", self.tangent, moved)
+        return Evaluation(
+            force.swapaxes(1, 2), slope.swapaxes(1, 2), exists, replace(self, near=near)
+        )
+
+    def loads(self, moved: Array, force: Array) -> Array:
+        """Whole loads (s, t, seats, 5) of rings displaced by ``moved`` with the nonlinear ``force``
+        there, both (s, t, 5·seats)."""
+        shape = (*moved.shape[:2], len(self.radius), 5)
+        linear = np.einsum("skij,stkj->stki", self.tangent, moved.reshape(shape))
+        return np.asarray(self.load[:, None] + linear + force.reshape(shape))
+
+    def balls_at(self, moved: Array) -> tuple[Array, Array]:
+        """With rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure [Pa] and
+        count of the balls that the inner race does not load (s, seats, k)."""
+        pressure, idle = np.zeros((2, *moved.shape[:3]))
+        for seats, state in self.states:
+            there = self.displacement[:, seats, None] + moved[:, seats]
+            found = solved(state.operation.at(there))
+            largest = np.maximum(found.inner_pressure, found.outer_pressure)
+            pressure[:, seats] = largest.max(axis=-1)
+            idle[:, seats] = (found.inner_load <= 0.0).sum(axis=-1)
+        return pressure, idle
