@@ -15,6 +15,7 @@ TIMES = (
     ("-m", "benchmarks.report"),
     ("-m", "benchmarks.study"),
     ("-m", "benchmarks.scaling"),
+    ("-m", "benchmarks.marching"),
 )
 SURVEYS = (("-m", "benchmarks.random_rotors"), ("-m", "benchmarks.random_bearings"))
 

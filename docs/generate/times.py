@@ -69,6 +69,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "optima": _optima(found),
         "precision": _precision(found),
         **sweep_parts(found["sweeps"]),
+        "precision-time": _marching(found),
         **scaling_parts(found["scaling"]),
         **peer_parts(found["peer"]),
         **interval_parts(found["intervals"]),
@@ -147,6 +148,13 @@ def _page(found: Measured) -> str:
         ("and its first charts are drawn", f"{drawn:.2f} s", "", ""),
     ]
     return table(("page of the flagship", "measured:", "target:", ""), rows)
+
+
+def _marching(found: Measured) -> str:
+    rows = [
+        (f"{r['steps']:.3g}", f"{r['error']:.0e}", f"{r['seconds']:.2f}") for r in found["marching"]
+    ]
+    return table(("steps in a period of max_frequency:", "true error:", "time [s]:"), rows)
 
 
 def _precision(found: Measured) -> str:
