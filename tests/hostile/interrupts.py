@@ -49,6 +49,11 @@ CASES = {
         "unbalance: {points: [nose], unbalances: [{at: nose, unbalance: 1 g mm}]}", MANY
     ),
     "section_forces": _rotor("section_forces: {loads: [{at: nose, Fy: 1 kN}]}", MANY),
+    "time_response": _rotor(
+        "time_response: {duration: 100 ms, max_frequency: 8 kHz, points: [nose], forces: "
+        "[{at: nose, direction: y, force: 1 kN}]}",
+        "{from: 0 rpm, to: 12000 rpm, count: 20}",
+    ),
     "static_sag": _rotor("static_sag: {point: nose}", MANY),
     "life": _rotor("life: {}", MANY),
     "thermal_preload": _rotor(

@@ -182,7 +182,8 @@ def _speeds(chance: random.Random, highest: float) -> Any:
 
 
 def _analyses(chance: random.Random, spindle: Mapping) -> Mapping:
-    highest = f"{_decades(chance, 0.1, 1e6):.6g} Hz"
+    top, periods = _decades(chance, 0.1, 1e6), _decades(chance, 0.1, 100.0)
+    highest = f"{top:.6g} Hz"
     point = chance.choice(("front", "inside"))
     port, force = chance.choice((("y", "y"), ("x", "x"), ("y", "z"), ("thy", "y"), ("y", "thz")))
     every: Mapping = {
@@ -206,6 +207,18 @@ def _analyses(chance: random.Random, spindle: Mapping) -> Mapping:
             "loads": [{"at": point, "Fy": "1 kN", "Mx": chance.choice(("0 N m", "1 N m"))}]
         },
         "static_sag": {"point": point},
+        "time_response": {
+            "duration": f"{min(periods / top, 100.0):.6g} s",
+            "max_frequency": highest,
+            "points": [point],
+            "forces": [
+                {
+                    "at": point,
+                    "direction": chance.choice("xyz"),
+                    "force": f"{_decades(chance, 1e-6, 1e7):.6g} N",
+                }
+            ],
+        },
     }
     if "bearings" in spindle:
         every |= {

@@ -29,6 +29,7 @@ _EDGES = np.arange(SUBSTEPS + 1)[:, None] / SUBSTEPS
 _MEANS = SUBSTEPS * np.diff(_EDGES ** [1, 2, 3], axis=0) / [1, 2, 3]  # of 1, x, x²
 FITTED = np.linalg.pinv(_MEANS @ LAGRANGE.T)
 """(3, substeps): the quadratic whose means are closest; it has the impulse of the force."""
+FAR = 1e6  # m: no machine moves so far
 AT_ONCE = 1000  # steps for which forces are computed together
 CONVERGED = 1e-9  # of the largest displacement of a ring: a smaller Newton step is the last
 ROUNDING = 1e-15  # m, added to that
@@ -101,7 +102,7 @@ class Path:
     Displacements of the ``points`` (s, t, 3·points), ``sleeves`` (s, t, sleeves) and ``rings``
     (s, t, 5·seats), and the nonlinear ``force`` of the bearings (s, t, 5·seats), NaN from instant
     ``ended`` (s,) on; t where there is an answer to the end. ``unbalanced`` (s,): it ended for want
-    of a balance of the bearings, else since it grew beyond all numbers.
+    of a balance of the bearings, else since it grew without bound.
     """
 
     points: Array
@@ -118,6 +119,7 @@ class Path:
         return replace(self, ended=-(-self.ended // step), **fewer)
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what grows without bound ends there
 def march(
     equation: Equation,
     inputs: Callable[[Array], Array],
@@ -178,7 +180,7 @@ def _path(
     equation: Equation, moved: Array, force: Array, ended: Indices, unbalanced: Flags
 ) -> Path:
     """What was seen, up to where it ends."""
-    lost = np.asarray(~np.isfinite(moved).all(axis=2))
+    lost = np.asarray(~(np.abs(moved) < FAR).all(axis=2))  # numbers that are none, too
     ended = np.minimum(ended, np.where(lost.any(axis=1), lost.argmax(axis=1), moved.shape[1]))
     gone = np.arange(moved.shape[1]) >= ended[:, None]
     moved[gone], force[gone] = np.nan, np.nan
@@ -219,6 +221,7 @@ class _Newton:
         """
         shape = force.shape
         moved, force = trial.reshape(self._last.shape), force.reshape(self._last.shape)
+        self._alive &= np.isfinite(moved).all(axis=1)
         base, good = moved - (self._by_force @ force[..., None])[..., 0], self._last.copy()
         good_force, found = force.copy(), np.zeros(len(moved), dtype=bool)
         for _ in range(ITERATIONS):

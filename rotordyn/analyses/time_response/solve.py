@@ -29,7 +29,7 @@ from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
 HALF = 0.5  # of the error asked for, that model and steps may have each
-ENDINGS = {True: "no balance of the bearings is found", False: "it grows beyond all numbers"}
+ENDINGS = {True: "no balance of the bearings is found", False: "it grows without bound"}
 
 
 class Motion(NamedTuple):
