@@ -27,7 +27,9 @@ VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one
 CORRECTION = 1.5e-9  # s of a mode with loss factors, for each cubed row
 TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
 STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-3 s where they slide
-BEARING_STEP, EQUATION_STEP = 2e-4, 3e-4  # s of a step of time, of each bearing and of the rest
+# A step of time: its exponentials for each cubed row; then by itself, for each squared row, for each
+# bearing; what is kept of each number that is followed.
+EXPONENTIAL, PASS, ENTRY, BEARING_STEP, FOLLOWED_BYTES = 8e-9, 2e-4, 1e-9, 2e-4, 2e2
 FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
 REMEDY = "take fewer speeds, steps or points, or lower frequencies, or say yes to that (--yes)"
 DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
@@ -122,12 +124,16 @@ def require_history(what: str, tables: int, steps: int) -> None:
     _require(what, seconds, TABLE_BYTES * tables + STEP_BYTES * steps)
 
 
-def require_marching(name: str, bearings: int, steps: float, followed: int) -> None:
-    """The same of so many bearings over so many steps of time, and of numbers that are ``followed``
-    at start and middle of each; those of all speeds counted."""
-    what = f"{name}: {steps:.0f} steps of time with {bearings} bearings, all speeds counted"
-    seconds = (EQUATION_STEP + BEARING_STEP * bearings) * steps
-    _require(what, seconds, 16.0 * ARRAYS * followed * steps)
+def require_marching(
+    name: str, states: int, bearings: int, steps: int, rows: int, followed: int
+) -> None:
+    """The same of so many steps of time at so many ``states`` (speeds), each with some bearings,
+    matrices of ``rows`` rows and numbers that are ``followed``."""
+    what = f"{name}: {steps} steps of time at {states} speeds with {bearings} bearings"
+    exponentials = EXPONENTIAL * float(rows) ** 3 * states
+    each = PASS + states * (ENTRY * float(rows) ** 2 + BEARING_STEP * bearings)
+    memory = states * (MATRICES * 8.0 * float(rows) ** 2 + FOLLOWED_BYTES * followed * steps)
+    _require(what, exponentials + each * steps, memory)
 
 
 def require_figures(figures: int, pictures: int) -> None:

@@ -379,7 +379,7 @@ def test_what_a_machine_contradicts_is_refused() -> None:
         ({"forces": ()}, "nothing acts"),
         ({"duration": 900.0, "max_frequency": 1e5}, "instants"),
         ({"forces": (push(1.0, frequency=2000.0),)}, "above max_frequency"),
-        ({"forces": (push(1.0, start=0.5),)}, "not within the duration"),
+        ({"forces": (push(1.0, start=0.5),)}, "a beginning before"),
         ({"forces": (push(1.0, pulse=4e-4),)}, "shorter than a half sine"),
     ],
 )

@@ -93,13 +93,15 @@ class Bearings:
         return np.asarray(self.load[:, None] + linear + force.reshape(shape))
 
     def balls_at(self, moved: Array) -> tuple[Array, Array]:
-        """With rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure [Pa] and
-        count of the balls that the inner race does not load (s, seats, k)."""
+        """With rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure [Pa],
+        infinite where contacts are crushed beyond any state, and count of the balls that the inner
+        race does not load (s, seats, k)."""
         pressure, idle = np.zeros((2, *moved.shape[:3]))
         for seats, state in self.states:
             there = self.displacement[:, seats, None] + moved[:, seats]
             found = solved(state.operation.at(there))
             largest = np.maximum(found.inner_pressure, found.outer_pressure)
-            pressure[:, seats] = largest.max(axis=-1)
+            crushed = found.outcome == "overloaded"
+            pressure[:, seats] = np.where(crushed, np.inf, largest.max(axis=-1))
             idle[:, seats] = (found.inner_load <= 0.0).sum(axis=-1)
         return pressure, idle

@@ -22,8 +22,8 @@ RING = [position(way) for way in BEARING_DIRECTIONS]
 class Equation:
     """q̈ + C q̇ + K q = L g of all that moves along and across the axis, at some speeds (s,).
 
-    ``stiffness`` K, ``damping`` C (s, n, n). ``inputs`` L (n, p): every force, then every unbalance
-    along y and along z. ``speed`` (s, unbalances) [rad/s]: of the rotors of the unbalances. By the
+    ``stiffness`` K, ``damping`` C (s, n, n). ``inputs`` L (n, ports): of what acts at the ports of
+    the spec. ``speed`` (s, unbalances) [rad/s]: of the rotors of the unbalances. By the
     coordinates: ``points`` (3·points, n), displacements; ``rings`` (5·seats, n), displacement of
     every inner ring against its outer ring in the frame of the bearing; ``sleeves`` (sleeves, n),
     displacement along the axis, which springs and closed stops resist by ``held`` (s, sleeves)
@@ -52,13 +52,11 @@ class Equation:
             at = [(*spindle.place(point), way) for point, way in places]
             return joined(lambda part: np.stack([part.row(*each) for each in at]))
 
-        acting = [(each.at, each.direction) for each in spec.forces]
-        acting += [(each.at, way) for each in spec.unbalances for way in ("y", "z")]
         ratios = [spindle.ratios[spindle.place(each.at).rotor] for each in spec.unbalances]
         return cls(
             stiffness=_blocks([part.allowed_stiffness for part in parts]),
             damping=_blocks([part.within(part.damping) for part in parts]),
-            inputs=displaced(acting).T,
+            inputs=displaced([*spec.ports]).T,
             speed=parts[0].speed[:, None] * np.array(ratios),
             points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
             rings=joined(lambda part: _rings(scene, part)),

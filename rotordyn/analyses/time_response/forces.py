@@ -64,13 +64,16 @@ def _of_table(times: Array, forces: Array, time: Array) -> Array:
 
 
 def mean_inputs(spec: TimeResponseSpec, speed: Array, edges: Array) -> Array:
-    """Means between successive ``edges`` (t + 1,) [s] of every force, then of the force of every
-    unbalance along y and z (s, inputs, t) [N]; ``speed`` (s, unbalances) [rad/s] of its rotor."""
+    """Means between successive ``edges`` (t + 1,) [s] of what acts at every port of ``spec``
+    (s, ports, t) [N]; ``speed`` (s, unbalances) [rad/s]: of the rotors of the unbalances."""
     width, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
-    means = [np.diff(impulse(each, edges)) / width for each in spec.forces]
-    inputs = [np.broadcast_to(mean, (len(speed), len(width))) for mean in means]
+    place = {port: k for k, port in enumerate(spec.ports)}
+    inputs = np.zeros((len(speed), len(place), len(width)))
+    for force in spec.forces:
+        inputs[:, place[force.at, force.direction]] += np.diff(impulse(force, edges)) / width
     for each, omega in zip(spec.unbalances, speed.T, strict=True):
         angle, turned = omega[:, None] * middle + each.angle, omega[:, None] * width
         size = each.unbalance * omega[:, None] ** 2 * np.sinc(0.5 * turned / math.pi)
-        inputs += [size * np.cos(angle), size * np.sin(angle)]
-    return np.stack(inputs, axis=1)
+        inputs[:, place[each.at, "y"]] += size * np.cos(angle)
+        inputs[:, place[each.at, "z"]] += size * np.sin(angle)
+    return inputs

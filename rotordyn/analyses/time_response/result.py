@@ -65,7 +65,12 @@ class TimeResponseResult:
     peak_time: Array = quantity(
         *BEARING, unit="s", label="time of the largest load", printed=MILLISECOND
     )
-    peak_pressure: Array = quantity(*BEARING, unit="Pa", label="largest contact pressure")
+    peak_pressure: Array = quantity(
+        *BEARING,
+        unit="Pa",
+        label="largest contact pressure",
+        infinite=(Absence("where contacts are crushed", by=BEARING),),
+    )
     pressure_time: Array = quantity(
         *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
     )

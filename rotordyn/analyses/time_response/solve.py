@@ -50,11 +50,12 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     """
     for k in scene.with_motions(("bending", "axial")):
         scene.system(k)  # whose free motions ``Scene.warnings`` looks at for instability
-    _require(scene, spec, 0.75)
+    seats = len(scene.spindle.seats)
+    _require(Equation.of(scene, spec), spec.samples, seats)
     scene, linear = solve_accurately(
         scene, partial(_linear, spec), lambda motion: float(motion.error.max()) / HALF
     )
-    if not scene.spindle.seats:
+    if not seats:
         return _result(scene, spec, linear, linear.path, None)
     bearings = Bearings.of(scene)
     nonlinear = _nonlinear(scene, spec, bearings)
@@ -62,11 +63,12 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     return _result(scene, spec, both, linear.path, bearings)
 
 
-def _require(scene: Scene, spec: TimeResponseSpec, share: float) -> None:
-    """Time and memory of steps, so many as a ``share`` of the instants of the result."""
-    states, seats = len(scene.usable), len(scene.spindle.seats)
-    followed = 3 * len(spec.points) + len(scene.spindle.sleeves) + 10 * seats
-    require_marching("time_response", states * seats, share * spec.samples, states * followed)
+def _require(equation: Equation, steps: int, seats: int) -> None:
+    """Time and memory of so many steps, with the law of the bearings where there are ``seats``."""
+    states, size = equation.stiffness.shape[:2]
+    inputs = equation.inputs.shape[1] + 5 * seats
+    seen = len(equation.points) + len(equation.sleeves) + 10 * seats
+    require_marching("time_response", states, seats, steps, 2 * size + 3 * inputs, seen)
 
 
 def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
@@ -94,7 +96,7 @@ def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Bearings) -> Moti
     path, wanted = _path(scene, spec, equation, count, bearings), HALF * response_accuracy(scene)
     for halving in range(HALVINGS):
         if halving:
-            _require(scene, spec, 0.5 * 2**halving)
+            _require(equation, 2 ** (halving + 1) * count, len(bearings.radius))
         before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, bearings)
         here, there = _displacement(path.every(2)), _displacement(before)
         error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2)
@@ -122,10 +124,9 @@ def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]
     """q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; at rest where a speed has
     none, at a critical speed without damping."""
     s, n, _ = equation.stiffness.shape
-    begun = np.zeros((2, s, n))
-    first = len(spec.forces)
-    for k, (each, omega) in enumerate(zip(spec.unbalances, equation.speed.T, strict=True)):
-        along_y, along_z = equation.inputs[:, first + 2 * k : first + 2 * k + 2].T
+    begun, place = np.zeros((2, s, n)), {port: k for k, port in enumerate(spec.ports)}
+    for each, omega in zip(spec.unbalances, equation.speed.T, strict=True):
+        along_y, along_z = (equation.inputs[:, place[each.at, way]] for way in ("y", "z"))
         size = each.unbalance * omega**2 * np.exp(1j * each.angle)
         load = size[:, None] * (along_y - 1j * along_z)  # along z a quarter turn later
         swing = 1j * omega[:, None, None]
@@ -168,7 +169,7 @@ def _result(
         axis=DIRECTIONS,
         bearing=tuple(seat.name for seat in scene.spindle.seats),
         sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
-        force=tuple(each.name or f"force {k}" for k, each in enumerate(spec.forces, start=1)),
+        force=spec.names,
         outcome=scene.outcome,
         ended=scene.scattered(time[np.minimum(path.ended, spec.samples) - 1]),
         ending=tuple(ending),

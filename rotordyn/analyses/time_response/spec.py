@@ -111,7 +111,19 @@ class TimeResponseSpec(Spec):
     def samples(self) -> int:
         """Instants in results, both ends counted: a multiple of four and one, so that steps of two
         intervals can be halved from twice that length."""
-        return 4 * math.ceil(self.duration * self.max_frequency * SAMPLES / 4.0 - 1e-6) + 1
+        return 4 * max(1, math.ceil(self.duration * self.max_frequency * SAMPLES / 4.0 - 1e-6)) + 1
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the forces in results."""
+        return tuple(each.name or f"force {k}" for k, each in enumerate(self.forces, start=1))
+
+    @property
+    def ports(self) -> tuple[tuple[str | float, str], ...]:
+        """Where and in which direction forces and unbalances act, each pair once."""
+        acting = [(each.at, each.direction) for each in self.forces]
+        acting += [(each.at, way) for each in self.unbalances for way in ("y", "z")]
+        return tuple(dict.fromkeys(acting))
 
     @property
     def places(self) -> tuple[str | float, ...]:
@@ -121,7 +133,7 @@ class TimeResponseSpec(Spec):
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
-        yield from repeated("forces", (each.name for each in self.forces))
+        yield from repeated("forces", self.names, "name", said="name given twice:")
         if not (self.forces or self.unbalances):
             yield (), "nothing acts: allowed: at least one of forces, unbalances"
         if not (known(self.duration) and known(self.max_frequency)):
@@ -145,10 +157,11 @@ class TimeResponseSpec(Spec):
                     "shorter than a half sine of max_frequency: given {given}; allowed: from "
                     f"{0.5 / self.max_frequency:g} s, or a higher max_frequency",
                 )
-            if each.start >= self.duration:
+            key = "times" if each.times else "start"
+            if (each.times[0] if each.times else each.start) >= self.duration:
                 yield (
-                    ("forces", index, "start"),
-                    f"not within the duration: given {{given}}; allowed: below {self.duration:g} s",
+                    ("forces", index, key),
+                    f"not within the duration: allowed: a beginning before {self.duration:g} s",
                 )
 
     def faults_on(self, setting: Setting) -> Faults:

@@ -24,7 +24,7 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
         moved = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
-                f"{result.largest_time[row, k] * MILLISECOND.factor:.3g} ms (linear bearings "
+                f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms (linear bearings "
                 f"{result.linear_largest[row, k] * MICROMETRE.factor:.4g} µm)"
             )
             for k, name in enumerate(result.point)
@@ -68,15 +68,21 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
         if why:
             yield (
                 f"time_response: at {_rpm(result, row)} the motion is computed up to "
-                f"{result.ended[row] * MILLISECOND.factor:.4g} ms, from where on {why}: lower the "
+                f"{result.ended[row] * MILLISECOND.factor:.5g} ms, from where on {why}: lower the "
                 "forces, or look at the stability of the machine"
             )
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
-        peak = np.nan_to_num(result.peak_pressure[:, k])
-        if sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
-            beyond = ", where no contact is elastic and results mean nothing"
-            yield sentence + beyond * bool(peak.max() > HIGHEST_PRESSURE)
+        peak = np.nan_to_num(result.peak_pressure[:, k], posinf=np.inf)
+        if peak.max() > HIGHEST_PRESSURE:
+            yield (
+                f"time_response: contacts of bearing {name} are crushed at "
+                f"{_rpm(result, int(peak.argmax()))} (pressures above "
+                f"{HIGHEST_PRESSURE * GIGAPASCAL.factor:g} GPa), where results mean nothing: lower "
+                "the forces"
+            )
+        elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
+            yield sentence
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]

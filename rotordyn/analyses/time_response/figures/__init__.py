@@ -21,7 +21,9 @@ LINE = 0.05  # of the way along one axis: a path that is no wider along the othe
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """The figures of a result, where some speed has an answer."""
+    if not (result.ended > 0.0).any():
+        return
     yield "time_response", partial(code("histories:motion_figure"), result)
     if _runs_round(result):
         yield "time_response_orbits", partial(code("histories:orbit_figure"), result)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SPEEDS, POINTS, BEARINGS = 3, 3, 6
+SPEEDS, POINTS, BEARINGS = 3, 5, 7
+LINEAR: Any = {"color": GREY, "lw": 0.8, "zorder": 1.5}
 ROW, SIDE = 46.0, 50.0  # [mm]
 
 
@@ -40,9 +41,11 @@ def motion_figure(result: TimeResponseResult) -> Figure:
         for axis, name in enumerate(result.axis):
             linear = result.linear_displacement[row, :, k, axis] * MICROMETRE.factor
             moved = result.displacement[row, :, k, axis] * MICROMETRE.factor
-            axes.plot(result.time * 1e3, linear, color=GREY, lw=0.8, zorder=1.5)
+            if result.bearing:
+                axes.plot(result.time * 1e3, linear, **{**line_of(axis), **LINEAR})
             axes.plot(result.time * 1e3, moved, label=name, **{**line_of(axis), "lw": 1.0})
-        axes.plot([], [], color=GREY, lw=0.8, label="linear bearings")
+        if result.bearing:
+            axes.plot([], [], **LINEAR, label="linear bearings")
         _name(axes, result, row, first=not k, last=k == len(points) - 1)
         if not column:
             axes.set_ylabel(f"{points[k]} [µm]", fontsize=FONT_SIZE)
@@ -51,17 +54,19 @@ def motion_figure(result: TimeResponseResult) -> Figure:
 
 
 def bearing_figure(result: TimeResponseResult) -> Figure:
-    """Radial and axial load of the first bearings over time, in a column for each of some
-    speeds."""
-    picked, bearings = _picked(result), result.bearing[:BEARINGS]
+    """Radial and axial load of the bearings over time, of many those with the largest loads, in a
+    column for each of some speeds."""
+    picked = _picked(result)
+    chosen = np.sort(np.argsort(-result.peak_load[picked].max(axis=0))[:BEARINGS])
     figure = new_figure(168.0, ROW * 2 + 22.0)
     panels = _panels(figure, 2, picked.size)
     for place, axes in enumerate(panels):
         axial, column = divmod(place, picked.size)
         load = result.bearing_load[picked[column]]
         values = load[..., 0] if axial else np.hypot(load[..., 1], load[..., 2])
-        for k, name in enumerate(bearings):
-            axes.plot(result.time * 1e3, values[:, k], label=name, **{**line_of(k), "lw": 1.0})
+        for look, k in enumerate(chosen):
+            name, style = result.bearing[k], {**line_of(look), "lw": 1.0}
+            axes.plot(result.time * 1e3, values[:, k], label=name, **style)
         _name(axes, result, picked[column], first=not axial, last=bool(axial))
         if not column:
             axes.set_ylabel("axial load [N]" if axial else "radial load [N]", fontsize=FONT_SIZE)
@@ -90,13 +95,13 @@ def orbit_figure(result: TimeResponseResult) -> Figure:
 
 
 def _picked(result: TimeResponseResult) -> Indices:
-    """First, middle and last of the speeds with an answer."""
-    known = np.flatnonzero(np.isfinite(result.ended))
+    """First, middle and last of the speeds with an answer over some time."""
+    known = np.flatnonzero(result.ended > 0.0)
     return known[evenly(known.size, SPEEDS)]
 
 
 def _panels(figure: Figure, rows: int, columns: int, gap: float = 8.0) -> list[Axes]:
-    boxes = grid_boxes(figure, rows, columns, margins=(16.0, 5.0, 12.0, 9.0), gaps=(12.0, gap))
+    boxes = grid_boxes(figure, rows, columns, margins=(19.0, 5.0, 12.0, 9.0), gaps=(15.0, gap))
     return [add_axes(figure, box) for box in boxes]
 
 
