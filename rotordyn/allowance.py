@@ -27,8 +27,8 @@ VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one
 CORRECTION = 1.5e-9  # s of a mode with loss factors, for each cubed row
 TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
 STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-3 s where they slide
-# A step of time: its exponentials for each cubed row; then by itself, for each squared row, for each
-# bearing; what is kept of each number that is followed.
+# Response over time: exponentials for each cubed row; a step by itself, for each squared row, for
+# each bearing; what is kept of each number that is followed.
 EXPONENTIAL, PASS, ENTRY, BEARING_STEP, FOLLOWED_BYTES = 8e-9, 2e-4, 1e-9, 2e-4, 2e2
 FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
 REMEDY = "take fewer speeds, steps or points, or lower frequencies, or say yes to that (--yes)"
