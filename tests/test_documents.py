@@ -84,6 +84,7 @@ GENERATED = OUTPUTS | {
         "precision",
         "precision-preload",
         "precision-map",
+        "precision-time",
     },
 }
 by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROOT).as_posix())

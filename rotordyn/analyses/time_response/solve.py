@@ -82,7 +82,7 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
     def moved(one: Scene, rows: Indices) -> Array:
         finer = 2 if one is not scene else 1
         found = _path(one, spec, Equation.of(one, spec, rows), finer * count)
-        return _displacement(found.every(2 * finer))
+        return np.nan_to_num(_displacement(found.every(2 * finer)))
 
     return Motion(path, changes(scene, moved, 2))
 
