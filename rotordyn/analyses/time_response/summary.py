@@ -24,8 +24,8 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
         moved = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
-                f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms (linear bearings "
-                f"{result.linear_largest[row, k] * MICROMETRE.factor:.4g} µm)"
+                f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms"
+                f"{_with_linear(result, row, k)}"
             )
             for k, name in enumerate(result.point)
         ]
@@ -39,6 +39,12 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
         yield f"over time  {_rpm(result, row)}, largest displacement: {_few(moved)}"
         if pushed:
             yield f"           largest load and contact pressure: {_few(pushed)}"
+
+
+def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
+    """What linear bearings would do; nothing of a machine without bearings."""
+    largest = result.linear_largest[row, point] * MICROMETRE.factor
+    return f" (linear bearings {largest:.4g} µm)" if result.bearing else ""
 
 
 def _few(words: list[str]) -> str:
