@@ -248,6 +248,34 @@ def test_the_gap_of_a_stop_is_that_of_the_state_under_the_force() -> None:
         assert len(sentences) == int(told)
 
 
+@pytest.mark.parametrize("force", [30.0, -60.0])
+def test_friction_holds_a_sleeve_as_far_as_its_limit(force: float) -> None:
+    """A force along the axis, slowly, on a sleeve that 40 N of dry friction hold: all of it goes
+    through the sleeve, either way."""
+    sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
+    spindle = replace(short(3000.0), sleeves=(sleeve,))
+    spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(force, direction="x", pulse=0.05),))
+    scene = seen(spindle, spec, 0.0, rotor="rigid", **CONTROL)
+    found = answer(scene, spec)
+    front, rear = (
+        balls.complete_stiffness[0, at, 0, 0] for balls, at in scene.preload.seat_states()
+    )
+    through = rear / (front + rear) * abs(force)
+    assert abs(scene.preload.friction_force[0, 0]) < 1e-6
+    assert found.holding[0, 0] == pytest.approx(through / 40.0, rel=0.03)
+
+
+def test_pressures_are_those_of_the_state_under_the_force() -> None:
+    spindle, slow = short(3000.0), push(800.0, pulse=0.05)
+    spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (slow,))
+    found = answer(seen(spindle, spec, 20000.0, rotor="rigid", **ALONE), spec)
+    load = (PointLoad("nose", Fy=800.0),)
+    under = seen(spindle, spec, 20000.0, rotor="rigid", loads=load, **ALONE)
+    for k, (balls, at) in enumerate(under.preload.seat_states()):
+        largest = np.maximum(balls.inner_pressure, balls.outer_pressure)[0, at].max()
+        assert found.peak_pressure[0, k] == pytest.approx(largest, rel=1e-4)
+
+
 # --- extremes -------------------------------------------------------------------------------------
 
 
@@ -267,7 +295,7 @@ def test_pressures_beyond_what_contacts_stand_are_warned_of() -> None:
     found = answer(seen(short(), spec, [0.0, 20000.0], **CONTROL), spec)
     sentences = [one for one in warnings(found) if "contact pressure" in one]
     assert [one.split(":")[0].split()[-1] for one in sentences] == ["front", "rear"]
-    assert found.peak_pressure[:, 0] == pytest.approx(found.peak_pressure[:, 0].mean(), rel=0.1)
+    assert (found.peak_pressure > 4.2e9).all()
 
 
 def test_without_checks_there_is_one_march_and_no_error() -> None:

@@ -55,12 +55,13 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     scene, linear = solve_accurately(
         scene, partial(_linear, spec), lambda motion: float(motion.error.max()) / HALF
     )
+    equation = Equation.of(scene, spec)
     if not seats:
-        return _result(scene, spec, linear, linear.path, None)
+        return _result(scene, spec, equation, linear, linear.path, None)
     bearings = Bearings.of(scene)
-    nonlinear = _nonlinear(scene, spec, bearings)
+    nonlinear = _nonlinear(scene, spec, equation, bearings)
     both = nonlinear._replace(error=nonlinear.error + linear.error)
-    return _result(scene, spec, both, linear.path, bearings)
+    return _result(scene, spec, equation, both, linear.path, bearings)
 
 
 def _require(equation: Equation, steps: int, seats: int) -> None:
@@ -87,9 +88,11 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
     return Motion(path, changes(scene, moved, 2))
 
 
-def _nonlinear(scene: Scene, spec: TimeResponseSpec, bearings: Bearings) -> Motion:
+def _nonlinear(
+    scene: Scene, spec: TimeResponseSpec, equation: Equation, bearings: Bearings
+) -> Motion:
     """With the law of the bearings; its error is the change by the last halving of the steps."""
-    equation, count = Equation.of(scene, spec), spec.samples // 4
+    count = spec.samples // 4
     if not scene.checks.wanted:
         path = _path(scene, spec, equation, 2 * count, bearings)
         return Motion(path, np.full(len(spec.points), np.nan))
@@ -148,6 +151,7 @@ def _displacement(path: Path) -> Array:
 def _result(
     scene: Scene,
     spec: TimeResponseSpec,
+    equation: Equation,
     motion: Motion,
     linear: Path,
     bearings: Bearings | None,
@@ -160,7 +164,7 @@ def _result(
         if path.ended[row] < spec.samples:
             ending[one] = ENDINGS[bool(path.unbalanced[row])]
     loads = loads_and_peaks(scene, path, time, bearings)
-    margins = sleeve_margins(scene, Equation.of(scene, spec).held, path.sleeves)
+    margins = sleeve_margins(scene, equation.held, path.sleeves)
     applied = [values(each, time) for each in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,

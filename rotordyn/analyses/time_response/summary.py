@@ -12,9 +12,7 @@ from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import unbroken
-
-MOST = 6  # points or bearings listed
+from rotordyn.results.text import few, unbroken
 
 
 def summary(result: TimeResponseResult) -> Iterator[str]:
@@ -36,20 +34,15 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             )
             for k, name in enumerate(result.bearing)
         ]
-        yield f"over time  {_rpm(result, row)}, largest displacement: {_few(moved)}"
+        yield f"over time  {_rpm(result, row)}, largest displacement: {few(moved)}"
         if pushed:
-            yield f"           largest load and contact pressure: {_few(pushed)}"
+            yield f"           largest load and contact pressure: {few(pushed)}"
 
 
 def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
     """What linear bearings would do; nothing of a machine without bearings."""
     largest = result.linear_largest[row, point] * MICROMETRE.factor
     return f" (linear bearings {largest:.4g} µm)" if result.bearing else ""
-
-
-def _few(words: list[str]) -> str:
-    rest = len(words) - MOST
-    return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
 
 
 def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:

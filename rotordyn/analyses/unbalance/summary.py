@@ -11,10 +11,9 @@ from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
 from rotordyn.results.headline import Number
-from rotordyn.results.text import unbroken
+from rotordyn.results.text import few, unbroken
 
 Array = NDArray[np.float64]
-MOST = 6  # unbalances, points or supports listed
 SAME = 1e-6  # of a speed
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
@@ -39,9 +38,9 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {_few(acting)}{turns}{_graded(result)}",
-        f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
-        f"           largest force, zero to peak: {_few(pushed)}",
+        f"unbalance  {few(acting)}{turns}{_graded(result)}",
+        f"           largest half axis of the orbit, zero to peak: {few(moved)}",
+        f"           largest force, zero to peak: {few(pushed)}",
         *_backward(result),
     ]
 
@@ -92,11 +91,6 @@ def _at(result: UnbalanceResult, values: Array) -> str:
     return f" at {result.fine_speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
 
 
-def _few(words: list[str]) -> str:
-    rest = len(words) - MOST
-    return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
-
-
 def _backward(result: UnbalanceResult) -> list[str]:
     """Where orbits run against the speed."""
     back = result.minor_axis < -STRAIGHT * result.major_axis
@@ -107,7 +101,7 @@ def _backward(result: UnbalanceResult) -> list[str]:
             ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
             many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
             words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
-    return [f"           whirl backward: {_few(words)}"] if words else []
+    return [f"           whirl backward: {few(words)}"] if words else []
 
 
 def accuracy(result: UnbalanceResult) -> list[str]:
