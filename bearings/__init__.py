@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from bearings.errors import BearingError as BearingError
     from bearings.errors import InvalidBearing as InvalidBearing
     from bearings.errors import NoEquilibrium as NoEquilibrium
+    from bearings.flexible_rings.describe import ElasticRing as ElasticRing
+    from bearings.flexible_rings.describe import FlexibleRings as FlexibleRings
     from bearings.follower import Followed as Followed
     from bearings.follower import Follower as Follower
     from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
@@ -45,6 +47,7 @@ _NAMES = {
     "catalogue.estimate": ("EstimatedBearing", "estimate"),
     "catalogue.printed": ("Catalogue",),
     "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
+    "flexible_rings.describe": ("ElasticRing", "FlexibleRings"),
     "follower": ("Followed", "Follower"),
     "lubricant": ("Lubricant",),
     "materials": ("SILICON_NITRIDE", "STEEL", "Material"),

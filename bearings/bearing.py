@@ -34,6 +34,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
+from bearings.flexible_rings.describe import FlexibleRings
+from bearings.flexible_rings.outline import outline
 from bearings.grooves import STEEP, WIDEST, Grooves
 from bearings.materials import STEEL, Material
 
@@ -106,7 +108,7 @@ SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e
 
 @dataclass(frozen=True, slots=True)
 class BallBearing:
-    """A single-row ball bearing with rigid rings, of any kind; see the contract above.
+    """A single-row ball bearing of any kind; see the contract above.
 
     Parameters
     ----------
@@ -115,6 +117,7 @@ class BallBearing:
     inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
     ball_material, ring_material : elastic constants and density
     inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m], None if unknown
+    rings : ``FlexibleRings`` that deform under their balls; None: rigid
 
     Raises
     ------
@@ -133,6 +136,7 @@ class BallBearing:
     ring_material: Material = measured(MATERIAL, STEEL)
     inner_shoulder_diameter: float | None = measured(SHOULDER, None)
     outer_shoulder_diameter: float | None = measured(SHOULDER, None)
+    rings: FlexibleRings | None = None
 
     def __post_init__(self) -> None:
         for name, measure in self.measures().items():
@@ -141,8 +145,11 @@ class BallBearing:
                 continue
             if why := measure.refusal(name, value):
                 raise InvalidBearing(why)
+        if not (self.rings is None or isinstance(self.rings, FlexibleRings)):
+            raise InvalidBearing(f"rings must be FlexibleRings or None, got {shown(self.rings)}")
         for fault in chain(self._overlaps(), self._faults(), self._shoulder_faults()):
             raise InvalidBearing(fault)
+        self._check_rings()
 
     @classmethod
     def measures(cls) -> dict[str, Measure]:
@@ -171,6 +178,19 @@ class BallBearing:
                     f"the groove and the pitch circle: allowed inside {low * 1e3:.5g} mm to "
                     f"{high * 1e3:.5g} mm"
                 )
+
+    def _check_rings(self) -> None:
+        """Raise InvalidBearing for rings that do not fit the grooves."""
+        if self.rings is None:
+            return
+        grooves = self.grooves
+        if len(grooves.contacts) != 2:
+            raise InvalidBearing(
+                "rings that deform are known for one groove a ring; those of this bearing have two"
+            )
+        for ring, inner in ((self.rings.inner, True), (self.rings.outer, False)):
+            if ring is not None:
+                outline(grooves, ring, inner=inner)
 
     def _faults(self) -> Iterator[str]:
         """Sentences about data that contradict one another (contract 3)."""

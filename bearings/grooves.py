@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +23,8 @@ class Grooves:
     middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero
     displacement is where balls just touch under an axial push; otherwise where rings are centred.
     ``both_ways``: carries thrust in both directions. ``inner_shoulder``, ``outer_shoulder``:
-    diameters at which the grooves end, None if unknown.
+    diameters at which the grooves end, None if unknown. ``rings``: the
+    ``FlexibleRings``, None if they are rigid.
     """
 
     ball_diameter: float
@@ -40,6 +42,7 @@ class Grooves:
     both_ways: bool = True
     inner_shoulder: float | None = None
     outer_shoulder: float | None = None
+    rings: Hashable = None
 
     @classmethod
     def of(
@@ -69,6 +72,7 @@ class Grooves:
             both_ways=bearing.both_ways,
             inner_shoulder=bearing.inner_shoulder_diameter,
             outer_shoulder=bearing.outer_shoulder_diameter,
+            rings=bearing.rings,
             **centres,
         )
 

@@ -149,13 +149,13 @@ def softened(state: BearingState, films: Film) -> Array:
     if not (rows.size and g.single):
         return np.asarray(state.complete_stiffness)
     part = Problem.of(operation, full_assembly).take(rows)
-    a = part.centres(state.displacement.reshape(-1, 5)[rows])
-    x = state.ball_centre.reshape(2, len(speed), -1)[:, rows]
+    x = state.ball_centre.reshape(len(state.ball_centre), len(speed), -1)[:, rows]
+    a = part.centres(state.displacement.reshape(-1, 5)[rows], x)
     spring = films.stiffness.reshape(len(speed), g.balls, -1)[rows]
     grooves = [
         _softer(groove, vector, spring[..., k])
         for k, (groove, vector) in enumerate(
-            ((g.inner_grooves[0], a[:2] - x), (g.outer_grooves[0], x))
+            ((g.inner_grooves[0], a[:2] - x[:2]), (g.outer_grooves[0], x[:2]))
         )
     ]
     soft = g._replace(inner_grooves=(grooves[0],), outer_grooves=(grooves[1],))

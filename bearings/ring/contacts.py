@@ -36,8 +36,8 @@ def contacts(
 ) -> tuple[Balance, Contacts]:
     """Contacts at (d, X), or after a ``step`` (dd, dX) from there; the balance with their loads.
 
-    d and dd (s, 5), X and dX (2, s, n). Fc and Mg notice such a step only where they depend on the
-    ratio of the loads; they are left as they are.
+    d and dd (s, 5), X and dX (2 or 4, s, n). Fc and Mg notice such a step only where they depend on
+    the ratio of the loads; they are left as they are.
     """
     if problem.geometry.single and not (problem.turning and step is not None):
         after = balance if step is None else _at_rest(problem, balance, at, step)
@@ -46,13 +46,13 @@ def contacts(
         return after, Contacts(load, np.stack([si, so]), np.stack([ci, co]))
     c, (d, x) = problem.geometry, at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
-    a, moved = problem.centres(d), problem.assembly.moved(dd)
+    a, moved = problem.centres(d, x), _moved(problem, dd, dx)
     least = 0.0
     if not problem.turning:
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
-    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, moved[:2] - dx, least)
-    outer = _bearing(c.outer_grooves, place, -1.0, dx, least)
+    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, moved[:2] - dx[:2], least)
+    outer = _bearing(c.outer_grooves, place, -1.0, dx[:2], least)
     qi, si, ci = _resultant(inner, balance.inner_direction)
     qo, so, co = _resultant(outer, balance.outer_direction)
     after = balance._replace(
@@ -98,13 +98,22 @@ def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
 
 def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
     """Loads and directions of balls at rest between one groove a ring: contacts in series."""
-    a, moved = problem.centres(at[0] + step[0]), problem.assembly.moved(step[0])
+    a = problem.centres(at[0] + step[0], at[1] + step[1])
+    moved = _moved(problem, *step)
     stiffness, along = problem.geometry.series_stiffness, (moved[0], moved[1])
     load = _loaded(stiffness, balance.inner_load, balance.inner_direction, along)
     way = facing(both_grooves(problem.geometry), (a[0], a[1]))[:2]
     return balance._replace(
         inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
     )
+
+
+def _moved(problem: Problem, dd: Array, dx: Array) -> Array:
+    """What a step adds to A (m, s, n)."""
+    moved = problem.assembly.moved(dd)
+    if len(dx) > 2:
+        moved[:2] += dx[2:]
+    return moved
 
 
 def _loaded(stiffness: float, load: Array, along: Pair, step: Pair) -> Any:

@@ -28,7 +28,7 @@ from bearings.ring.problem import Problem, first_displacement
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solution:
-    """d (s, 5), X (2, s, n), balance there, tangent (s, 5, 5), residual, outcome word (s,)."""
+    """d (s, 5), ball (2 or 4, s, n), balance, tangent (s, 5, 5), residual, outcome word (s,)."""
 
     displacement: Array
     ball: Array
@@ -45,11 +45,11 @@ def solve(
 ) -> Solution:
     """The physical state of every problem, started at ``displacement`` (s, 5).
 
-    ``guess`` (2, s, n): ball centres near the solution at full blend (a previous state of a
-    sweep); where following from it fails, the two-stage solve decides. ``compiled``: one state
-    after the other instead of all together.
+    ``guess`` (2 or 4, s, n): unknowns of the balls near the solution at full blend (a previous
+    state of a sweep); where following from it fails, the two-stage solve decides. ``compiled``: one
+    state after the other instead of all together.
     """
-    if compiled:
+    if compiled and problem.rings is None:
         each, outcome = one_by_one(problem, displacement, guess)
         d, x, linear = each.displacement, each.ball, None
     else:
@@ -80,8 +80,16 @@ def one_by_one(
 ) -> tuple[CompiledStates, Words]:
     """Compiled, see ``compiled_states``, and the outcome of every state.
 
-    What is refused so is looked for together, where free motions are followed.
+    What is refused so is looked for together, where free motions are followed; and so is every
+    bearing whose rings deform, which the compiled solver does not know.
     """
+    if problem.rings is not None:
+        near = None if guess is None or guess.shape[1] != len(displacement) else guess
+        all_ = solve(problem, displacement, near)
+        exists = all_.outcome == ""
+        return CompiledStates(
+            all_.displacement, all_.ball, all_.ring_load, all_.stiffness, exists
+        ), all_.outcome
     solved = compiled_states(problem, displacement, guess, chained=chained)
     outcome = _words(solved.exists)
     missing = (~solved.exists).nonzero()[0]
@@ -99,7 +107,7 @@ def _together(
 ) -> tuple[Array, Array, Words, Linear | None]:
     """(d, X), the outcome of every state, and its linearisation if that is known."""
     states = len(problem.speed)
-    d, x = displacement.copy(), np.zeros((2, states, problem.assembly.balls))
+    d, x = displacement.copy(), np.zeros((problem.unknowns, states, problem.assembly.balls))
     done, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
         d, x, done, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
@@ -108,9 +116,9 @@ def _together(
     cold = np.flatnonzero(~done)
     if cold.size:
         part, linear = problem.take(cold), None
-        d[cold], x[:, cold], reached = convex_state(part, displacement[cold])
-        converged = reached
-        if problem.placed:
+        d[cold], x[:2, cold], reached = convex_state(part, displacement[cold])
+        x[2:, cold], converged = 0.0, reached
+        if problem.placed or problem.rings is not None:
             d[cold], x[:, cold], converged = _followed(part, d[cold], x[:, cold], reached)
         heavy = np.abs(part.load).max(axis=1) > tol.LIGHT
         outcome[cold] = np.where(reached | ~heavy, _words(converged), "overloaded")

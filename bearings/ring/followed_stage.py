@@ -135,16 +135,16 @@ def _beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | N
     way = _unheld(problem, carrying)
     if way is None:
         return None
-    c, a = problem.geometry, problem.centres(d[None])[:2, 0]
+    c, a = problem.geometry, problem.centres(d[None], x[:, None])[:2, 0]
     moving = problem.assembly.moved(way[None])[:2, 0]
     fading = np.flatnonzero((load > 0.0) & ~carrying)
     if fading.size:
-        gap = a[:, fading] - x[:, fading]
+        gap = a[:, fading] - x[:2, fading]
         if float((gap * moving[:, fading]).sum()) > 0.0:
             way, moving = -way, -moving
     idle = np.flatnonzero(~carrying)  # what fades may be met again, from the other side
     pressed = (tol.TOUCHING * load.max() / c.inner.stiffness) ** (2.0 / 3.0)
-    travel = _touch(c, a[:, idle] - x[:, idle], moving[:, idle], pressed)
+    travel = _touch(c, a[:, idle] - x[:2, idle], moving[:, idle], pressed)
     if not np.isfinite(travel).any():
         return None
     return np.asarray(d + travel.min() * way)

@@ -34,8 +34,8 @@ Parts = tuple[tuple[Index, Problem], ...]
 class Iterate:
     """A batch of bearings of one model on the way to balance, of shape (…).
 
-    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved; ``parts``:
-    the states that turn, and those at rest, whose balls have no step of their own.
+    ``displacement`` (…, 5); ``ball`` (2 or 4, …, n): unknowns of the balls that are solved;
+    ``parts``: the states that turn, and those at rest, whose balls have no step of their own.
     """
 
     parts: Parts
@@ -83,7 +83,7 @@ class Iterate:
 
     def moved(self, displacement: Array) -> Iterate:
         """Rings placed there, every ball one Newton step on."""
-        still = self._joined(lambda p, linear: np.stack(linear.balls.still, axis=1))
+        still = self._joined(lambda p, linear: np.moveaxis(linear.still, 0, 1))
         step = np.moveaxis(still, -2, 0) + self.along(displacement - self.displacement)
         return self.at(displacement, self.ball + step)
 
@@ -94,7 +94,7 @@ class Iterate:
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
         step, dd = np.empty(self.ball.shape), change.reshape(-1, 5)
-        flat = step.reshape(2, len(dd), -1)
+        flat = step.reshape(len(step), len(dd), -1)
         for (k, _), linear in zip(self.parts, self._linear, strict=True):
             flat[:, k] = linear.along(dd[k])
         return step
@@ -113,7 +113,7 @@ class Iterate:
     def _states(self) -> tuple[Array, Array]:
         """Displacements (s, 5) and balls (2, s, n), the batch as one list."""
         d = self.displacement.reshape(-1, 5)
-        return d, self.ball.reshape(2, len(d), -1)
+        return d, self.ball.reshape(len(self.ball), len(d), -1)
 
 
 def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> Iterate:
@@ -180,7 +180,7 @@ class Settled:
     def _solve(self, parts: Iterable[tuple[Index, Problem]], *, near: bool) -> None:
         """Fill in the states of some parts; ``near``: balls are close to where they are."""
         count = self.error.size
-        d, x = self.displacement.reshape(count, 5), self.ball.reshape(2, count, -1)
+        d, x = self.displacement.reshape(count, 5), self.ball.reshape(len(self.ball), count, -1)
         load, stiffness = self.load.reshape(count, 5), self.stiffness.reshape(count, 5, 5)
         for k, problem in parts:
             found = one_by_one(problem, d[k], x[:, k] if near else None)[0]
@@ -195,7 +195,7 @@ class Settled:
 def settled(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Settled:
     """Bearings at given displacements; ``assembly`` says which of their balls are solved."""
     parts, shape = parts_of(operation, assembly), operation.shape
-    ball = np.zeros((2, *shape, parts[0][1].assembly.balls))
+    ball = np.zeros((parts[0][1].unknowns, *shape, parts[0][1].assembly.balls))
     blank = np.zeros((*shape, 5)), np.zeros((*shape, 5, 5)), np.zeros(shape)
     there = Settled(parts, operation.displacement.reshape(*shape, 5), ball, *blank)
     there._solve(parts, near=False)

@@ -17,6 +17,7 @@ from bearings.ball.condensed import Condensed, condensed
 from bearings.ball.potential import rounding_force
 from bearings.ring import tolerances as tol
 from bearings.ring.assembly import Assembly, full_assembly
+from bearings.ring.give import Give, given
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 
@@ -27,7 +28,7 @@ class Linear:
 
     ``balls``: each ball eliminated; ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the
     smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual of
-    balls and ring.
+    balls and ring. ``give``: of rings that deform, likewise eliminated.
     """
 
     assembly: Assembly
@@ -36,41 +37,71 @@ class Linear:
     ring_load: Array
     fold: Array
     error: Array
+    give: Give | None = None
 
     @cached_property
     def load(self) -> Array:
         """f (s, 5) with the balls settled to first order."""
-        return self.assembly.load(self.balls.action)
+        load = self.assembly.load(self.balls.action)
+        return load if self.give is None else load + self._by_shift(self.give.still)
 
     @cached_property
     def stiffness(self) -> Array:
         """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
-        return self.assembly.stiffness(self.balls.tangent)
+        rigid = self.assembly.stiffness(self.balls.tangent)
+        if self.give is None:
+            return rigid
+        columns = [self._by_shift(self.give.follow[..., k]) for k in range(5)]
+        return rigid + np.stack(columns, axis=-1)
+
+    def _by_shift(self, shift: Array) -> Array:
+        """Change of f (s, 5) with ``shift`` (2, s, n) of the grooves."""
+        rows = [row[0] * shift[0] + row[1] * shift[1] for row in self.balls.tangent]
+        return self.assembly.load((rows[0], rows[1], rows[2]))
+
+    @property
+    def still(self) -> Array:
+        """Step of the balls (2 or 4, s, n) with the ring where it is."""
+        still = np.stack(self.balls.still)
+        if self.give is None:
+            return still
+        shift = self.give.still
+        return np.concatenate([still + followed_by(np.stack(self.balls.follow), shift), shift])
 
     def along(self, dd: Array) -> Array:
-        """dX (2, s, n) of balls that follow the ring by dd (s, 5)."""
-        return followed_by(np.stack(self.balls.follow), self.assembly.moved(dd))
+        """Step (2 or 4, s, n) of balls that follow the ring by dd (s, 5)."""
+        moved, follow = self.assembly.moved(dd), np.stack(self.balls.follow)
+        if self.give is None:
+            return followed_by(follow, moved)
+        shift = np.einsum("xsnk,sk->xsn", self.give.follow, dd)
+        moved[:2] += shift
+        return np.concatenate([followed_by(follow, moved), shift])
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
     """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
-    g, centre = problem.geometry, tuple(problem.centres(d))
+    g, centre = problem.geometry, tuple(problem.centres(d, x))
     if problem.placed:
-        squared = problem.squared[:, None]
-        balance = turning_balance(
-            g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], vary
-        )
+        squared, t = problem.squared[:, None], blend[:, None] if problem.varying else 0.0
+        balance = turning_balance(g, problem.law.numbers, centre, (x[0], x[1]), squared, t, vary)
         balls = condensed(balance.forces)
     else:
         balance, balls = resting_balance(g, centre)
     ring_load = problem.assembly.load(balance.forces.action)
+    error, give = scaled_error(problem, balance, ring_load), None
+    if problem.rings is not None:
+        spread, placed = problem.assembly.spread, problem.placed
+        give = given(problem.rings, g, centre, x, balls, spread, blend, placed=placed)
+        largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
+        error = np.maximum(error, give.error / (largest + 1e-300))
     return Linear(
         assembly=problem.assembly,
         balance=balance,
         balls=balls,
         ring_load=ring_load,
         fold=balls.fold.min(axis=-1),
-        error=scaled_error(problem, balance, ring_load),
+        error=error,
+        give=give,
     )
 
 
@@ -103,7 +134,7 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
         gap = (problem.load - linear.load)[:, free] / scale
         k = reduced(problem, linear.stiffness)
         dd[:, free] = _solve(k, gap, loose=problem.loose) / scale
-    return dd, np.stack(linear.balls.still) + linear.along(dd)
+    return dd, linear.still + linear.along(dd)
 
 
 def followed_by(follow: Array, moved: Array) -> Array:

@@ -15,7 +15,8 @@ from bearings.ball.laws import Laws
 from bearings.ball.plane import Pair
 from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin
-from bearings.ring.assembly import Assembly
+from bearings.ring.assembly import Assembly, full_assembly
+from bearings.ring.give import Compliances, compliances
 from bearings.ring.operation import Operation
 from bearings.ring.tolerances import SLOW
 
@@ -26,7 +27,9 @@ class Problem:
 
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
     the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
-    stiffness may be singular; the shortest step is taken.
+    stiffness may be singular; the shortest step is taken. ``rings``: compliance of rings that
+    deform. They couple the balls, all of which are solved then, and a ball has four unknowns, X and
+    the shift of its inner groove against the outer one, instead of two.
     """
 
     geometry: Geometry
@@ -38,21 +41,36 @@ class Problem:
     free: Flags
     turning: bool
     loose: bool = False
+    rings: Compliances | None = None
 
     @classmethod
     def of(cls, o: Operation, assembly: Callable[[Geometry], Assembly]) -> Problem:
         """All operating points, taken to turn; ``assembly`` says which balls are solved."""
         g = o.geometry
         origin = groove_origin(g, o.static_growth, o.growth)
-        return cls(g, o.law, assembly(g), origin, o.speed, o.load, o.free, turning=True)
+        rings = compliances(o.grooves)
+        which = assembly(g) if rings is None else full_assembly(g)
+        given = (origin, o.speed, o.load, o.free)
+        return cls(g, o.law, which, *given, turning=True, rings=rings)
 
-    def centres(self, displacement: Array) -> Array:
-        """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2."""
-        return self.assembly.centres(self.origin, displacement)
+    @property
+    def unknowns(self) -> int:
+        """Of a ball: its place, and with rings that deform the shift of its groove."""
+        return 2 if self.rings is None else 4
+
+    def centres(self, displacement: Array, ball: Array | None = None) -> Array:
+        """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2.
+
+        ``ball`` (2 or 4, s, n): with the shifts there; without, as of rigid rings.
+        """
+        centres = self.assembly.centres(self.origin, displacement)
+        if ball is not None and len(ball) > 2:
+            centres[:2] += ball[2:]
+        return centres
 
     def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
         """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""
-        return faced(self.geometry, tuple(self.centres(displacement)), (ball[0], ball[1]))
+        return faced(self.geometry, tuple(self.centres(displacement, ball)), (ball[0], ball[1]))
 
     @property
     def placed(self) -> bool:
@@ -61,8 +79,13 @@ class Problem:
 
     @property
     def full(self) -> float:
-        """Blend at which a state is found: 1, or 0 at rest and with Fc frozen and no Mg."""
-        return 1.0 if self.turning and self.law.dynamics != "frozen" else 0.0
+        """Blend at which a state is found: 1, or 0 where the first stage is all there is."""
+        return 1.0 if self.varying or self.rings is not None else 0.0
+
+    @property
+    def varying(self) -> bool:
+        """Whether Fc and Mg follow the angles: not at rest, nor frozen."""
+        return self.turning and self.law.dynamics != "frozen"
 
     @property
     def squared(self) -> Array:

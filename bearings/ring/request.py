@@ -46,11 +46,11 @@ def solved(
     outcome = np.where(np.isfinite(whole.origin[0]), "", "no contact angle").astype("<U16")
     if g.touching:  # a centred ring is at rest under no load
         outcome[operation.unloaded & (outcome == "")] = "unloaded"
-    states = _blank(g, operation, outcome)
+    states = _blank(whole, operation, outcome)
     fast = _compiled(g, operation) if compiled is None else compiled
     for index, axial, turning in _groups(g, operation, outcome):
         problem = replace(whole.take(index), turning=turning)
-        if axial:  # what is not axial stays at zero by symmetry
+        if axial and whole.rings is None:  # what is not axial stays at zero by symmetry
             free = operation.free & np.array([True, False, False, False, False])
             problem = replace(problem, assembly=axial_assembly(g), free=free)
         first, near = first_displacement(problem, operation.displacement[index]), None
@@ -58,7 +58,7 @@ def solved(
             first, near = _neighbour(problem, operation, start, index, first)
         _store(states, index, problem, solve(problem, first, near, compiled=fast))
     shape = operation.shape
-    centre = states.pop("ball_centre").reshape(*shape, 2, g.balls)
+    centre = states.pop("ball_centre").reshape(*shape, whole.unknowns, g.balls)
     return BearingState(
         operation,
         ball_centre=np.moveaxis(centre, -2, 0),
@@ -109,22 +109,26 @@ def _neighbour(
             f"{problem.geometry.balls} balls, got {start.outcome.shape} and "
             f"{start.inner_load.shape[-1]} balls"
         )
-    near = start.ball_centre.reshape(2, len(operation.speed), -1)[:, index]
+    near = start.ball_centre.reshape(len(start.ball_centre), len(operation.speed), -1)[:, index]
+    near = np.concatenate([near, np.zeros_like(near)])[: problem.unknowns]
     near = near[..., : problem.assembly.balls]  # of an axial state all balls are alike
     known = np.asarray(np.isfinite(near).all(axis=(0, 2))) & problem.law.one_branch
     there = start.displacement.reshape(-1, 5)[index]
     first = np.where(known[:, None] & problem.free, there, first)
     a = problem.centres(first)
     seats = np.stack(resting_seat(problem.geometry, (a[0], a[1])))
-    return first, np.where(known[:, None], near, seats)
+    near[:2] = np.where(known[:, None], near[:2], seats)
+    near[2:] = np.where(known[:, None], near[2:], 0.0)
+    return first, near
 
 
-def _blank(g: Geometry, operation: Operation, outcome: Words) -> Arrays:
+def _blank(problem: Problem, operation: Operation, outcome: Words) -> Arrays:
     """Arrays for every field, NaN until a state is found."""
+    g = problem.geometry
     contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
     shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
     shapes |= dict.fromkeys(BY_BALL, (g.balls,)) | dict.fromkeys(BY_CONTACT, contacts)
-    shapes |= {"ball_centre": (2, g.balls)}
+    shapes |= {"ball_centre": (problem.unknowns, g.balls)}
     count = len(outcome)
     states: Arrays = {name: np.full((count, *shape), np.nan) for name, shape in shapes.items()}
     states["status"] = np.full((count, g.balls), "", dtype="<U12")

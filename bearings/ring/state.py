@@ -40,7 +40,8 @@ class BearingState:
     ``"unloaded"`` (at rest).
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
-    ``ball_centre`` (2, …, balls): a start for neighbouring states; ``operation``: what was asked.
+    ``ball_centre`` (2, …, balls), of rings that deform (4, …, balls): a start for neighbouring
+    states; ``operation``: what was asked.
     """
 
     operation: Operation
@@ -100,7 +101,10 @@ class BearingState:
             return self.complete_stiffness
         from bearings.ring.linearised import frozen_tangent  # the balance of balls, rarely needed
 
-        move, balls = self.displacement.reshape(-1, 5), self.ball_centre.reshape(2, good.size, -1)
+        move, balls = (
+            self.displacement.reshape(-1, 5),
+            self.ball_centre.reshape(len(self.ball_centre), good.size, -1),
+        )
         stiffness = self.complete_stiffness.reshape(-1, 5, 5).copy()
         tangent, turning = frozen_tangent(self.operation, move, balls, good)
         stiffness[turning] = tangent

@@ -22,6 +22,7 @@ from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import Field, declared
 from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
+from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -340,6 +341,12 @@ COMMON: dict[type, tuple[Common, ...]] = {
             "fits of every bearing that gives none itself",
         ),
         Common(
+            ("flexible_rings",),
+            ("bearings", "*", "flexible_rings"),
+            BearingSeat,
+            "rings of every bearing that gives none itself, as elastic bodies",
+        ),
+        Common(
             ("damping", "bearings"),
             ("bearings", "*", "damping"),
             BearingSeat,
@@ -351,6 +358,9 @@ COMMON: dict[type, tuple[Common, ...]] = {
         Common(("model", "bore_diameter"), ("fits", "bore_diameter"), Fits),
         Common(("model", "outside_diameter"), ("fits", "outside_diameter"), Fits),
         Common(("model", "width"), ("fits", "width"), Fits),
+        Common(("model", "bore_diameter"), ("flexible_rings", "bore_diameter"), RingBodies),
+        Common(("model", "outside_diameter"), ("flexible_rings", "outside_diameter"), RingBodies),
+        Common(("model", "width"), ("flexible_rings", "width"), RingBodies),
     ),
 }
 

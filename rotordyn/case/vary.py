@@ -139,10 +139,12 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
     groups = _by_field([*fields.values()], [w for each in changes for w in _ways(old, each)])
-    if isinstance(old, BearingSeat) and old.fits is None and "fits" in groups:
-        given = replace(groups["fits"][0], steps=())
-        sized = [replace(given, value=v, steps=(key,)) for key, v in old.sizes.items()]
-        groups["fits"] = [*sized, *groups["fits"]]
+    if isinstance(old, BearingSeat):
+        for name in ("fits", "flexible_rings"):
+            if getattr(old, name) is None and name in groups:
+                given = replace(groups[name][0], steps=())
+                sized = [replace(given, value=v, steps=(key,)) for key, v in old.sizes.items()]
+                groups[name] = [*sized, *groups[name]]
     new = {
         name: _value(fields[name].annotation, getattr(old, name), group)
         for name, group in groups.items()

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.damping import RayleighDamping as RayleighDamping
     from rotordyn.machine.drawbar import Drawbar as Drawbar
     from rotordyn.machine.fits import Fits as Fits
+    from rotordyn.machine.flexible_rings import RingBodies as RingBodies
     from rotordyn.machine.growth import ComputedShortening as ComputedShortening
     from rotordyn.machine.growth import InterferenceFit as InterferenceFit
     from rotordyn.machine.growth import PrescribedShortening as PrescribedShortening
@@ -43,6 +44,7 @@ _NAMES = {
     "damping": ("RayleighDamping",),
     "drawbar": ("Drawbar",),
     "fits": ("Fits",),
+    "flexible_rings": ("RingBodies",),
     "growth": (
         "ComputedShortening",
         "InterferenceFit",

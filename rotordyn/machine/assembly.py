@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from bearings.bearing import BallBearing
+from bearings.errors import InvalidBearing
 from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.growth import ComputedShortening
 from rotordyn.machine.matrix import acts
@@ -25,6 +27,7 @@ def spindle_faults(spindle: Spindle) -> Faults:
     yield from _stations(spindle)
     yield from _shifts(spindle)
     yield from _bores(spindle)
+    yield from _rings(spindle)
     yield from _sleeves(spindle)
     yield from _set(spindle)
     yield from _held_twice(spindle)
@@ -74,6 +77,21 @@ def _stations(spindle: Spindle) -> Faults:
             if end in reaches:
                 what = "support" if end == SPINDLE else f"support on {end}"
                 yield from on_the_shaft(what, support.x, reaches[end], ("supports", index, "x"))
+
+
+def _rings(spindle: Spindle) -> Faults:
+    """Rings that deform fit their balls and their seats."""
+    low, high = spindle.shaft.reach
+    for index, seat in enumerate(spindle.seats):
+        known, bearing = seat.flexible_rings, seat.bearing
+        if known is None or not isinstance(bearing, BallBearing) or not low <= seat.x <= high:
+            continue
+        if any(known._faults()):
+            continue
+        try:
+            spindle.mounted(seat)
+        except InvalidBearing as refusal:
+            yield ("bearings", index, "flexible_rings"), f"bearing {seat.name}: {refusal}"
 
 
 def _shifts(spindle: Spindle) -> Faults:

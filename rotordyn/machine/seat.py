@@ -12,6 +12,7 @@ from bearings.bearing import BallBearing
 from bearings.kinds import kind_of
 from rotordyn.description import Description, Faults, Path
 from rotordyn.machine.fits import Fits
+from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.misalignment import Misalignment
 from rotordyn.quantity import HIDDEN, Choice, Damping, Friction, Key, Name, Station, Words
@@ -47,6 +48,11 @@ class BearingSeat(Description):
     fits: Annotated[
         Fits | None,
         "fits of its rings, from which the growth follows instead ([theory](theory/rings.md))",
+    ] = None
+    flexible_rings: Annotated[
+        RingBodies | None,
+        "its rings as elastic bodies on shaft and housing "
+        "([theory](theory/flexible_rings.md)); rigid by default",
     ] = None
     radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
     axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
@@ -121,8 +127,9 @@ class BearingSeat(Description):
         rings: list[tuple[Path, float | None, float | None]] = []
         if fit is not None:
             rings.append((("growth", "fit"), fit.bore_diameter, None))
-        if fits is not None:
-            rings.append((("fits",), fits.bore_diameter, fits.outside_diameter))
+        for key, known in (("fits", fits), ("flexible_rings", self.flexible_rings)):
+            if known is not None:
+                rings.append(((key,), known.bore_diameter, known.outside_diameter))
         for path, bore, outside in rings:
             for which, size, allowed in no_ring_left(bearing, bore, outside):
                 yield (

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from typing import Annotated
 
+from bearings.bearing import BallBearing
 from rotordyn.description import Description, Faults, require
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import spindle_faults
@@ -91,6 +92,19 @@ class Spindle(Description):
 
     def _faults(self) -> Faults:
         return spindle_faults(self)
+
+    def mounted(self, seat: BearingSeat) -> BallBearing:
+        """The bearing of a seat, its rings as they deform on this shaft and in the housing.
+
+        Raises
+        ------
+        InvalidBearing : rings that are impossible
+        """
+        known = seat.flexible_rings
+        if known is None:
+            return seat.bearing
+        hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
+        return replace(seat.bearing, rings=known.bodies(seat.bearing, hole, material))
 
     @property
     def damped(self) -> bool:

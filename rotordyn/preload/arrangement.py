@@ -135,7 +135,7 @@ def arrangement(
         sleeve = spindle.sleeve_of(seat.name)
         bearing = AxialBearing(
             seats=(k,),
-            model=seat.bearing,
+            model=spindle.mounted(seat),
             law=seat.law(law),
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],

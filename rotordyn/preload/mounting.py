@@ -97,8 +97,8 @@ class Side:
     def approach(self, force: float) -> float:
         """Axial displacement of the mounted bearings under ``force`` altogether, the mean of what
         they gained being its zero [m]."""
-        first, each = self.seats[0].bearing, [*zip(self.seats, self.growths, strict=True)]
-        if len({(seat.bearing, growth) for seat, growth in each}) == 1:
+        first, each = self.spindle.mounted(self.seats[0]), [*zip(self.seats, self.growths, strict=True)]
+        if len({(self.spindle.mounted(seat), growth) for seat, growth in each}) == 1:
             own = [[force / len(each), 0.0, 0.0, 0.0, 0.0]]
             state = first.equilibrium(load=own, static_growth=self.growths[0], compiled=False)
             return float(state.displacement[0, 0])
@@ -108,7 +108,7 @@ class Side:
             total = 0.0
             for seat, growth in each:
                 own = d + _gain(seat, growth) - gained
-                state = seat.bearing.equilibrium(
+                state = self.spindle.mounted(seat).equilibrium(
                     displacement=[[own, 0.0, 0.0, 0.0, 0.0]], static_growth=growth, compiled=False
                 )
                 total += float(state.load[0, 0])

@@ -276,7 +276,7 @@ def _under_radial_load(
         each.reshape(operation.shape)[:1, column]
         for each in (operation.static_growth, operation.growth)
     )
-    return seat.bearing.equilibrium(
+    return scene.spindle.mounted(seat).equilibrium(
         load=[float(balls.load[0, column, 0]), step.radial[seat.name], 0.0, np.nan, np.nan],
         displacement=[np.nan, np.nan, np.nan, 0.0, 0.0],
         speed=[step.speed],

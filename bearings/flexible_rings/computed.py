@@ -1,0 +1,74 @@
+"""The compliance of a ring, computed from its section.
+
+Each ball presses its ring over a short line across the raceway, and the groove gives there by the
+mean normal displacement over that line, weighted like the load: the compliance is symmetric. Of
+what a load does at its own place, the part is taken out that Hertz's law counts already, the
+displacement of a half-space under the same load; the difference converges with few harmonics and a
+coarse section.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from bearings.arrays import Array
+from bearings.flexible_rings.compliance import Compliance
+from bearings.flexible_rings.describe import ElasticRing
+from bearings.flexible_rings.half_space import half_space
+from bearings.flexible_rings.harmonics import Body
+from bearings.flexible_rings.outline import PATCH
+from bearings.flexible_rings.section import Section, section
+from bearings.grooves import Grooves
+
+HARMONICS = 40
+ANGLES = 9  # points along a groove (Chebyshev)
+
+
+@lru_cache(maxsize=64)
+def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Compliance:
+    """Of one ring of a bearing with such grooves; computed once in a process.
+
+    Raises
+    ------
+    InvalidBearing : as ``outline``
+    """
+    shape = section(grooves, ring, inner=inner)
+    held = "ends" if ring.ends == "clamped" else ""
+    held = "seat" if ring.backing_diameter is None else held
+    body = Body(shape, ring.material, ring.backing_material, held)
+    half_length = PATCH * grooves.ball_diameter
+    margin = half_length / shape.radius
+    points = np.cos(np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
+    cardinal = np.linalg.inv(np.polynomial.chebyshev.chebvander(points, ANGLES - 1)).astype(float)
+    ends = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs])
+    angles = 0.5 * (ends.sum(axis=1)[:, None] + np.diff(ends, axis=1) * points)
+    patches = np.array(
+        [_down(phi, shape) @ body.patch(arc, phi, half_length) for arc, phi in _places(angles)]
+    )
+    each = body.responses(patches, HARMONICS)
+    z = grooves.balls
+    around = np.cos(2.0 * np.pi * np.outer(np.arange(z), np.arange(HARMONICS + 1)) / z)
+    apart = np.einsum("dn,nab->dab", around, each)
+    counted = [
+        half_space(ring.material, half_length, (HARMONICS + 0.5) / _radius(shape, arc, phi))
+        for arc, phi in _places(angles)
+    ]
+    own = (np.diagonal(apart[0]) - counted).reshape(angles.shape)
+    steps = np.abs(np.subtract.outer(np.arange(z), np.arange(z)))
+    return Compliance(apart[steps], own, ends, cardinal, shape.outward)
+
+
+def _places(angles: Array) -> list[tuple[int, float]]:
+    return [(arc, float(phi)) for arc, row in enumerate(angles) for phi in row]
+
+
+def _down(phi: float, shape: Section) -> Array:
+    """Into the material, normal to the groove, axial and radial."""
+    return np.array([np.sin(phi), shape.outward * np.cos(phi)])
+
+
+def _radius(shape: Section, arc: int, phi: float) -> float:
+    """Of the circle around the axis on which a place of a groove lies [m]."""
+    return float(shape.arcs[arc][2][1] + shape.outward * shape.radius * np.cos(phi))

@@ -1,0 +1,97 @@
+"""What is known of the rings of a bearing and of what they sit on (SI)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+from bearings.arguments import finite
+from bearings.errors import InvalidBearing, shown
+from bearings.materials import STEEL, Material
+
+ENDS = ("free", "clamped")
+LENGTHS = ("width", "seat_diameter", "backing_diameter", "backing_length", "shoulder_diameter")
+
+
+@dataclass(frozen=True, slots=True)
+class ElasticRing:
+    """One ring, and the shaft or housing it sits on as one body with it.
+
+    Parameters
+    ----------
+    width : of the ring [m]
+    seat_diameter : bore of an inner ring, outside of an outer ring [m]
+    backing_diameter : bore of the shaft under an inner ring (0: solid), outside of the housing
+        around an outer ring [m]; None: the ring sits on something rigid
+    backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: three
+        widths. With free ends it need not be exact: what the ring does decays along it
+    ends : "free": the groove moves against the mean motion of the backing under the ring, which
+        is what a beam model knows as the motion of its axis; "clamped": the far ends of the
+        backing are held, and grooves move against these
+    shoulder_diameter : where the groove ends, on both sides alike [m]; None: half-way to where it
+        would reach the circle of ball centres
+    material, backing_material : isotropic
+
+    Raises
+    ------
+    InvalidBearing : a number that is not finite or out of range, an unknown word
+    """
+
+    width: float
+    seat_diameter: float
+    backing_diameter: float | None = None
+    backing_length: float | None = None
+    ends: str = "free"
+    shoulder_diameter: float | None = None
+    material: Material = STEEL
+    backing_material: Material = STEEL
+
+    def __post_init__(self) -> None:
+        for name in LENGTHS:
+            value = getattr(self, name)
+            if value is None and type(self).__dataclass_fields__[name].default is None:
+                continue
+            low = 0.0 if name == "backing_diameter" else 1e-4
+            if not (finite(value) and low <= value <= 10.0):
+                rule = f"a length from {low:g} m to 10 m"
+                raise InvalidBearing(f"{name} of a ring must be {rule}, got {shown(value)}")
+        if self.ends not in ENDS:
+            raise InvalidBearing(f"ends must be one of {', '.join(ENDS)}, got {shown(self.ends)}")
+        for name in ("material", "backing_material"):
+            if not isinstance(getattr(self, name), Material):
+                given = shown(getattr(self, name))
+                raise InvalidBearing(f"{name} of a ring must be a bearings.Material, got {given}")
+        if self.backing_diameter == self.seat_diameter:
+            raise InvalidBearing(
+                "backing_diameter is that of the seat: give None for a ring on something rigid"
+            )
+        if self.length < self.width:
+            raise InvalidBearing(
+                f"backing_length must be at least the width of the ring, {self.width * 1e3:g} mm, "
+                f"got {self.length * 1e3:g} mm"
+            )
+
+    @property
+    def length(self) -> float:
+        """Of the piece of shaft or housing [m]."""
+        return 3.0 * self.width if self.backing_length is None else self.backing_length
+
+
+@dataclass(frozen=True, slots=True)
+class FlexibleRings:
+    """Which rings of a bearing deform under the loads of its balls; None: rigid.
+
+    Raises
+    ------
+    InvalidBearing : something that is no ``ElasticRing``; none at all
+    """
+
+    inner: ElasticRing | None = None
+    outer: ElasticRing | None = None
+
+    def __post_init__(self) -> None:
+        for each in fields(self):
+            ring = getattr(self, each.name)
+            if not (ring is None or isinstance(ring, ElasticRing)):
+                raise InvalidBearing(f"{each.name} must be an ElasticRing, got {shown(ring)}")
+        if self.inner is None and self.outer is None:
+            raise InvalidBearing("flexible rings without a ring: give inner, outer or both")

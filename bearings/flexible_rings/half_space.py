@@ -1,0 +1,42 @@
+"""What Hertz's contact law counts already: a half-space under a short line of load.
+
+The line lies across the raceway, its load a parabola over a half-length a. Along the raceway it is
+a point, of which a Fourier series knows the wave numbers up to some K: the displacement of the
+half-space is taken over the same, with the transform of Boussinesq's solution (K. L. Johnson,
+Contact Mechanics, 1985, section 3.2), ∫ cos ky / √(x² + y²) dy = 2 K₀(k x).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.special import iti0k0
+
+from bearings.arrays import Array
+from bearings.materials import Material
+
+POINTS = 200  # of the quadratures
+
+
+def half_space(material: Material, half_length: float, highest: float) -> float:
+    """Mean normal displacement under a unit normal load over its own parabola [m/N].
+
+    ``highest`` wave number K [1/m] that is counted.
+    """
+    part, weight = _distances()
+    x = part * half_length
+    whole = iti0k0(highest * x)[1]  # ∫ K₀ up to K x
+    nu, shear = material.poisson_ratio, material.shear_modulus
+    return (1.0 - nu) / (math.pi**2 * shear) * float((weight * whole / x).sum())
+
+
+def _distances() -> tuple[Array, Array]:
+    """Distances of two points of the parabola over a, (k,), and how likely they are."""
+    node, weight = np.polynomial.legendre.leggauss(POINTS)
+    t = 0.5 * (node + 1.0)
+    far, near = 2.0 * t**3, 3.0 * t**2 * weight  # dense at 0, where the kernel is a logarithm
+    half = 0.5 * (2.0 - far)
+    s = 0.5 * far[:, None] + half[:, None] * node
+    both = 0.75**2 * (1.0 - s**2) * (1.0 - (s - far[:, None]) ** 2)
+    return far, 2.0 * near * half * (both @ weight)

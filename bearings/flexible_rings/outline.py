@@ -1,0 +1,83 @@
+"""The outline of a ring's section: where its groove begins and ends, and that it fits together."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from bearings.errors import InvalidBearing
+from bearings.flexible_rings.describe import ElasticRing
+from bearings.grooves import Grooves
+
+USUAL_SHOULDER = math.radians(60.0)  # where the groove ends if that is not known, or further:
+BEYOND = math.radians(20.0)  # ... so much beyond the free contact angle
+STEEPEST = math.radians(85.0)
+EDGE = 0.96  # of the half width that the groove may take
+PATCH = 0.1  # of a ball diameter: half the length of the line that a ball loads
+ROOM = 1.2  # times that line: the shortest groove
+
+
+class Outline(NamedTuple):
+    """Of one ring: ``radius`` f D of its grooves, ``centre`` of their circle, ``offset`` of each
+    from the middle plane [m]; angles φ from the radial direction at which a groove begins, ``low``,
+    and ends, ``top`` [rad]; ``outward`` ±1: sign of the radial direction into the material."""
+
+    radius: float
+    centre: float
+    offset: float
+    low: float
+    top: float
+    outward: float
+
+
+def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
+    """The outline of a ring of a bearing.
+
+    Raises
+    ------
+    InvalidBearing : no ring left between groove and seat, a groove wider than the ring, a backing
+        on the wrong side of the seat
+    """
+    outward, which = (-1.0, 0) if inner else (1.0, 1)
+    radius, centre = grooves.radii[which], grooves.centre_radii[which]
+    offset = abs((grooves.inner_offsets, grooves.outer_offsets)[which][0])
+    _check(ring, outward, centre + outward * math.sqrt(radius**2 - offset**2))
+    low = math.asin(offset / radius)
+    widest = math.asin(min(1.0, (EDGE * 0.5 * ring.width + offset) / radius))
+    given = ring.shoulder_diameter
+    if given is None:
+        given = grooves.inner_shoulder if inner else grooves.outer_shoulder
+    if given is None:
+        top = min(max(USUAL_SHOULDER, grooves.free_angle + BEYOND), STEEPEST, widest)
+        return Outline(radius, centre, offset, low, top, outward)
+    height = outward * (0.5 * given - centre) / radius
+    top = min(STEEPEST, math.acos(min(max(height, 0.0), 1.0)))
+    if top > widest:
+        wide = 2e3 * (radius * math.sin(top) - offset)
+        raise InvalidBearing(
+            f"a groove wider than its ring: {wide:.4g} mm up to the shoulder of {given * 1e3:.5g} "
+            f"mm in a width of {ring.width * 1e3:.4g} mm"
+        )
+    length = radius * (top - low if offset else 2.0 * top)
+    if length < ROOM * 2.0 * PATCH * grooves.ball_diameter:
+        raise InvalidBearing(
+            f"a shoulder of {given * 1e3:.5g} mm leaves a groove of {max(length, 0.0) * 1e3:.3g} "
+            f"mm along its arc, too short for balls of {grooves.ball_diameter * 1e3:g} mm"
+        )
+    return Outline(radius, centre, offset, low, top, outward)
+
+
+def _check(ring: ElasticRing, outward: float, bottom: float) -> None:
+    """The groove lies within the ring, and the backing on the other side of the seat."""
+    name, side = ("bore", "below") if outward < 0.0 else ("outside", "above")
+    if outward * (0.5 * ring.seat_diameter - bottom) <= 0.0:
+        raise InvalidBearing(
+            f"no ring is left beside the balls: seat_diameter {ring.seat_diameter * 1e3:.5g} mm "
+            f"(the {name}) must lie {side} {2e3 * bottom:.5g} mm"
+        )
+    around = ring.backing_diameter
+    if around is not None and outward * (around - ring.seat_diameter) <= 0.0:
+        raise InvalidBearing(
+            f"backing_diameter {around * 1e3:.5g} mm must lie {side} the seat's "
+            f"{ring.seat_diameter * 1e3:.5g} mm"
+        )

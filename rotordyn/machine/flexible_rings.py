@@ -1,0 +1,98 @@
+"""Rings that deform under their balls, with what they sit on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from bearings.bearing import BallBearing
+from bearings.flexible_rings.describe import ElasticRing, FlexibleRings
+from bearings.materials import STEEL, Material
+from rotordyn.description import Description, Faults
+from rotordyn.machine.fits import AROUND
+from rotordyn.quantity import Choice, Diameter, Key
+from rotordyn.units import format_quantity
+
+WHICH = ("both", "inner", "outer")
+
+
+@dataclass(frozen=True, slots=True)
+class RingBodies(Description):
+    """Rings of a bearing as elastic bodies, one with the shaft and the housing they sit on.
+
+    Against rigid rings they make the bearing softer; the radial growth of fits and speed is not
+    theirs.
+    """
+
+    which: Annotated[str, Choice(WHICH), "rings that deform: `both`, `inner` or `outer`"] = "both"
+    bore_diameter: Annotated[
+        Diameter | None, "of the inner ring; in files by default that of the bearing model"
+    ] = None
+    outside_diameter: Annotated[
+        Diameter | None, "of the outer ring; in files by default that of the bearing model"
+    ] = None
+    width: Annotated[
+        Diameter | None, "of the rings; in files by default that of the bearing model"
+    ] = None
+    housing_diameter: Annotated[
+        Diameter | None,
+        "outside of the housing or sleeve around the outer ring; by default 1.5 times that of the "
+        "ring",
+    ] = None
+    housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
+
+    @property
+    def inner(self) -> bool:
+        """Whether the inner ring deforms."""
+        return self.which != "outer"
+
+    @property
+    def outer(self) -> bool:
+        """Whether the outer ring deforms."""
+        return self.which != "inner"
+
+    def _faults(self) -> Faults:
+        needed = [("bore_diameter", self.inner), ("outside_diameter", self.outer), ("width", True)]
+        for key, needs in needed:
+            if needs and getattr(self, key) is None:
+                yield (
+                    (key,),
+                    "missing key: a ring that deforms needs it; the model of this bearing gives "
+                    "none",
+                )
+        around, ring = self.housing_diameter, self.outside_diameter
+        if self.outer and around is not None and ring is not None and around <= ring:
+            yield (
+                ("housing_diameter",),
+                "leaves no housing around the ring: given {given}; allowed: above "
+                f"{format_quantity(ring, 'mm')}",
+            )
+
+    def bodies(self, bearing: BallBearing, hole: float, shaft: Material) -> FlexibleRings:
+        """Rings of a ``bearing`` on a ``shaft`` with a ``hole`` of that diameter [m].
+
+        Raises
+        ------
+        InvalidBearing : rings that are impossible
+        """
+        inner = outer = None
+        assert self.width is not None
+        if self.inner:
+            assert self.bore_diameter is not None
+            inner = ElasticRing(
+                self.width,
+                self.bore_diameter,
+                hole,
+                material=bearing.ring_material,
+                backing_material=shaft,
+            )
+        if self.outer:
+            assert self.outside_diameter is not None
+            outer = ElasticRing(
+                self.width,
+                self.outside_diameter,
+                self.housing_diameter or AROUND * self.outside_diameter,
+                material=bearing.ring_material,
+                backing_material=self.housing_material,
+            )
+        return FlexibleRings(inner, outer)
