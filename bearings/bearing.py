@@ -184,10 +184,6 @@ class BallBearing:
         if self.rings is None:
             return
         grooves = self.grooves
-        if len(grooves.contacts) != 2:
-            raise InvalidBearing(
-                "rings that deform are known for one groove a ring; those of this bearing have two"
-            )
         for ring, inner in ((self.rings.inner, True), (self.rings.outer, False)):
             if ring is not None:
                 outline(grooves, ring, inner=inner)

@@ -18,7 +18,8 @@ from bearings.grooves import STEEP, WIDEST, Grooves
 
 class Groove(NamedTuple):
     """One groove: k of Q = k δ^1.5 [N/m^1.5], distance ℓ of its centre
-    from that of a ball that just touches, and axial place of its centre [m].
+    from that of a ball that just touches, and axial place of its centre [m]. ``along``, ``rise``:
+    how far a deformed ring has shifted that centre, axially and radially.
 
     ``walls``: sides (−1, +1) on which the groove goes on straight from 90°, where it presses a ball
     along the axis alone; () of bearings whose displacement counts from touching, a whole circle. A
@@ -28,6 +29,8 @@ class Groove(NamedTuple):
     stiffness: float
     centre_distance: float
     offset: float
+    along: float
+    rise: float
     walls: tuple[float, ...]
 
 
@@ -99,10 +102,10 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_centre_distance, x, walls) for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_centre_distance, x, 0.0, 0.0, walls) for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_centre_distance, x, walls) for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_centre_distance, x, 0.0, 0.0, walls) for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,

@@ -32,7 +32,7 @@ from bearings.ball.plane import (
     where,
 )
 from bearings.ball.potential import both_grooves, resting_reaction
-from bearings.ball.race import Contact, Race, against, facing, race
+from bearings.ball.race import Contact, Race, against, by_groove, facing, race
 from bearings.geometry import Geometry
 
 
@@ -48,6 +48,22 @@ class Balance(NamedTuple):
     outer_load: Any
     inner_direction: Pair
     outer_direction: Pair
+    centrifugal_force: Any
+    gyroscopic_moment: Any
+    inner_share: Any
+
+
+class Rolled(NamedTuple):
+    """What a ball that rolls puts on its inner ring (``axial``, ``radial`` force, moment ``turning``
+    by friction) and what is missing to its own balance (``level``, ``rise``), by the races."""
+
+    inner: Race
+    outer: Race
+    axial: Polar
+    radial: Polar
+    turning: Polar
+    level: Polar
+    rise: Polar
     centrifugal_force: Any
     gyroscopic_moment: Any
     inner_share: Any
@@ -77,6 +93,41 @@ def turning_balance(
     leads from the convex problem (Mg = 0, Fc at the nominal angle) to the full one; ``vary`` 1,
     or 0 for derivatives that leave Fc and Mg as they are.
     """
+    r = _rolled(c, law, centre, ball, squared, blend, vary)
+    inner, outer = r.inner, r.outer
+    axial, radial = _moving(r.axial, inner, outer), _moving(r.radial, inner, outer)
+    tilting = _about_the_middle(inner, radial, _moving(r.turning, inner, outer))
+    level, rise = _moving(r.level, inner, outer), _moving(r.rise, inner, outer)
+    forces = Forces(
+        residual=(level.value, rise.value),
+        residual_by_ball=(level.by_ball, rise.by_ball),
+        residual_by_centre=(level.by_centre, rise.by_centre),
+        action=(axial.value, radial.value, tilting.value),
+        action_by_ball=(axial.by_ball, radial.by_ball, tilting.by_ball),
+        action_by_centre=(axial.by_centre, radial.by_centre, tilting.by_centre),
+    )
+    return Balance(
+        forces=forces,
+        inner_load=inner.load,
+        outer_load=outer.load,
+        inner_direction=(inner.sin, inner.cos),
+        outer_direction=(outer.sin, outer.cos),
+        centrifugal_force=r.centrifugal_force,
+        gyroscopic_moment=r.gyroscopic_moment,
+        inner_share=r.inner_share,
+    )
+
+
+def _rolled(
+    c: Geometry,
+    law: LawNumbers,
+    centre: Motion,
+    ball: Pair,
+    squared: Any,
+    blend: Any,
+    vary: float,
+) -> Rolled:
+    """The races, and what they put on a ball that rolls between them."""
     inner = race(c.inner_grooves, against(centre, ball), 1.0)
     outer = race(c.outer_grooves, ball, -1.0)
     si, ci, so, co = inner.sin, inner.cos, outer.sin, outer.cos
@@ -104,28 +155,54 @@ def turning_balance(
     fa, fr = _inner_force(loads[0], ti, si, ci)
     ga, gr = _outer_force(loads[1], to, so, co)
     turning = scaled(1.0, c.inner_conformity * c.ball_diameter, ti)
-    axial, radial = _moving(fa, inner, outer), _moving(fr, inner, outer)
-    tilting = _about_the_middle(inner, radial, _moving(turning, inner, outer))
-    level = _moving(less_by(fa, ga), inner, outer)
-    rise = _moving(more_by(less_by(fr, gr), fc), inner, outer)
-    forces = Forces(
-        residual=(level.value, rise.value),
-        residual_by_ball=(level.by_ball, rise.by_ball),
-        residual_by_centre=(level.by_centre, rise.by_centre),
-        action=(axial.value, radial.value, tilting.value),
-        action_by_ball=(axial.by_ball, radial.by_ball, tilting.by_ball),
-        action_by_centre=(axial.by_centre, radial.by_centre, tilting.by_centre),
-    )
-    return Balance(
-        forces=forces,
-        inner_load=inner.load,
-        outer_load=outer.load,
-        inner_direction=(si, ci),
-        outer_direction=(so, co),
+    return Rolled(
+        inner=inner,
+        outer=outer,
+        axial=fa,
+        radial=fr,
+        turning=turning,
+        level=less_by(fa, ga),
+        rise=more_by(less_by(fr, gr), fc),
         centrifugal_force=fc.value,
         gyroscopic_moment=moment.value,
         inner_share=share.value,
     )
+
+
+def by_grooves(
+    c: Geometry,
+    law: LawNumbers,
+    centre: Motion,
+    ball: Pair,
+    squared: Any,
+    blend: Any,
+) -> tuple[tuple[tuple[Pair, ...], tuple[Pair, ...]], ...]:
+    """For every contact of a ball between two grooves a ring, in their order: derivatives of the
+    forces on the ball (two rows) and of the action on the ring (three) by a shift of its groove."""
+    r = _rolled(c, law, centre, ball, squared, blend, 1.0)
+    still = (0.0, 0.0)
+    held = r.inner._replace(angle_by=still, approach_by=still, middle_by=still)
+    free = r.outer._replace(angle_by=still, approach_by=still, middle_by=still)
+    pairs = [(each, free) for each in by_groove(c.inner_grooves, against(centre, ball), 1.0)]
+    pairs += [(held, each) for each in by_groove(c.outer_grooves, ball, -1.0)]
+    found = []
+    for inner, outer in pairs:
+        # A shift of an inner groove leads away from the ball, one of an outer groove towards it.
+        side = -1.0 if inner is held else 1.0
+        level, rise, axial, radial, turning = (
+            _by_vectors(part, inner, outer, side)
+            for part in (r.level, r.rise, r.axial, r.radial, r.turning)
+        )
+        middle = combined(r.inner.middle, radial, r.radial.value, inner.middle_by)
+        found.append(((level, rise), (axial, radial, plus(turning, middle))))
+    return tuple(found)
+
+
+def _by_vectors(p: Polar, inner: Race, outer: Race, side: float) -> Pair:
+    """Derivative of a value by a shift on which the races depend as they say."""
+    one = combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
+    two = combined(p.by[2], outer.angle_by, p.by[3], outer.approach_by)
+    return side * (one[0] + two[0]), side * (one[1] + two[1])
 
 
 def _about_the_middle(inner: Race, radial: Moving, tilting: Moving) -> Moving:

@@ -119,7 +119,7 @@ def resting_reaction(c: Geometry, centre: Motion) -> tuple[Any, Condensed]:
 
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
-    return Groove(c.series_stiffness, c.free_distance, 0.0, c.inner_grooves[0].walls)
+    return Groove(c.series_stiffness, c.free_distance, 0.0, 0.0, 0.0, c.inner_grooves[0].walls)
 
 
 def resting_seat(c: Geometry, centre: Pair) -> Pair:

@@ -168,6 +168,29 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     return Race(sin, cos, approach, load, slope, middle, angle_by, approach_by, middle_by)
 
 
+def by_groove(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Race, ...]:
+    """For each of two grooves the race once more, its derivatives by the vector of that groove,
+    which moves by ``side`` times a shift of the groove."""
+    whole, found = _resultant(grooves, vector, side), []
+    bears = whole.load > 0.0
+    part = where(bears, 1.0, 0.0) / where(bears, whole.load, 1.0)
+    soft = where(bears, 1.0, 0.0) / where(bears, whole.slope, 1.0)
+    radial = whole.load * whole.cos
+    lifted = where(radial != 0.0, radial, 1.0)
+    sin, cos = whole.sin, whole.cos
+    for groove in grooves:
+        a, b, c = spring(groove, vector_to(groove, vector, side)).slope
+        arm = (groove.offset - whole.middle) / lifted
+        found.append(
+            whole._replace(
+                angle_by=((cos * a - sin * b) * part, (cos * b - sin * c) * part),
+                approach_by=((sin * a + cos * b) * soft, (sin * b + cos * c) * soft),
+                middle_by=(arm * b, arm * c),
+            )
+        )
+    return tuple(found)
+
+
 def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Any, Any, Pair, Any]:
     """Angle to the groove whose centre is farther from the ball, its derivatives, its offset.
 
@@ -220,6 +243,7 @@ def spring(groove: Groove, vector: Motion) -> Springs:
 
 def vector_to(groove: Groove, vector: Motion, side: float) -> Pair:
     """From the ball to the centre of an inner groove, or from that of an outer one to the ball."""
+    axial, radial = vector[0] + side * (groove.offset + groove.along), vector[1] + side * groove.rise
     if len(vector) == 2:
-        return vector[0] + side * groove.offset, vector[1]
-    return vector[0] + side * groove.offset, vector[1] + vector[2] * groove.offset
+        return axial, radial
+    return axial, radial + vector[2] * groove.offset

@@ -107,10 +107,10 @@ class Compliance:
             np.moveaxis(np.polynomial.chebyshev.chebval(t, table), 0, -1)
             for table in (self.cardinal, *self._derivatives)
         )
-        straight = (beyond != 0.0)[..., None]
-        value = value + scale * first * further[..., None]
         fading = (1.0 / np.cosh(beyond / BEYOND) ** 2)[..., None]
-        return value, scale * first * fading, np.where(straight, 0.0, scale**2 * second)
+        bending = -2.0 * further[..., None] / BEYOND**2 * fading
+        bent = np.where((beyond == 0.0)[..., None], scale**2 * second, scale * first * bending)
+        return value + scale * first * further[..., None], scale * first * fading, bent
 
     @property
     def _derivatives(self) -> tuple[Any, Any]:

@@ -28,7 +28,8 @@ SOLID = 0.02  # of the seat's radius: the hole in a solid shaft, without measura
 class Section:
     """Corners (2, v) [m] (axial, radial), quadrilaterals (4, q), and which (q,) are backing.
 
-    ``arcs``: per groove its corners (k,), the angles φ there, and the place of its centre;
+    ``arcs``: per groove, in the order of the contacts, that with its centre at +x first: its corners
+    (k,), the angles φ there, and the place of the centre;
     ``radius`` of the grooves; ``outward`` ±1: sign of the radial direction into the material;
     ``seat``, ``ends``: corners on the seat, and at the far ends.
     """
@@ -80,7 +81,7 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
     first = number[0, middle : middle + turned], half, (-offset, centre)
     second = number[0, middle - turned + 1 : middle + 1], -half[::-1], (offset, centre)
     if offset > 0.0:
-        arcs: tuple[tuple[Index, Array, tuple[float, float]], ...] = (first, second)
+        arcs: tuple[tuple[Index, Array, tuple[float, float]], ...] = (second, first)
     else:
         whole = np.concatenate([second[0], first[0][1:]]), np.concatenate([second[1], half[1:]])
         arcs = ((*whole, (0.0, centre)),)

@@ -36,7 +36,7 @@ def contacts(
 ) -> tuple[Balance, Contacts]:
     """Contacts at (d, X), or after a ``step`` (dd, dX) from there; the balance with their loads.
 
-    d and dd (s, 5), X and dX (2 or 4, s, n). Fc and Mg notice such a step only where they depend on
+    d and dd (s, 5), X and dX (u, s, n). Fc and Mg notice such a step only where they depend on
     the ratio of the loads; they are left as they are.
     """
     if problem.geometry.single and not (problem.turning and step is not None):
@@ -44,7 +44,7 @@ def contacts(
         (si, ci), (so, co) = after.inner_direction, after.outer_direction
         load = np.stack([after.inner_load, after.outer_load])
         return after, Contacts(load, np.stack([si, so]), np.stack([ci, co]))
-    c, (d, x) = problem.geometry, at
+    c, (d, x) = problem.shifted(at[1]), at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
     a, moved = problem.centres(d, x), _moved(problem, dd, dx)
     least = 0.0
@@ -111,7 +111,7 @@ def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Bala
 def _moved(problem: Problem, dd: Array, dx: Array) -> Array:
     """What a step adds to A (m, s, n)."""
     moved = problem.assembly.moved(dd)
-    if len(dx) > 2:
+    if len(dx) == 4:
         moved[:2] += dx[2:]
     return moved
 

@@ -28,7 +28,7 @@ from bearings.ring.problem import Problem, first_displacement
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solution:
-    """d (s, 5), ball (2 or 4, s, n), balance, tangent (s, 5, 5), residual, outcome word (s,)."""
+    """d (s, 5), ball (u, s, n), balance, tangent (s, 5, 5), residual, outcome word (s,)."""
 
     displacement: Array
     ball: Array
@@ -45,7 +45,7 @@ def solve(
 ) -> Solution:
     """The physical state of every problem, started at ``displacement`` (s, 5).
 
-    ``guess`` (2 or 4, s, n): unknowns of the balls near the solution at full blend (a previous
+    ``guess`` (u, s, n): unknowns of the balls near the solution at full blend (a previous
     state of a sweep); where following from it fails, the two-stage solve decides. ``compiled``: one
     state after the other instead of all together.
     """

@@ -1,141 +1,201 @@
 """How grooves give under the loads of all balls: more unknowns beside the ball centres.
 
 With rigid rings every ball depends on the motion of its ring alone. Rings that deform couple the
-balls: at each, a groove is where the ring's motion carries it, and shifted by e, which all contact
-loads bring about (``bearings.flexible_rings.compliance``). Once balls are eliminated, that is one
-linear equation for the shifts of all balls of a state, and the ring sees balls and shifts as
-springs. Where one groove a ring is loaded, only the shift of the inner groove against the outer one
-matters to a ball.
+balls: at each, a groove is where the ring's motion carries it, and shifted, which all contact loads
+bring about (``bearings.flexible_rings.compliance``). Once balls are eliminated, that is one linear
+equation for the shifts of all balls of a state, and the ring sees balls and shifts as springs.
+
+Between one groove a ring, only the shift of the inner groove against the outer one matters to a
+ball: two unknowns. Between two, each groove has its own: eight, in the order of the contacts.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from bearings.arrays import Array
+from bearings.ball.balance import Balance, by_grooves
 from bearings.ball.condensed import Condensed
-from bearings.ball.plane import Motion
+from bearings.ball.plane import Motion, inverse
 from bearings.ball.potential import both_grooves
-from bearings.ball.race import hertz
-from bearings.flexible_rings.compliance import Compliance, Pressed
-from bearings.flexible_rings.describe import FlexibleRings
-from bearings.geometry import Geometry, Groove
-from bearings.grooves import Grooves
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Compliances:
-    """Of both rings of a bearing; None: rigid."""
-
-    inner: Compliance | None
-    outer: Compliance | None
+from bearings.ball.race import against, hertz, vector_to
+from bearings.geometry import Geometry
+from bearings.ring.problem import Problem
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Give:
-    """Shifts of the inner grooves against the outer ones, linearised with the balls.
+    """The u shifts of the grooves at every ball, linearised with the balls.
 
-    ``still`` (2, s, n) [m]: what they still change by with the ring where it is; ``follow``
-    (2, s, n, 5): with the ring's displacement. ``error`` (s,): what they miss, as a force.
+    ``still`` (u, s, n) [m]: what they still change by with the ring where it is; ``follow``
+    (u, s, n, 5): with the ring's displacement. ``error`` (s,): what they miss, as a force.
+    ``ball_by`` (2, u, s, n), ``action_by`` (3, u, s, n): what a ball does with them, and its action.
     """
 
     still: Array
     follow: Array
     error: Array
+    ball_by: Array
+    action_by: Array
 
 
-def compliances(grooves: Grooves) -> Compliances | None:
-    """Of the rings of a bearing; None where both are rigid."""
-    rings = grooves.rings
-    if rings is None:
-        return None
-    from bearings.flexible_rings.computed import compliance  # finite elements, for these alone
+class Ways(NamedTuple):
+    """From the centre of every groove to its ball, ``way`` (s, n, c, 2) [m], and how ways move.
 
-    assert isinstance(rings, FlexibleRings)
+    ``still`` (s, n, 2c): as balls come into balance, with ring and shifts where they are;
+    ``by_shift`` (s, n, 2c, u), ``by_ring`` (s, n, 2c, 5): by shifts and by the ring. ``joined``
+    (u, 2c): the unknowns of a ball from the shifts of all its grooves.
+    """
 
-    return Compliances(
-        None if rings.inner is None else compliance(grooves, rings.inner, inner=True),
-        None if rings.outer is None else compliance(grooves, rings.outer, inner=False),
-    )
+    way: Array
+    still: Array
+    by_shift: Array
+    by_ring: Array
+    joined: Array
 
 
-def given(
-    rings: Compliances,
+def given(  # noqa: PLR0913 - the linearised balls are all of it
+    problem: Problem,
     c: Geometry,
     centre: Motion,
     x: Array,
+    balance: Balance,
     balls: Condensed,
-    spread: Array,
     blend: Array,
-    *,
-    placed: bool,
+    varying: Any,
 ) -> Give:
-    """Shifts where grooves stand at ``centre`` and balls at ``x`` (4, s, n), their own part last.
+    """Shifts where grooves stand at ``centre`` and balls at ``x``, whose later rows they are.
 
-    ``blend`` (s,): share of the compliance that acts; ``spread`` (2, 5, n): motion of the grooves
-    with the ring. ``placed``: balls have places of their own; at rest both contacts are in series.
+    ``c``: with grooves as shifted; ``blend`` (s,): share of the compliance that acts; ``varying``:
+    that of Fc and Mg.
     """
-    inner_way = _flat(x[:2] - np.stack(centre[:2])) if placed else _flat(-np.stack(centre[:2]))
-    outer_way = _flat(x[:2]) if placed else -inner_way
-    grooves = (c.inner_grooves[0], c.outer_grooves[0]) if placed else (both_grooves(c),) * 2
-    inner = _pressed(rings.inner, grooves[0], inner_way, blend)
-    outer = _pressed(rings.outer, grooves[1], outer_way, blend)
-    states, n = inner_way.shape[:2]
-    here = _flat(x[2:])
-    pending = np.zeros_like(here)
-    if placed:
-        # The outward ways are those of the ball: dX − dA to the inner groove, dX to the outer one.
-        follow, still = _block(balls.follow), _flat(np.stack(balls.still))
-        by_inner, by_outer = np.eye(2) - follow, follow
-        pending = _by(inner.slope, still) - _by(outer.slope, still)
-        tangent = _through(inner.slope, by_inner) + _through(outer.slope, by_outer)
+    if c.single:
+        ball_by, action_by = _rows(balls.follow, 2), _rows(balls.tangent, 2)
+        ways = _between_one(problem, centre, x, balls)
     else:
-        tangent = _square(inner.slope) + _square(outer.slope)
-    shift = inner.shift - outer.shift
-    missing = shift - here + pending
-    moved = np.moveaxis(spread[:2], -1, 0).reshape(2 * n, 5)
-    right = np.concatenate([missing.reshape(states, 2 * n, 1), -(tangent @ moved)], axis=2)
-    solved = np.linalg.solve(np.eye(2 * n) + tangent, right).reshape(states, n, 2, 6)
+        ball_by, action_by = _by_grooves(problem, c, centre, x, balance, varying)
+        ways = _between_two(problem, c, centre, x, balls, ball_by)
+    states, n, u = len(x[0]), x.shape[2], len(x) - 2
+    shift, slope = _pressed(problem, c, ways.way, blend)
+    turned = (ways.joined @ slope.reshape(states, n, -1, n * ways.still.shape[2])).reshape(
+        states, n * u, n, -1
+    )
+    here = np.moveaxis(x[2:], 0, 2)
+    missing = shift @ ways.joined.T - here
+    tangent = np.einsum("siky,skyv->sikv", turned, ways.by_shift).reshape(states, n * u, n * u)
+    right = np.empty((states, n * u, 6))
+    right[..., 0] = missing.reshape(states, -1) + np.einsum("siky,sky->si", turned, ways.still)
+    right[..., 1:] = np.einsum("siky,skyd->sid", turned, ways.by_ring)
+    solved = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, 6)
     solved = np.moveaxis(solved, 2, 0)
-    stiffest = np.abs(_block(balls.tangent[:2])).max(axis=(1, 2, 3))
-    error = np.abs(shift - here).max(axis=(1, 2)) * stiffest
-    return Give(solved[..., 0], solved[..., 1:], error)
+    stiffest = np.abs(np.asarray(balls.tangent[:2])).max(axis=(0, 1, 3))
+    error = np.abs(missing).max(axis=(1, 2)) * stiffest
+    return Give(solved[..., 0], solved[..., 1:], error, ball_by, action_by)
 
 
-def _pressed(ring: Compliance | None, groove: Groove, way: Array, blend: Array) -> Pressed:
-    """Shifts (s, n, 2) and their slope (s, n, 2, n, 2) of the groove of one ring."""
-    states, n = way.shape[:2]
-    if ring is None:
-        return Pressed(np.zeros_like(way), np.zeros((states, n, 2, n, 2)))
-    length = np.sqrt((way * way).sum(axis=-1))
-    load, slope = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0))
-    each = ring.pressed(*(part[:, :, None] for part in (way, load, slope)))
-    return Pressed(
-        each.shift[:, :, 0] * blend[:, None, None],
-        each.slope[:, :, 0, :, :, 0] * blend[:, None, None, None, None],
+def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> Ways:
+    """One groove a ring: X counts from the outer groove, A from there to the inner one. At rest
+    both contacts are in series, and the ball takes no place."""
+    a = np.stack(centre[:2])
+    eye = np.eye(2)[:, :, None, None]
+    if problem.placed:
+        way, follow, still = (x[:2] - a, x[:2]), np.asarray(balls.follow), np.stack(balls.still)
+    else:
+        way, follow, still = (-a, a), None, np.zeros_like(a)
+    by = (-eye, eye) if follow is None else (follow - eye, follow)
+    by_shift = _last(np.concatenate(np.broadcast_arrays(*by)), x)
+    return Ways(
+        way=np.moveaxis(np.stack(way), (0, 1), (2, 3)),
+        still=np.moveaxis(np.concatenate([still, still]), 0, 2),
+        by_shift=by_shift,
+        by_ring=_by_ring(by_shift, problem.assembly.spread[:2]),
+        joined=np.hstack([np.eye(2), -np.eye(2)]),
     )
 
 
-def _flat(pair: Array) -> Array:
-    """(2, s, n) as (s, n, 2)."""
-    return np.moveaxis(pair, 0, 2)
+def _between_two(
+    problem: Problem, c: Geometry, centre: Motion, x: Array, balls: Condensed, ball_by: Array
+) -> Ways:
+    """Two grooves a ring: every one with its own shift."""
+    place = (x[0], x[1])
+    inner = [vector_to(groove, against(centre, place), 1.0) for groove in c.inner_grooves]
+    outer = [vector_to(groove, place, -1.0) for groove in c.outer_grooves]
+    way = [(-axial, -radial) for axial, radial in inner] + outer
+    follow, still, count = np.asarray(balls.follow), np.stack(balls.still), len(way)
+    by_ring = np.tile(follow, (count, 1, 1, 1))  # (2c, 3, s, n)
+    for k, groove in enumerate(c.inner_grooves):
+        by_ring[2 * k, 0] -= 1.0
+        by_ring[2 * k + 1, 1] -= 1.0
+        by_ring[2 * k + 1, 2] -= groove.offset
+    by_shift = np.tile(ball_by, (count, 1, 1, 1)) - np.eye(2 * count)[:, :, None, None]
+    return Ways(
+        way=np.moveaxis(np.asarray(way), (0, 1), (2, 3)),
+        still=np.moveaxis(np.tile(still, (count, 1, 1)), 0, 2),
+        by_shift=_last(by_shift, x),
+        by_ring=_by_ring(_last(by_ring, x), problem.assembly.spread),
+        joined=np.eye(2 * count),
+    )
 
 
-def _block(rows: object) -> Array:
-    """Two rows of two entries (s, n) as (s, n, 2, 2)."""
-    return np.moveaxis(np.asarray(rows), (0, 1), (2, 3))
+def _by_grooves(
+    problem: Problem, c: Geometry, centre: Motion, x: Array, balance: Balance, varying: Any
+) -> tuple[Array, Array]:
+    """What a ball does with the shifts of its grooves (2, u, s, n), and its action (3, u, s, n)."""
+    law, squared = problem.law.numbers, problem.squared[:, None]
+    each = by_grooves(c, law, centre, (x[0], x[1]), squared, varying)
+    forces, action = (
+        np.concatenate([_rows(part[k], 2) for part in each], axis=1) for k in range(2)
+    )
+    back = np.asarray(inverse(balance.forces.residual_by_ball))
+    ball_by = -np.einsum("xysn,yusn->xusn", back, forces)
+    by_ball = _rows(balance.forces.action_by_ball, 2)
+    return ball_by, action + np.einsum("axsn,xusn->ausn", by_ball, ball_by)
 
 
-def _by(slope: Array, motion: Array) -> Array:
-    return np.einsum("sixjy,sjy->six", slope, motion)
+def _pressed(problem: Problem, c: Geometry, way: Array, blend: Array) -> tuple[Array, Array]:
+    """Shifts of all grooves (s, n, 2c), and what they change by with the ways of the balls
+    (s, n, 2c, n, 2c)."""
+    states, n, contacts = way.shape[:3]
+    half, rings = contacts // 2, problem.rings
+    assert rings is not None
+    shift = np.zeros((states, n, contacts, 2))
+    slope = np.zeros((states, n, contacts, 2, n, contacts, 2))
+    ends = ((rings.inner, c.inner_grooves, -1.0), (rings.outer, c.outer_grooves, 1.0))
+    for k, (ring, grooves, outward) in enumerate(ends):
+        part = slice(k * half, (k + 1) * half)
+        if ring is None:
+            continue
+        groove = grooves[0] if problem.placed else both_grooves(c)
+        there = way[:, :, part].copy()
+        if groove.walls:  # straight beyond 90°
+            there[..., 1] = outward * np.maximum(outward * there[..., 1], 0.0)
+        length = np.sqrt((there * there).sum(axis=-1))
+        load, stiffness = hertz(
+            groove.stiffness, np.maximum(length - groove.centre_distance, 0.0)
+        )
+        each = ring.pressed(there, load, stiffness)
+        shift[:, :, part] = each.shift
+        slope[:, :, part, :, :, part] = each.slope
+    shift *= blend[:, None, None, None]
+    slope *= blend[:, None, None, None, None, None, None]
+    flat = shift.reshape(states, n, 2 * contacts)
+    return flat, slope.reshape(states, n, 2 * contacts, n, 2 * contacts)
 
 
-def _through(slope: Array, turned: Array) -> Array:
-    return _square(np.einsum("sixjy,sjyz->sixjz", slope, turned))
+def _rows(rows: Any, columns: int) -> Array:
+    """Rows of which the first ``columns`` are taken, each (s, n), as (rows, columns, s, n)."""
+    return np.array([row[:columns] for row in rows])
 
 
-def _square(slope: Array) -> Array:
-    states, n = slope.shape[:2]
-    return slope.reshape(states, 2 * n, 2 * n)
+def _last(block: Array, x: Array) -> Array:
+    """(k, l, s, n) as (s, n, k, l)."""
+    whole = np.broadcast_to(block, (*block.shape[:2], *x.shape[1:]))
+    return np.moveaxis(whole, (0, 1), (2, 3))
+
+
+def _by_ring(by_motion: Array, spread: Array) -> Array:
+    """By the five DOF of the ring (s, n, k, 5), from motions of its grooves (s, n, k, m)."""
+    return np.asarray(by_motion @ np.moveaxis(spread, -1, 0))

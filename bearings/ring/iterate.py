@@ -34,7 +34,7 @@ Parts = tuple[tuple[Index, Problem], ...]
 class Iterate:
     """A batch of bearings of one model on the way to balance, of shape (…).
 
-    ``displacement`` (…, 5); ``ball`` (2 or 4, …, n): unknowns of the balls that are solved;
+    ``displacement`` (…, 5); ``ball`` (u, …, n): unknowns of the balls that are solved;
     ``parts``: the states that turn, and those at rest, whose balls have no step of their own.
     """
 

@@ -55,32 +55,36 @@ class Linear:
         return rigid + np.stack(columns, axis=-1)
 
     def _by_shift(self, shift: Array) -> Array:
-        """Change of f (s, 5) with ``shift`` (2, s, n) of the grooves."""
-        rows = [row[0] * shift[0] + row[1] * shift[1] for row in self.balls.tangent]
-        return self.assembly.load((rows[0], rows[1], rows[2]))
+        """Change of f (s, 5) with ``shift`` (u, s, n) of the grooves."""
+        assert self.give is not None
+        x, r, tilt = (self.give.action_by * shift).sum(axis=1)
+        return self.assembly.load((x, r, tilt))
+
+    def _ball_by(self, shift: Array) -> Array:
+        """dX (2, s, n) with ``shift`` (u, s, n) of the grooves."""
+        assert self.give is not None
+        return np.asarray((self.give.ball_by * shift).sum(axis=1))
 
     @property
     def still(self) -> Array:
-        """Step of the balls (2 or 4, s, n) with the ring where it is."""
+        """Step of the balls (u, s, n) with the ring where it is."""
         still = np.stack(self.balls.still)
         if self.give is None:
             return still
-        shift = self.give.still
-        return np.concatenate([still + followed_by(np.stack(self.balls.follow), shift), shift])
+        return np.concatenate([still + self._ball_by(self.give.still), self.give.still])
 
     def along(self, dd: Array) -> Array:
-        """Step (2 or 4, s, n) of balls that follow the ring by dd (s, 5)."""
-        moved, follow = self.assembly.moved(dd), np.stack(self.balls.follow)
+        """Step (u, s, n) of balls that follow the ring by dd (s, 5)."""
+        along = followed_by(np.stack(self.balls.follow), self.assembly.moved(dd))
         if self.give is None:
-            return followed_by(follow, moved)
-        shift = np.einsum("xsnk,sk->xsn", self.give.follow, dd)
-        moved[:2] += shift
-        return np.concatenate([followed_by(follow, moved), shift])
+            return along
+        shift = np.einsum("usnk,sk->usn", self.give.follow, dd)
+        return np.concatenate([along + self._ball_by(shift), shift])
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
     """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
-    g, centre = problem.geometry, tuple(problem.centres(d, x))
+    g, centre, t = problem.shifted(x), tuple(problem.centres(d, x)), 0.0
     if problem.placed:
         squared, t = problem.squared[:, None], blend[:, None] if problem.varying else 0.0
         balance = turning_balance(g, problem.law.numbers, centre, (x[0], x[1]), squared, t, vary)
@@ -90,8 +94,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
     ring_load = problem.assembly.load(balance.forces.action)
     error, give = scaled_error(problem, balance, ring_load), None
     if problem.rings is not None:
-        spread, placed = problem.assembly.spread, problem.placed
-        give = given(problem.rings, g, centre, x, balls, spread, blend, placed=placed)
+        give = given(problem, g, centre, x, balance, balls, blend, t)
         largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
         error = np.maximum(error, give.error / (largest + 1e-300))
     return Linear(

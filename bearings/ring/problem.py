@@ -16,7 +16,7 @@ from bearings.ball.plane import Pair
 from bearings.ball.race import faced
 from bearings.geometry import Geometry, groove_origin
 from bearings.ring.assembly import Assembly, full_assembly
-from bearings.ring.give import Compliances, compliances
+from bearings.ring.compliances import Compliances, compliances
 from bearings.ring.operation import Operation
 from bearings.ring.tolerances import SLOW
 
@@ -28,8 +28,8 @@ class Problem:
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
     the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
     stiffness may be singular; the shortest step is taken. ``rings``: compliance of rings that
-    deform. They couple the balls, all of which are solved then, and a ball has four unknowns, X and
-    the shift of its inner groove against the outer one, instead of two.
+    deform. They couple the balls, all of which are solved then, and a ball has more unknowns than
+    X: the shift of the inner groove against the outer one, or of each of two grooves a ring.
     """
 
     geometry: Geometry
@@ -55,18 +55,30 @@ class Problem:
 
     @property
     def unknowns(self) -> int:
-        """Of a ball: its place, and with rings that deform the shift of its groove."""
-        return 2 if self.rings is None else 4
+        """Of a ball: its place, and with rings that deform the shifts of its grooves."""
+        return 2 if self.rings is None else 4 if self.geometry.single else 10
 
     def centres(self, displacement: Array, ball: Array | None = None) -> Array:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2.
 
-        ``ball`` (2 or 4, s, n): with the shifts there; without, as of rigid rings.
+        ``ball`` (u, s, n): with the shift there; without, as of rigid rings.
         """
         centres = self.assembly.centres(self.origin, displacement)
-        if ball is not None and len(ball) > 2:
+        if ball is not None and len(ball) == 4:
             centres[:2] += ball[2:]
         return centres
+
+    def shifted(self, ball: Array) -> Geometry:
+        """The geometry with two grooves a ring where ``ball`` (u, s, n) says."""
+        g = self.geometry
+        if len(ball) <= 4:
+            return g
+        every = [*g.inner_grooves, *g.outer_grooves]
+        moved: Any = [
+            groove._replace(along=axial, rise=radial)
+            for groove, axial, radial in zip(every, ball[2::2], ball[3::2], strict=True)
+        ]
+        return g._replace(inner_grooves=(*moved[:2],), outer_grooves=(*moved[2:],))
 
     def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
         """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""
