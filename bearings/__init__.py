@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from bearings.materials import STEEL as STEEL
     from bearings.materials import Material as Material
     from bearings.ring.condition import condition as condition
+    from bearings.ring.deflection import RingDeflection as RingDeflection
+    from bearings.ring.deflection import ring_deflection as ring_deflection
     from bearings.ring.state import BearingState as BearingState
     from bearings.ring.tangents import stiffness as stiffness
     from bearings.ring.truncation import Truncation as Truncation
@@ -52,6 +54,7 @@ _NAMES = {
     "lubricant": ("Lubricant",),
     "materials": ("SILICON_NITRIDE", "STEEL", "Material"),
     "ring.condition": ("condition",),
+    "ring.deflection": ("RingDeflection", "ring_deflection"),
     "ring.state": ("BearingState",),
     "ring.tangents": ("stiffness",),
     "ring.truncation": ("Truncation", "truncation"),

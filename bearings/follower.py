@@ -13,6 +13,7 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium, shown
 from bearings.geometry import acting, geometry, groove_origin
 from bearings.ring.assembly import full_assembly
+from bearings.ring.compliances import compliances
 from bearings.ring.equilibrium import one_by_one
 from bearings.ring.operation import finite_numbers, five_numbers
 from bearings.ring.problem import Problem, first_displacement, turns
@@ -135,6 +136,7 @@ class Follower:
             load=load,
             free=np.full(5, free),
             turning=turning,
+            rings=compliances(self._bearing.grooves),
         )
         near, chained = None, self._law.one_branch
         if self._last is not None and chained:

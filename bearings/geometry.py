@@ -102,10 +102,12 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_centre_distance, x, 0.0, 0.0, walls) for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_centre_distance, x, 0.0, 0.0, walls)
+            for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_centre_distance, x, 0.0, 0.0, walls) for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_centre_distance, x, 0.0, 0.0, walls)
+            for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,

@@ -54,8 +54,8 @@ class Balance(NamedTuple):
 
 
 class Rolled(NamedTuple):
-    """What a ball that rolls puts on its inner ring (``axial``, ``radial`` force, moment ``turning``
-    by friction) and what is missing to its own balance (``level``, ``rise``), by the races."""
+    """What a ball that rolls puts on its inner ring (``axial`` and ``radial`` force, moment
+    ``turning`` by friction) and what its own balance lacks (``level``, ``rise``), by the races."""
 
     inner: Race
     outer: Race

@@ -151,7 +151,7 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     angle_by = (
         where(bears, (cos * a11 - sin * a12) * part, near[0]),
         where(bears, (cos * a12 - sin * a22) * part, near[1]),
-        (cos * t1 - sin * t2) * part,
+        where(bears, (cos * t1 - sin * t2) * part, near[1] * offset),
     )
     approach_by = (
         where(bears, (sin * a11 + cos * a12) * soft, near_sin),
@@ -178,12 +178,17 @@ def by_groove(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple
     radial = whole.load * whole.cos
     lifted = where(radial != 0.0, radial, 1.0)
     sin, cos = whole.sin, whole.cos
+    turn, nearer = _nearer(grooves, vector, side)[2:]
     for groove in grooves:
         a, b, c = spring(groove, vector_to(groove, vector, side)).slope
         arm = (groove.offset - whole.middle) / lifted
+        free = nearer == groove.offset  # faced by a ball without load
         found.append(
             whole._replace(
-                angle_by=((cos * a - sin * b) * part, (cos * b - sin * c) * part),
+                angle_by=(
+                    where(bears, (cos * a - sin * b) * part, where(free, turn[0], 0.0)),
+                    where(bears, (cos * b - sin * c) * part, where(free, turn[1], 0.0)),
+                ),
                 approach_by=((sin * a + cos * b) * soft, (sin * b + cos * c) * soft),
                 middle_by=(arm * b, arm * c),
             )
@@ -243,7 +248,10 @@ def spring(groove: Groove, vector: Motion) -> Springs:
 
 def vector_to(groove: Groove, vector: Motion, side: float) -> Pair:
     """From the ball to the centre of an inner groove, or from that of an outer one to the ball."""
-    axial, radial = vector[0] + side * (groove.offset + groove.along), vector[1] + side * groove.rise
+    axial, radial = (
+        vector[0] + side * (groove.offset + groove.along),
+        vector[1] + side * groove.rise,
+    )
     if len(vector) == 2:
         return axial, radial
     return axial, radial + vector[2] * groove.offset

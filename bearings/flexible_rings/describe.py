@@ -22,8 +22,8 @@ class ElasticRing:
     seat_diameter : bore of an inner ring, outside of an outer ring [m]
     backing_diameter : bore of the shaft under an inner ring (0: solid), outside of the housing
         around an outer ring [m]; None: the ring sits on something rigid
-    backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: three
-        widths. With free ends it need not be exact: what the ring does decays along it
+    backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: its
+        diameter beyond the ring on either side, along which what the ring does decays
     ends : "free": the groove moves against the mean motion of the backing under the ring, which
         is what a beam model knows as the motion of its axis; "clamped": the far ends of the
         backing are held, and grooves move against these
@@ -73,7 +73,9 @@ class ElasticRing:
     @property
     def length(self) -> float:
         """Of the piece of shaft or housing [m]."""
-        return 3.0 * self.width if self.backing_length is None else self.backing_length
+        if self.backing_length is not None:
+            return self.backing_length
+        return self.width + 2.0 * max(self.seat_diameter, self.backing_diameter or 0.0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -169,7 +169,7 @@ def _lame(material: Material) -> tuple[float, float]:
 
 def _strains(u: Any, r: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """(εx, εr, εθ, γxr, γrθ, γxθ): what does not depend on n, and what is proportional to it."""
-    (axial, radial, around), slope = u.value, u.grad
+    axial, radial, around, slope = u[0], u[1], u[2], u.grad
     zero = 0.0 * r
     still = (
         slope[0, 0],
@@ -204,12 +204,12 @@ def _quadratic(u: Any, v: Any, w: Any) -> Any:
 
 
 def _along(v: Any, w: Any) -> Any:
-    return w.x[1] * v.value[0]
+    return w.x[1] * v[0]
 
 
 def _across(v: Any, w: Any) -> Any:
-    return 0.5 * w.x[1] * (v.value[1] - v.value[2])
+    return 0.5 * w.x[1] * (v[1] - v[2])
 
 
 def _tilting(v: Any, w: Any) -> Any:
-    return w.x[1] ** 2 * v.value[0]
+    return w.x[1] ** 2 * v[0]

@@ -28,10 +28,9 @@ SOLID = 0.02  # of the seat's radius: the hole in a solid shaft, without measura
 class Section:
     """Corners (2, v) [m] (axial, radial), quadrilaterals (4, q), and which (q,) are backing.
 
-    ``arcs``: per groove, in the order of the contacts, that with its centre at +x first: its corners
-    (k,), the angles φ there, and the place of the centre;
-    ``radius`` of the grooves; ``outward`` ±1: sign of the radial direction into the material;
-    ``seat``, ``ends``: corners on the seat, and at the far ends.
+    ``arcs``: of every groove, that with its centre at +x first as contacts are counted: corners
+    (k,), angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of
+    the radial direction into the material; ``seat``, ``ends``: corners there, and at far ends.
     """
 
     corners: Array

@@ -51,8 +51,10 @@ def contacts(
     if not problem.turning:
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
-    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, moved[:2] - dx[:2], least)
-    outer = _bearing(c.outer_grooves, place, -1.0, dx[:2], least)
+    shifts = dx[2:].reshape(-1, 2, *dx.shape[1:]) if len(dx) > 4 else np.zeros((4, 2, 1, 1))
+    inner_way, outer_way = moved[:2] - dx[:2] + shifts[:2], dx[:2] - shifts[2:]
+    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, inner_way, least)
+    outer = _bearing(c.outer_grooves, place, -1.0, outer_way, least)
     qi, si, ci = _resultant(inner, balance.inner_direction)
     qo, so, co = _resultant(outer, balance.outer_direction)
     after = balance._replace(
@@ -62,11 +64,11 @@ def contacts(
 
 
 def _bearing(
-    grooves: tuple[Groove, ...], vector: Motion, side: float, step: Array, least: float
+    grooves: tuple[Groove, ...], vector: Motion, side: float, steps: Array, least: float
 ) -> Contacts:
-    """The contacts of a race after a ``step``; no load up to ``least`` is one."""
+    """The contacts of a race after steps of each (g, 2, s, n); no load up to ``least`` is one."""
     each = []
-    for groove in grooves:
+    for groove, step in zip(grooves, steps, strict=False):
         along = vector_to(groove, vector, side)
         sin, cos, length = direction(_met(groove, along))
         load = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0)).load

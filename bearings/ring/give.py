@@ -32,7 +32,7 @@ class Give:
 
     ``still`` (u, s, n) [m]: what they still change by with the ring where it is; ``follow``
     (u, s, n, 5): with the ring's displacement. ``error`` (s,): what they miss, as a force.
-    ``ball_by`` (2, u, s, n), ``action_by`` (3, u, s, n): what a ball does with them, and its action.
+    ``ball_by`` (2, u, s, n), ``action_by`` (3, u, s, n): what a ball and its action do with them.
     """
 
     still: Array
@@ -57,7 +57,7 @@ class Ways(NamedTuple):
     joined: Array
 
 
-def given(  # noqa: PLR0913 - the linearised balls are all of it
+def given(
     problem: Problem,
     c: Geometry,
     centre: Motion,
@@ -99,16 +99,15 @@ def given(  # noqa: PLR0913 - the linearised balls are all of it
 def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> Ways:
     """One groove a ring: X counts from the outer groove, A from there to the inner one. At rest
     both contacts are in series, and the ball takes no place."""
-    a = np.stack(centre[:2])
-    eye = np.eye(2)[:, :, None, None]
+    eye, still = np.eye(2)[:, :, None, None], np.zeros_like(x[:2])
+    by: Any = (-eye, eye)
     if problem.placed:
-        way, follow, still = (x[:2] - a, x[:2]), np.asarray(balls.follow), np.stack(balls.still)
-    else:
-        way, follow, still = (-a, a), None, np.zeros_like(a)
-    by = (-eye, eye) if follow is None else (follow - eye, follow)
+        follow: Any = np.asarray(balls.follow)
+        still = np.stack(balls.still)
+        by = (follow - eye, follow)
     by_shift = _last(np.concatenate(np.broadcast_arrays(*by)), x)
     return Ways(
-        way=np.moveaxis(np.stack(way), (0, 1), (2, 3)),
+        way=_way(problem, problem.geometry, centre, x),
         still=np.moveaxis(np.concatenate([still, still]), 0, 2),
         by_shift=by_shift,
         by_ring=_by_ring(by_shift, problem.assembly.spread[:2]),
@@ -120,11 +119,8 @@ def _between_two(
     problem: Problem, c: Geometry, centre: Motion, x: Array, balls: Condensed, ball_by: Array
 ) -> Ways:
     """Two grooves a ring: every one with its own shift."""
-    place = (x[0], x[1])
-    inner = [vector_to(groove, against(centre, place), 1.0) for groove in c.inner_grooves]
-    outer = [vector_to(groove, place, -1.0) for groove in c.outer_grooves]
-    way = [(-axial, -radial) for axial, radial in inner] + outer
-    follow, still, count = np.asarray(balls.follow), np.stack(balls.still), len(way)
+    way, follow = _way(problem, c, centre, x), _rows(balls.follow, 3)
+    still, count = np.stack(balls.still), way.shape[2]
     by_ring = np.tile(follow, (count, 1, 1, 1))  # (2c, 3, s, n)
     for k, groove in enumerate(c.inner_grooves):
         by_ring[2 * k, 0] -= 1.0
@@ -132,12 +128,35 @@ def _between_two(
         by_ring[2 * k + 1, 2] -= groove.offset
     by_shift = np.tile(ball_by, (count, 1, 1, 1)) - np.eye(2 * count)[:, :, None, None]
     return Ways(
-        way=np.moveaxis(np.asarray(way), (0, 1), (2, 3)),
+        way=way,
         still=np.moveaxis(np.tile(still, (count, 1, 1)), 0, 2),
         by_shift=_last(by_shift, x),
         by_ring=_by_ring(_last(by_ring, x), problem.assembly.spread),
         joined=np.eye(2 * count),
     )
+
+
+def _way(problem: Problem, c: Geometry, centre: Motion, x: Array) -> Array:
+    """From the centre of every groove to its ball (s, n, c, 2); of balls at rest between one groove
+    a ring, to the other groove."""
+    place = (x[0], x[1])
+    if not c.single:
+        inner = [vector_to(groove, against(centre, place), 1.0) for groove in c.inner_grooves]
+        outer = [vector_to(groove, place, -1.0) for groove in c.outer_grooves]
+        ways = np.array([*((-axial, -radial) for axial, radial in inner), *outer])
+    elif problem.placed:
+        ways = np.stack([x[:2] - np.stack(centre[:2]), x[:2]])
+    else:
+        ways = np.stack([-np.stack(centre[:2]), np.stack(centre[:2])])
+    return np.moveaxis(ways, (0, 1), (2, 3))
+
+
+def groove_shifts(problem: Problem, d: Array, x: Array) -> tuple[Array, Array]:
+    """Of solved states: ways from the grooves to the balls, and the shifts of the groove centres by
+    the loads there (s, n, c, 2) [m]."""
+    c, centre = problem.shifted(x), tuple(problem.centres(d, x))
+    way = _way(problem, c, centre, x)
+    return way, _pressed(problem, c, way, np.ones(len(d)))[0].reshape(way.shape)
 
 
 def _by_grooves(
@@ -149,7 +168,7 @@ def _by_grooves(
     forces, action = (
         np.concatenate([_rows(part[k], 2) for part in each], axis=1) for k in range(2)
     )
-    back = np.asarray(inverse(balance.forces.residual_by_ball))
+    back: Any = np.asarray(inverse(balance.forces.residual_by_ball))
     ball_by = -np.einsum("xysn,yusn->xusn", back, forces)
     by_ball = _rows(balance.forces.action_by_ball, 2)
     return ball_by, action + np.einsum("axsn,xusn->ausn", by_ball, ball_by)
@@ -173,9 +192,7 @@ def _pressed(problem: Problem, c: Geometry, way: Array, blend: Array) -> tuple[A
         if groove.walls:  # straight beyond 90°
             there[..., 1] = outward * np.maximum(outward * there[..., 1], 0.0)
         length = np.sqrt((there * there).sum(axis=-1))
-        load, stiffness = hertz(
-            groove.stiffness, np.maximum(length - groove.centre_distance, 0.0)
-        )
+        load, stiffness = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0))
         each = ring.pressed(there, load, stiffness)
         shift[:, :, part] = each.shift
         slope[:, :, part, :, :, part] = each.slope

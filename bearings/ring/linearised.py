@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -84,7 +85,8 @@ class Linear:
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
     """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
-    g, centre, t = problem.shifted(x), tuple(problem.centres(d, x)), 0.0
+    g, centre = problem.shifted(x), tuple(problem.centres(d, x))
+    t: Any = 0.0
     if problem.placed:
         squared, t = problem.squared[:, None], blend[:, None] if problem.varying else 0.0
         balance = turning_balance(g, problem.law.numbers, centre, (x[0], x[1]), squared, t, vary)

@@ -191,6 +191,9 @@ class Case(Description):
             from rotordyn.case.asked import faults_of
 
             yield from faults_of(self)
+        if self.bearing is not None:
+            for name, spec in self.analyses.items():
+                yield from within(("analyses", name), spec.last_faults_of(self.bearing))
         if self.setting is None:
             return
         yield from last_setting_faults(self.setting)

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.growth import ComputedShortening
@@ -83,10 +82,8 @@ def _rings(spindle: Spindle) -> Faults:
     """Rings that deform fit their balls and their seats."""
     low, high = spindle.shaft.reach
     for index, seat in enumerate(spindle.seats):
-        known, bearing = seat.flexible_rings, seat.bearing
-        if known is None or not isinstance(bearing, BallBearing) or not low <= seat.x <= high:
-            continue
-        if any(known._faults()):
+        known, bearing = seat.flexible_rings, seat.known_bearing
+        if known is None or bearing is None or any(known._faults()) or not low <= seat.x <= high:
             continue
         try:
             spindle.mounted(seat)

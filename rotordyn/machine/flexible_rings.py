@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from bearings.bearing import BallBearing
-from bearings.flexible_rings.describe import ElasticRing, FlexibleRings
+from bearings.flexible_rings.describe import ENDS, ElasticRing, FlexibleRings
 from bearings.materials import STEEL, Material
 from rotordyn.description import Description, Faults
 from rotordyn.machine.fits import AROUND
-from rotordyn.quantity import Choice, Diameter, Key
+from rotordyn.quantity import Bore, Choice, Diameter, Key
 from rotordyn.units import format_quantity
 
 WHICH = ("both", "inner", "outer")
@@ -34,12 +34,28 @@ class RingBodies(Description):
     width: Annotated[
         Diameter | None, "of the rings; in files by default that of the bearing model"
     ] = None
+    shaft_bore: Annotated[
+        Bore | None,
+        "hole in the shaft under the inner ring, 0 for a solid one; in a spindle by default that "
+        "of the shaft there",
+    ] = None
     housing_diameter: Annotated[
         Diameter | None,
         "outside of the housing or sleeve around the outer ring; by default 1.5 times that of the "
         "ring",
     ] = None
     housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
+    length: Annotated[
+        Diameter | None,
+        "of the piece of shaft and housing that deforms, the ring at its middle; by default its "
+        "diameter beyond the ring on either side",
+    ] = None
+    ends: Annotated[
+        str,
+        Choice(ENDS),
+        "`free`: grooves move against the mean motion of what is under the ring; `clamped`: "
+        "against the held ends of that piece, as in a test rig",
+    ] = ENDS[0]
 
     @property
     def inner(self) -> bool:
@@ -60,6 +76,19 @@ class RingBodies(Description):
                     "missing key: a ring that deforms needs it; the model of this bearing gives "
                     "none",
                 )
+        hole, bore = self.shaft_bore, self.bore_diameter
+        if self.inner and hole is not None and bore is not None and hole >= bore:
+            yield (
+                ("shaft_bore",),
+                "leaves no shaft under the ring: given {given}; allowed: below "
+                f"{format_quantity(bore, 'mm')}",
+            )
+        if self.length is not None and self.width is not None and self.length < self.width:
+            yield (
+                ("length",),
+                "shorter than the ring: given {given}; allowed: from "
+                f"{format_quantity(self.width, 'mm')}",
+            )
         around, ring = self.housing_diameter, self.outside_diameter
         if self.outer and around is not None and ring is not None and around <= ring:
             yield (
@@ -68,7 +97,9 @@ class RingBodies(Description):
                 f"{format_quantity(ring, 'mm')}",
             )
 
-    def bodies(self, bearing: BallBearing, hole: float, shaft: Material) -> FlexibleRings:
+    def bodies(
+        self, bearing: BallBearing, hole: float = 0.0, shaft: Material = STEEL
+    ) -> FlexibleRings:
         """Rings of a ``bearing`` on a ``shaft`` with a ``hole`` of that diameter [m].
 
         Raises
@@ -82,7 +113,9 @@ class RingBodies(Description):
             inner = ElasticRing(
                 self.width,
                 self.bore_diameter,
-                hole,
+                hole if self.shaft_bore is None else self.shaft_bore,
+                self.length,
+                self.ends,
                 material=bearing.ring_material,
                 backing_material=shaft,
             )
@@ -92,6 +125,8 @@ class RingBodies(Description):
                 self.width,
                 self.outside_diameter,
                 self.housing_diameter or AROUND * self.outside_diameter,
+                self.length,
+                self.ends,
                 material=bearing.ring_material,
                 backing_material=self.housing_material,
             )

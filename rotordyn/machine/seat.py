@@ -73,13 +73,13 @@ class BearingSeat(Description):
     )
 
     def __post_init__(self) -> None:
-        given, bearing = self.thrust, self._known_bearing
+        given, bearing = self.thrust, self.known_bearing
         if type(given) is int and given == 0 and bearing is not None:
             object.__setattr__(self, "thrust", int(bearing.both_ways))
         Description.__post_init__(self)
 
     @property
-    def _known_bearing(self) -> BallBearing | None:
+    def known_bearing(self) -> BallBearing | None:
         """The bearing; None where the faults of its file are reported already."""
         given: object = self.bearing
         return given if isinstance(given, BallBearing) else None
@@ -97,7 +97,7 @@ class BearingSeat(Description):
         )
 
     def _faults(self) -> Faults:
-        bearing = self._known_bearing
+        bearing = self.known_bearing
         if bearing is None:
             return
         if self.thrust == 0 and not bearing.both_ways:
@@ -137,6 +137,13 @@ class BearingSeat(Description):
                     f"the {which} of bearing {self.name} leaves no ring beside the balls: given "
                     f"{format_quantity(size, 'mm')}; allowed: {allowed}",
                 )
+        bodies = self.flexible_rings
+        if fits is not None and fits.under_balls and bodies is not None and bodies.outer:
+            yield (
+                ("fits", "under_balls"),
+                "beside an outer ring that deforms, which the balls expand already: leave it out, "
+                "or let the inner ring alone deform (flexible_rings: {which: inner})",
+            )
         if fits is not None and self.growth != RingGrowth():
             yield (
                 ("fits",),

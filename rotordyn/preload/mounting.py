@@ -97,7 +97,10 @@ class Side:
     def approach(self, force: float) -> float:
         """Axial displacement of the mounted bearings under ``force`` altogether, the mean of what
         they gained being its zero [m]."""
-        first, each = self.spindle.mounted(self.seats[0]), [*zip(self.seats, self.growths, strict=True)]
+        first, each = (
+            self.spindle.mounted(self.seats[0]),
+            [*zip(self.seats, self.growths, strict=True)],
+        )
         if len({(self.spindle.mounted(seat), growth) for seat, growth in each}) == 1:
             own = [[force / len(each), 0.0, 0.0, 0.0, 0.0]]
             state = first.equilibrium(load=own, static_growth=self.growths[0], compiled=False)

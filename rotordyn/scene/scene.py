@@ -33,7 +33,7 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics
-from rotordyn.scene.warnings import friction_notes, machine_warnings
+from rotordyn.scene.warnings import friction_notes, machine_warnings, ring_notes
 
 MEETING = 1e-6  # rad/s, of the speed at which a stop is met
 BESIDE = 1e-3  # rad/s below it the stop is open
@@ -140,7 +140,7 @@ class Scene(Statics):
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about choices of the case without which results are misread."""
-        return (*frame_notes(self.conditions.formulation), *friction_notes(self))
+        return (*frame_notes(self.conditions.formulation), *friction_notes(self), *ring_notes(self))
 
     @property
     def warnings(self) -> tuple[str, ...]:

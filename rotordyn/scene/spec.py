@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from bearings.bearing import BallBearing
 from rotordyn.description import Description, Faults, Path
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.spindle import Spindle
@@ -49,6 +50,10 @@ class Spec(Description):
 
     def last_faults_on(self, setting: Setting) -> Faults:
         """The same, where it takes a computation and all else must be right."""
+        return ()
+
+    def last_faults_of(self, bearing: BallBearing) -> Faults:
+        """What of a single bearing contradicts it, likewise."""
         return ()
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings import ring_deflection
 from rotordyn.arrays import Array, Flags
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
@@ -68,6 +69,27 @@ def friction_notes(scene: Scene) -> Iterator[str]:
             + "; at a stop only the sum of stop and friction force is determined"
             * bool(pressed.any())
         )
+
+
+def ring_notes(scene: Scene) -> Iterator[str]:
+    """How far rings deform under their balls."""
+    if not any(seat.flexible_rings for seat in scene.spindle.seats):
+        return
+    if "preload" not in scene.solved:
+        return
+    state, parts = scene.preload, []
+    for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
+        if seat.flexible_rings is None:
+            continue
+        normal = ring_deflection(balls.rows((slice(None), column))).normal
+        normal = np.nan_to_num(np.where(state.usable[:, None, None], normal, np.nan))
+        half = normal.shape[-1] // 2
+        inner, outer = normal[..., :half].max() * 1e6, normal[..., half:].max() * 1e6
+        parts.append(f"{seat.name} {inner:.2g} and {outer:.2g}")
+    yield (
+        "rings deform under their balls; inner and outer raceway give at most, beyond the contacts "
+        f"themselves, in µm: bearing {', '.join(parts)}"
+    )
 
 
 def _yielding(scene: Scene) -> Iterator[str]:

@@ -138,6 +138,9 @@ class BearingMapResult:
         *BY_CONTACT, unit="rad", label="contact angle", absent=(UNLOADED,)
     )
     contact_pressure: Array = quantity(*BY_CONTACT, unit="Pa", label="peak pressure")
+    ring_deflection: Array = quantity(
+        *BY_CONTACT, unit="m", label="deflection of the raceway, 0 of rigid rings"
+    )
     ellipse_length: Array = quantity(
         "speed",
         "load",

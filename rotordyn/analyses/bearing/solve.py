@@ -39,6 +39,7 @@ def answer(
     ------
     NoSolution : no combination has a physical state
     """
+    bearing = spec.mounted(bearing)
     solved = _solved(bearing, conditions, speed, spec)
     state = solved.state
     outcome = _outcomes(speed, spec, solved)
@@ -245,6 +246,7 @@ def _contacts(
         "contact_load": state.contact_load,
         "contact_angle": state.contact_angle,
         "contact_pressure": state.contact_pressure,
+        "ring_deflection": bearings.ring_deflection(state).normal,
         "ellipse_length": cut.major,
         "ellipse_width": cut.minor,
         "ellipse_lower": cut.lower_end,

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
+from bearings.bearing import BallBearing
+from bearings.errors import InvalidBearing
 from rotordyn.description import Faults, ascending, repeated
+from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
 from rotordyn.scene.heat_flow import MountedHeatFlow
@@ -55,6 +58,11 @@ class BearingMapSpec(Spec):
         "conductances by which heat leaves: temperatures, growth and preload then follow from it, "
         "and the speed up to which they settle ([theory](theory/life.md#temperatures))",
     ] = None
+    flexible_rings: Annotated[
+        RingBodies | None,
+        "its rings as elastic bodies on shaft and housing, with their sizes "
+        "([theory](theory/flexible_rings.md)); rigid by default",
+    ] = None
     films: Annotated[bool, "balls ride on their films, which let them grow and act as springs"] = (
         False
     )
@@ -75,6 +83,12 @@ class BearingMapSpec(Spec):
         if abs(getattr(self, fixed)) > 0.0:
             yield (fixed,), f"{fixed} is given by the list {given[0]} already"
         yield from self._oil_faults()
+        known = self.flexible_rings
+        if known is not None and known.inner and known.shaft_bore is None:
+            yield (
+                ("flexible_rings", "shaft_bore"),
+                "missing key: there is no shaft that gives it; 0 mm of a solid one",
+            )
         if (self.moments or abs(self.moment) > 0.0) and self.tilt == "blocked":
             yield (
                 ("tilt",),
@@ -92,6 +106,24 @@ class BearingMapSpec(Spec):
             yield ("films",), "given beside heat_flow; allowed: one of the two"
         if self.films and self.tangents != TANGENTS[:1]:
             yield ("tangents",), "films have the complete tangent alone; allowed: complete"
+
+    def last_faults_of(self, bearing: BallBearing) -> Faults:
+        """Rings that are impossible with these balls."""
+        try:
+            self.mounted(bearing)
+        except InvalidBearing as refusal:
+            yield ("flexible_rings",), f"{refusal}"
+
+    def mounted(self, bearing: BallBearing) -> BallBearing:
+        """The bearing with rings that deform where they are given.
+
+        Raises
+        ------
+        InvalidBearing : rings that are impossible
+        """
+        if self.flexible_rings is None:
+            return bearing
+        return replace(bearing, rings=self.flexible_rings.bodies(bearing))
 
     @property
     def swept(self) -> str:

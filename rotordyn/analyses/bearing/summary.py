@@ -25,7 +25,19 @@ def summary(result: BearingMapResult) -> list[str]:
     lines = [*_stiffness(result), *_life(result), *_heat(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
-    return lines
+    return lines + _rings(result)
+
+
+def _rings(result: BearingMapResult) -> list[str]:
+    """How far raceways of rings that deform give at most."""
+    normal = np.nan_to_num(result.ring_deflection * 1e6).max(axis=(0, 1, 2))
+    if not normal.any():
+        return []
+    half = len(normal) // 2
+    return [
+        f"rings      deform: the inner raceway gives {normal[:half].max():.2g} µm at most, the "
+        f"outer one {normal[half:].max():.2g}, beyond the contacts themselves"
+    ]
 
 
 def cut_off(result: BearingMapResult) -> list[str]:

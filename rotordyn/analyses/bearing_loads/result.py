@@ -54,6 +54,12 @@ class BearingLoadsResult:
     ball_azimuth: Array = quantity("bearing", "ball", unit="rad", label="azimuth", absent=(FEWER,))
     ball_inner_load: Array = quantity(*BALL, unit="N", label="inner load", absent=(FEWER,))
     ball_outer_load: Array = quantity(*BALL, unit="N", label="outer load", absent=(FEWER,))
+    inner_ring_deflection: Array = quantity(
+        *BALL, unit="m", label="deflection of the inner raceway, 0 of a rigid ring", absent=(FEWER,)
+    )
+    outer_ring_deflection: Array = quantity(
+        *BALL, unit="m", label="deflection of the outer raceway, 0 of a rigid ring", absent=(FEWER,)
+    )
     ball_inner_angle: Array = quantity(
         *BALL,
         unit="rad",

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings import ring_deflection
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
@@ -23,6 +24,7 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
 
     load, moved = np.zeros((2, len(scene.preload.speed), len(seats), 5))
     azimuth = np.full((len(seats), most), np.nan)
+    given = np.full((2, *load.shape[:2], most), np.nan)
     balls = {name: np.full((*load.shape[:2], most), np.nan) for name in OF_BALLS}
     for k, (seat, (state, column)) in enumerate(zip(seats, states, strict=True)):
         turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0  # from the frame of the bearing
@@ -32,6 +34,10 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
         azimuth[k, :count] = np.mod(angle, 2.0 * math.pi)
         for name, whole in balls.items():
             whole[:, k, :count] = getattr(state, name)[:, column]
+        normal = ring_deflection(state.rows((slice(None), column))).normal
+        half = normal.shape[-1] // 2
+        given[0][:, k, :count] = normal[..., :half].max(axis=-1)
+        given[1][:, k, :count] = normal[..., half:].max(axis=-1)
     share, lost = _losses(scene, spec, balls["inner_load"])
     places = np.take_along_axis(azimuth[None].repeat(len(lost), 0), lost[..., None], axis=2)[..., 0]
     return BearingLoadsResult(
@@ -50,6 +56,8 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
         loss_share=shown(share),
         loss_azimuth=shown(np.where(np.isnan(share), np.nan, places)),
         ball_azimuth=azimuth,
+        inner_ring_deflection=shown(given[0]),
+        outer_ring_deflection=shown(given[1]),
         **{f"ball_{name}": shown(values) for name, values in balls.items()},
     )
 

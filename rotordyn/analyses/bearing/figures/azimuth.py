@@ -26,37 +26,44 @@ MOST_COLUMNS = 3
 
 
 def azimuth_figure(result: BearingMapResult) -> Figure:
-    """Load and angle of every contact over the azimuth of its ball, at the last speed.
+    """Load and angle of every contact over the azimuth of its ball, at the last speed; and how far
+    raceways give where rings deform.
 
     Columns: first, middle and last load that have a state; bars are the extents of the contact
     ellipses, lines the ends of grooves.
     """
-    figure = new_figure(168.0, 122.0)
+    rows = 3 if np.nanmax(np.abs(result.ring_deflection)) > 0.0 else 2
+    figure = new_figure(168.0, 22.0 + 50.0 * rows)
     solved = np.flatnonzero(result.outcome[-1] == "")
     columns = solved[evenly(solved.size, MOST_COLUMNS)].tolist() if solved.size else [0]
-    boxes = grid_boxes(figure, 2, len(columns), margins=(15.0, 4.0, 12.0, 10.0), gaps=(5.0, 6.0))
+    boxes = grid_boxes(figure, rows, len(columns), margins=(15.0, 4.0, 12.0, 10.0), gaps=(5.0, 6.0))
     top = np.nanmax(result.contact_load[-1], initial=0.0) / 1e3
     panels = []
     for place, load in enumerate(columns):
         first = place == 0
+        below = "azimuth of the ball, from y to z [deg]" if len(columns) < 3 else "azimuth [deg]"
         upper = add_axes(figure, boxes[place], "", "contact load [kN]" if first else "")
         lower = add_axes(
             figure,
             boxes[len(columns) + place],
-            "azimuth of the ball, from y to z [deg]" if len(columns) < 3 else "azimuth [deg]",
+            "" if rows > 2 else below,
             "contact angle [deg]" if first else "",
         )
         _loads(upper, result, load)
         _angles(lower, result, load)
+        column = [upper, lower]
+        if rows > 2:
+            word = "ring deflection [µm]" if first else ""
+            column.append(add_axes(figure, boxes[2 * len(columns) + place], below, word))
+            _deflections(column[-1], result, load)
         upper.set_ylim(0.0, max(top, 1e-9) * 1.06)
         words = f"{under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
         upper.set_title(words, fontsize=FONT_SIZE, pad=3.0)
-        for axes in (upper, lower):
+        for axes in column:
             axes.set_xlim(-8.0, 368.0)
             axes.set_xticks([0.0, 90.0, 180.0, 270.0, 360.0])
-        upper.tick_params(labelbottom=False, labelleft=first)
-        lower.tick_params(labelleft=first)
-        panels += [upper, lower]
+            axes.tick_params(labelbottom=axes is column[-1], labelleft=first)
+        panels += column
     top_legend(figure, *panels)
     return figure
 
@@ -73,6 +80,22 @@ def _loads(axes: Axes, result: BearingMapResult, load: int) -> None:
             lw=0.9,
             label=f"contact {name}",
         )
+
+
+def _deflections(axes: Axes, result: BearingMapResult, load: int) -> None:
+    for place, name in loaded_contacts(result):
+        values = result.ring_deflection[-1, load, :, place] * 1e6
+        axes.plot(
+            result.ball * DEGREE.factor,
+            values,
+            color=COLOURS[name],
+            marker=MARKS[name],
+            ms=2.6,
+            lw=0.9,
+        )
+    whole = result.ring_deflection[-1] * 1e6
+    low, high = np.nanmin(whole, initial=0.0), np.nanmax(whole, initial=0.0)
+    axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
 
 
 def _angles(axes: Axes, result: BearingMapResult, load: int) -> None:

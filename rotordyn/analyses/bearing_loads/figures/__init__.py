@@ -20,6 +20,8 @@ code = partial(Code, __name__)
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     yield "load_roses", partial(code("roses:rose_figure"), result)
+    if np.nanmax(np.abs(result.inner_ring_deflection + result.outer_ring_deflection)) > 0.0:
+        yield "ring_roses", partial(code("roses:ring_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

@@ -1,4 +1,4 @@
-"""Load roses: the inner load of every ball around each bearing."""
+"""Roses around each bearing: the inner load of every ball, how far rings give under it."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,6 +28,17 @@ LEGEND = 4.0  # mm, above the line of words
 
 def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     """A rose per bearing, seen along +x with y to the right and z up: first, middle, last speed."""
+    loads = result.ball_inner_load
+    return _roses(result, loads, "inner load of every ball [N]", speeds)
+
+
+def ring_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
+    """The same of the raceways' deflection, inner and outer together, that brings rings closer."""
+    both = (result.inner_ring_deflection + result.outer_ring_deflection) * 1e6
+    return _roses(result, both, "deflection of both raceways at every ball [µm]", speeds)
+
+
+def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) -> Figure:
     good = np.flatnonzero(~np.isnan(result.axial_load).any(axis=1))
     picked = good[evenly(good.size, speeds)]
     across = min(ACROSS, len(result.bearing))
@@ -37,12 +49,12 @@ def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     for k, (name, box) in enumerate(zip(result.bearing, boxes, strict=False)):
         axes: Any = add_axes(figure, box, projection="polar")
         for place, index in enumerate(picked):
-            _rose(axes, result, index, k, place)
+            _rose(axes, result, values[index, k], (index, k), place)
         axes.set_title(f"bearing {name}", fontsize=FONT_SIZE, pad=6.0)
         axes.tick_params(labelsize=FONT_SIZE - 1.5, pad=1.0)
-        axes.set_ylim(bottom=0.0)
+        axes.set_ylim(bottom=min(0.0, np.nanmin(values[picked, k], initial=0.0)))
         axes.set_rlabel_position(67.5)
-    words = "inner load of every ball [N]; y at 0°, z at 90°, seen along +x"
+    words = f"{what}; y at 0°, z at 90°, seen along +x"
     figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
     lines, labels = axes.get_legend_handles_labels()
     figure.legend(
@@ -57,8 +69,11 @@ def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
     return figure
 
 
-def _rose(axes: Any, result: BearingLoadsResult, index: int, k: int, place: int) -> None:
-    azimuth, load = result.ball_azimuth[k], result.ball_inner_load[index, k]
+def _rose(
+    axes: Any, result: BearingLoadsResult, load: Array, at: tuple[int, int], place: int
+) -> None:
+    index, k = at
+    azimuth = result.ball_azimuth[k]
     known = np.flatnonzero(np.isfinite(load))
     order = known[np.argsort(azimuth[known])]
     closed = np.append(order, order[:1])
