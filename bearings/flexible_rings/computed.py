@@ -12,6 +12,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from bearings.arrays import Array
 from bearings.flexible_rings.compliance import Compliance
@@ -23,6 +24,8 @@ from bearings.flexible_rings.section import Section, section
 from bearings.grooves import Grooves
 
 HARMONICS = 40
+DENSE, SPARSER = 8, 0.25  # the first so many are all solved, then every quarter of their number
+SMOOTH = 3  # first harmonic of the spline: lower ones move the ring as a whole, or make it oval
 ANGLES = 9  # points along a groove (Chebyshev)
 
 
@@ -47,8 +50,7 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     patches = np.array(
         [_down(phi, shape) @ body.patch(arc, phi, half_length) for arc, phi in _places(angles)]
     )
-    each = body.responses(patches, HARMONICS)
-    z = grooves.balls
+    each, z = _by_harmonics(body, patches), grooves.balls
     around = np.cos(2.0 * np.pi * np.outer(np.arange(z), np.arange(HARMONICS + 1)) / z)
     apart = np.einsum("dn,nab->dab", around, each)
     counted = [
@@ -58,6 +60,20 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     own = (np.diagonal(apart[0]) - counted).reshape(angles.shape)
     steps = np.abs(np.subtract.outer(np.arange(z), np.arange(z)))
     return Compliance(apart[steps], own, ends, cardinal, shape.outward)
+
+
+def _by_harmonics(body: Body, loads: Array) -> Array:
+    """Responses by all harmonics (n, k, k), of which the higher ones are ever smoother over n: some
+    are solved, the others lie on a spline (5e-5 of the whole deflection)."""
+    solved = [*range(DENSE)]
+    while solved[-1] < HARMONICS:
+        solved.append(min(HARMONICS, solved[-1] + max(1, round(SPARSER * solved[-1]))))
+    known = body.responses(loads, solved)
+    found = np.empty((HARMONICS + 1, *known.shape[1:]))
+    found[:SMOOTH] = known[:SMOOTH]
+    spline = CubicSpline(solved[SMOOTH:], known[SMOOTH:])
+    found[SMOOTH:] = spline(np.arange(SMOOTH, HARMONICS + 1))
+    return found
 
 
 def _places(angles: Array) -> list[tuple[int, float]]:

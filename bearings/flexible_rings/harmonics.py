@@ -9,6 +9,7 @@ K_n = K₀ + n K₁ + n² K₂ (O. C. Zienkiewicz & R. L. Taylor, The Finite Ele
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -55,13 +56,13 @@ class Body:
         wide = {k: np.broadcast_to(v, self.basis.dx.shape) for k, v in given.items()}
         return tuple(BilinearForm(part).assemble(self.basis, **wide).tocsc() for part in parts)
 
-    def responses(self, loads: Array, highest: int) -> Array:
-        """What unit loads at θ = 0 do to one another (n, k, k) [m/N], by harmonics 0 … ``highest``.
+    def responses(self, loads: Array, harmonics: Sequence[int]) -> Array:
+        """What unit loads at θ = 0 do to one another (harmonics, k, k) [m/N], by each harmonic n.
 
         ``loads`` (k, unknowns): each as weights of the displacements that it works on.
         """
-        found = np.empty((highest + 1, len(loads), len(loads)))
-        for n in range(highest + 1):
+        found = np.empty((len(harmonics), len(loads), len(loads)))
+        for place, n in enumerate(harmonics):
             balanced = loads - loads @ self._rigid(n).T @ self._mean(n)
             free = self._free(n)
             whole = self.stiffness[0] + n * self.stiffness[1] + n * n * self.stiffness[2]
@@ -70,7 +71,7 @@ class Body:
                 part, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=_SYMMETRIC
             )
             response = balanced[:, free] @ factors.solve(balanced[:, free].T.copy())
-            found[n] = 0.5 * (response + response.T)
+            found[place] = 0.5 * (response + response.T)
         return found
 
     def patch(self, arc: int, angle: float, half_length: float) -> Array:

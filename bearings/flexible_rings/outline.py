@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bearings.errors import InvalidBearing
 from bearings.flexible_rings.describe import ElasticRing
-from bearings.grooves import Grooves
+from bearings.grooves import STEEP, Grooves
 
 USUAL_SHOULDER = math.radians(60.0)  # where the groove ends if that is not known, or further:
 BEYOND = math.radians(20.0)  # ... so much beyond the free contact angle
@@ -35,9 +35,14 @@ def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
 
     Raises
     ------
-    InvalidBearing : no ring left between groove and seat, a groove wider than the ring, a backing
-        on the wrong side of the seat
+    InvalidBearing : no ring left between groove and seat, a groove wider than the ring or ending
+        before the balls, a backing on the wrong side of the seat, a thrust bearing
     """
+    if grooves.free_angle > STEEP:
+        raise InvalidBearing(
+            "rings that deform sit on a shaft and in a housing; those of a bearing with a free "
+            f"contact angle of {math.degrees(grooves.free_angle):.3g}° sit on faces"
+        )
     outward, which = (-1.0, 0) if inner else (1.0, 1)
     radius, centre = grooves.radii[which], grooves.centre_radii[which]
     offset = abs((grooves.inner_offsets, grooves.outer_offsets)[which][0])
@@ -49,6 +54,12 @@ def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
         given = grooves.inner_shoulder if inner else grooves.outer_shoulder
     if given is None:
         top = min(max(USUAL_SHOULDER, grooves.free_angle + BEYOND), STEEPEST, widest)
+        if top <= grooves.free_angle:
+            raise InvalidBearing(
+                f"a ring too narrow for its balls: a width of {ring.width * 1e3:.4g} mm ends the "
+                f"groove at {math.degrees(top):.3g}°, before the free contact angle of "
+                f"{math.degrees(grooves.free_angle):.3g}°"
+            )
         return Outline(radius, centre, offset, low, top, outward)
     height = outward * (0.5 * given - centre) / radius
     top = min(STEEPEST, math.acos(min(max(height, 0.0), 1.0)))

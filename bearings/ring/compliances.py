@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from bearings.flexible_rings.compliance import Compliance
 from bearings.flexible_rings.describe import FlexibleRings
@@ -25,6 +25,7 @@ def compliances(grooves: Grooves) -> Compliances | None:
     from bearings.flexible_rings.computed import compliance  # finite elements, for these alone
 
     assert isinstance(rings, FlexibleRings)
+    grooves = replace(grooves, rings=None)  # one ring does not know the other
 
     return Compliances(
         None if rings.inner is None else compliance(grooves, rings.inner, inner=True),

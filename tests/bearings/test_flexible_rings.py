@@ -23,6 +23,7 @@ from bearings import (
     FourPointBallBearing,
     Law,
     Material,
+    ThrustBallBearing,
     ring_deflection,
 )
 from bearings.errors import InvalidBearing
@@ -125,7 +126,7 @@ def test_rigid_motions_store_no_energy() -> None:
 def test_a_tube_under_pressure_is_lames(outer: float) -> None:
     inner, width = 50e-3, 20e-3
     body = Body(tube(inner, outer, width, (2, 8)), THESIS, THESIS, "")
-    found = body.responses(pushed(body, width), 0)[0, 0, 0]
+    found = body.responses(pushed(body, width), [0])[0, 0, 0]
     pressure = 1.0 / (2.0 * math.pi * inner * width)
     ratio = (outer**2 + inner**2) / (outer**2 - inner**2)
     assert found == pytest.approx(pressure * inner / 200e9 * (ratio + 0.3), rel=2e-5)
@@ -137,7 +138,7 @@ def test_a_thin_ring_bends_by_its_closed_form(n: int) -> None:
     # error that of shear and stretching, of order (n h/R)²
     radius, thick, width = 50e-3, 0.5e-3, 1e-3
     body = Body(tube(radius - thick / 2.0, radius + thick / 2.0, width, (1, 2)), THESIS, THESIS, "")
-    found = body.responses(pushed(body, width), n)[n, 0, 0]
+    found = body.responses(pushed(body, width), [n])[0, 0, 0]
     inertia = width * thick**3 / 12.0
     thin = radius**3 / (math.pi * 200e9 * inertia * (n * n - 1) ** 2)
     assert found == pytest.approx(thin, rel=2.0 * (n * thick / radius) ** 2 + 2e-3)
@@ -185,7 +186,12 @@ def test_shift_of_an_inner_groove_is_that_of_the_torus_fitted_to_it(
 
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
-    [("HARMONICS", 80, 6e-3), ("STEP", 0.5 * sections.STEP, 3e-3), ("PATCH", 0.07, 5e-3)],
+    [
+        ("DENSE", 41, 4e-4),
+        ("HARMONICS", 80, 6e-3),
+        ("STEP", 0.5 * sections.STEP, 3e-3),
+        ("PATCH", 0.07, 5e-3),
+    ],
 )
 def test_deflection_is_converged(
     name: str, value: float, allowed: float, monkeypatch: pytest.MonkeyPatch
@@ -382,6 +388,7 @@ UNFIT = {
     "side": ({"backing_diameter": 75e-3}, "must lie below the seat's 70 mm"),
     "shoulder": ({"shoulder_diameter": 78.1e-3}, "too short for balls"),
     "narrow": ({"width": 6e-3, "shoulder_diameter": 88e-3}, "a groove wider than its ring"),
+    "too narrow": ({"width": 5e-3}, "ends the groove at .*, before the free contact angle"),
 }
 
 
@@ -391,6 +398,12 @@ def test_rings_that_do_not_fit_their_balls_are_refused(name: str) -> None:
     ring = replace(THIN.inner, **change)
     with pytest.raises(InvalidBearing, match=words):
         replace(angular(), rings=FlexibleRings(ring))
+
+
+def test_a_thrust_bearing_has_no_seats() -> None:
+    thrust = ThrustBallBearing(ball_diameter=8e-3, pitch_diameter=64e-3, balls=16)
+    with pytest.raises(InvalidBearing, match="sit on faces"):
+        replace(thrust, rings=THIN)
 
 
 def test_something_else_for_rings_is_refused() -> None:

@@ -56,6 +56,7 @@ WARNED = {  # what the case is there to show
     "friswell_tapered_shaft": ("unstable", "grows by itself", "modes are overdamped"),
     "friswell_cross_coupled": ("frf: nothing in the machine is damped",),
     "grinding_spindle_catalogue": ("estimate from catalogue values",),
+    "grinding_spindle_rings": ("cartridge: bearing a: its ball 13, at 180°",),
     "grinding_spindle_touch": ("estimate from catalogue values",),
     "squeeze_film_damper": ("modes are overdamped",),
     "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C from"),
@@ -65,7 +66,20 @@ WARNED = {  # what the case is there to show
 ENDED = {"vex70_warm": "temperatures run away"}  # where states end, as the case is there to show
 
 
-@pytest.mark.parametrize("path", FILES, ids=NAMES)
+SLOW = {  # whose analyses other cases have, too
+    "grinding_spindle_touch",
+    "mfw2310_interval",
+    "mfw2310_lobes",
+    "mfw2310_phases",
+    "mfw2310_rings",
+}
+OFTEN = [
+    pytest.param(path, marks=[pytest.mark.long] if path.stem in SLOW else [], id=path.stem)
+    for path in FILES
+]
+
+
+@pytest.mark.parametrize("path", OFTEN)
 def test_case_runs(path: Path, tmp_path: Path) -> None:
     """At few of its speeds, without figures."""
     case = rotordyn.load(path)

@@ -19,7 +19,9 @@ def _loaded() -> None:
 
 
 @pytest.mark.few(2)
-@pytest.mark.parametrize("number", [0, 26, 75, 110, 203, 309, 400])
+@pytest.mark.parametrize(
+    "number", [0, 26, 75, 110, 203, pytest.param(309, marks=pytest.mark.long), 400]
+)
 def test_an_extreme_machine_is_solved_or_refused(number: int, tmp_path: Path) -> None:
     assert machine(number) == machine(number)
     case, out = written(number, tmp_path), tmp_path / "out"

@@ -42,6 +42,7 @@ def names(folder: Path) -> set[str]:
     return {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
 
 
+@pytest.mark.long
 def test_a_run_leaves_sheets_animations_and_meshes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -116,7 +116,7 @@ def rigid_motion(scene: Scene, force: ForceOverTime, time: Array) -> Array:
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("rpm", [30000.0, 0.0])
+@pytest.mark.parametrize("rpm", [pytest.param(30000.0, marks=pytest.mark.long), 0.0])
 def test_a_rigid_rotor_moves_as_newtons_and_eulers_equations_say(rpm: float) -> None:
     """A blow of 3 kN, ten times the preload: balls of both bearings lose their contact."""
     blow = push(3000.0, pulse=4e-4)

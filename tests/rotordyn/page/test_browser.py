@@ -60,6 +60,7 @@ def test_the_slider_moves_the_curve(opened: Any, flagship: Path) -> None:
     assert said == []
 
 
+@pytest.mark.long
 def test_modes_move_as_computed(opened: Any, flagship: Path) -> None:
     """Drawn points are those of the surface moved by the mode, up to one factor."""
     page, said = opened
@@ -87,7 +88,9 @@ def test_modes_move_as_computed(opened: Any, flagship: Path) -> None:
     assert said == []
 
 
-@pytest.fixture(scope="module", params=["wide and dark", "narrow"])
+@pytest.fixture(
+    scope="module", params=["wide and dark", pytest.param("narrow", marks=pytest.mark.long)]
+)
 def looked(request: pytest.FixtureRequest, show: Any, evil_folder: Path) -> Any:
     """The page of ``evil`` in one look, opened once, and what its console said."""
     width, scheme = (390, "light") if request.param == "narrow" else (1300, "dark")

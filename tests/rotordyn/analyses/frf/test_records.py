@@ -264,6 +264,7 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     assert result.frac[0] < 0.9
 
 
+@pytest.mark.long
 def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Path) -> None:
     rows = "".join(f"{f},{1.0 + f % 3},0\n" for f in range(5, 40))
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
