@@ -16,6 +16,7 @@ TIMES = (
     ("-m", "benchmarks.study"),
     ("-m", "benchmarks.scaling"),
     ("-m", "benchmarks.marching"),
+    ("-m", "benchmarks.ring_bodies"),
 )
 SURVEYS = (("-m", "benchmarks.random_rotors"), ("-m", "benchmarks.random_bearings"))
 

@@ -7,7 +7,7 @@ from dataclasses import fields
 from typing import Annotated, Any
 
 from bearings.bearing import Measure
-from rotordyn.quantity import Quantity, Whole
+from rotordyn.quantity import HIDDEN, Quantity, Whole
 from rotordyn.units import parse_unit
 
 
@@ -22,9 +22,14 @@ def limits(measure: Measure) -> Quantity | Whole:
 
 
 def measured_fields(kind: Any) -> dict[str, Any]:
-    """Annotations, with their limits, of those fields of a dataclass that declare a measure."""
+    """Annotations, with their limits, of those fields of a dataclass that declare a measure; where
+    some do, others are no keys: a bearing gets its rings from its seat."""
     declared = {f.name: (f.metadata.get("measure"), f.default is None) for f in fields(kind)}
-    return {
+    some = any(measure is not None for measure, _ in declared.values())
+    hidden = {
+        name: Annotated[Any, HIDDEN] for name, (measure, _) in declared.items() if not measure
+    }
+    return (hidden if some else {}) | {
         name: _annotation(measure, optional=optional)
         for name, (measure, optional) in declared.items()
         if measure is not None and measure.quantity != "material"

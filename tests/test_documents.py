@@ -21,6 +21,7 @@ from docs.generate.known import comparison_table
 from docs.generate.marked import parts, rewrite
 from docs.generate.modules import explained, module_table
 from docs.generate.places import DOCS, FIGURES, ROOT, THEORY
+from docs.generate.ring_rows import thesis_table
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import Row
 from docs.generate.snippets import PICTURES, blocks, snippet_pages
@@ -48,6 +49,7 @@ GENERATED = OUTPUTS | {
     "docs/theory/life.md": {"heat", "published-heat", "checked"},
     "docs/theory/network.md": {"random-networks"},
     "docs/theory/debongnie.md": {"power-laws", "errors"},
+    "docs/theory/flexible_rings.md": {"thesis", "walls"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/howto/measured_spindle.md": {"coupled", "damping"},
     "docs/theory/README.md": {"modules"},
@@ -85,6 +87,7 @@ GENERATED = OUTPUTS | {
         "precision-preload",
         "precision-map",
         "precision-time",
+        "precision-rings",
     },
 }
 by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROOT).as_posix())
@@ -224,6 +227,14 @@ def test_tables_of_bending_are_what_we_find_now() -> None:
             for old, new in zip(printed, cells(now), strict=True):
                 ours = [numbers(cell) for cell in old[1:]]
                 assert ours == [pytest.approx(numbers(cell), rel=2e-3, abs=0.2) for cell in new[1:]]
+
+
+def test_rings_of_the_thesis_are_as_the_page_says() -> None:
+    printed = cells(parts(text(THEORY / "flexible_rings.md"))["thesis"])
+    for old, new in zip(printed, cells(thesis_table()), strict=True):
+        assert old[0] == new[0]
+        for was, now in zip(old[1:], new[1:], strict=True):
+            assert numbers(was) == pytest.approx(numbers(now), rel=2e-3)
 
 
 def test_choices_change_what_the_page_says() -> None:

@@ -27,6 +27,7 @@ from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
 from docs.generate.places import DOCS, THEORY
 from docs.generate.random_networks import random_networks
+from docs.generate.ring_rows import thesis_table, walls_table
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rotor_twins import rotor_twins
 from docs.generate.rows import HEAD, Row
@@ -80,6 +81,12 @@ def write_coupled() -> None:
 def write_theory() -> None:
     """Which page explains which module."""
     rewrite(THEORY / "README.md", {"modules": module_table()})
+
+
+def write_rings() -> None:
+    """Rings that deform, beside published ones and beside rigid ones."""
+    fresh = {"thesis": thesis_table(), "walls": walls_table()}
+    rewrite(THEORY / "flexible_rings.md", fresh)
 
 
 def write_heat() -> None:
@@ -138,6 +145,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/reference/keys.md": write_keys,
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
+    "docs/theory/flexible_rings.md": write_rings,
     "docs/theory/life.md": write_heat,
     "docs/theory/network.md": write_networks,
     "docs/theory/rotor_from_responses.md": write_rotor_twins,

@@ -70,6 +70,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "precision": _precision(found),
         **sweep_parts(found["sweeps"]),
         "precision-time": _marching(found),
+        "precision-rings": _ring_bodies(found),
         **scaling_parts(found["scaling"]),
         **peer_parts(found["peer"]),
         **interval_parts(found["intervals"]),
@@ -155,6 +156,16 @@ def _marching(found: Measured) -> str:
         (f"{r['steps']:.3g}", f"{r['error']:.0e}", f"{r['seconds']:.2f}") for r in found["marching"]
     ]
     return table(("steps in a period of max_frequency:", "true error:", "time [s]:"), rows)
+
+
+def _ring_bodies(found: Measured) -> str:
+    measured = found["ring_bodies"]
+    rows = [
+        (f"{r['step']:g}", f"{r['harmonics']}", f"{r['error']:.0e}", f"{r['seconds']:.2f}")
+        for r in measured["bodies"]
+    ]
+    head = ("elements along the groove [°]:", "harmonics:", "error:", "time of a ring [s]:")
+    return table(head, rows)
 
 
 def _precision(found: Measured) -> str:
