@@ -371,7 +371,7 @@ def keys_of(kind: Any) -> tuple[Field, ...]:
     keys = declared(_Elastic if kind is Material else kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
-        return (*extra(kind), *keys)
+        return (*extra(kind), *(key for key in keys if key.keys))
     return (*keys, *extra(kind), *common)
 
 
