@@ -84,7 +84,7 @@ def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
     ring where there are two grooves), or from that of the outer groove to the ball (−1).
     """
     if len(grooves) == 1:
-        return _single(grooves[0], vector)
+        return _single(grooves[0], vector_to(grooves[0], vector, side))
     return _resultant(grooves, vector, side)
 
 
@@ -169,8 +169,10 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
 
 
 def by_groove(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Race, ...]:
-    """For each of two grooves the race once more, its derivatives by the vector of that groove,
+    """For each groove the race once more, its derivatives by the vector of that groove,
     which moves by ``side`` times a shift of the groove."""
+    if len(grooves) == 1:
+        return (race(grooves, vector, side),)
     whole, found = _resultant(grooves, vector, side), []
     bears = whole.load > 0.0
     part = where(bears, 1.0, 0.0) / where(bears, whole.load, 1.0)
@@ -211,7 +213,7 @@ def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[A
 def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:
     """Contacts of a race as springs; arguments as for ``race``."""
     if len(grooves) == 1:
-        return spring(grooves[0], vector)
+        return spring(grooves[0], vector_to(grooves[0], vector, side))
     p = spring(grooves[0], vector_to(grooves[0], vector, side))
     q = spring(grooves[1], vector_to(grooves[1], vector, side))
     x, y = grooves[0].offset, grooves[1].offset

@@ -38,9 +38,7 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     InvalidBearing : as ``outline``
     """
     shape = section(grooves, ring, inner=inner)
-    held = "ends" if ring.ends == "clamped" else ""
-    held = "seat" if ring.backing_diameter is None else held
-    body = Body(shape, ring.material, ring.backing_material, held)
+    body = Body(shape, grooves.ring_material, ring.backing_material, held=ring.ends == "clamped")
     half_length = PATCH * grooves.ball_diameter
     margin = half_length / shape.radius
     points = np.cos(np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
@@ -54,12 +52,15 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     around = np.cos(2.0 * np.pi * np.outer(np.arange(z), np.arange(HARMONICS + 1)) / z)
     apart = np.einsum("dn,nab->dab", around, each)
     counted = [
-        half_space(ring.material, half_length, (HARMONICS + 0.5) / _radius(shape, arc, phi))
+        half_space(grooves.ring_material, half_length, (HARMONICS + 0.5) / _radius(shape, arc, phi))
         for arc, phi in _places(angles)
     ]
     own = (np.diagonal(apart[0]) - counted).reshape(angles.shape)
     steps = np.abs(np.subtract.outer(np.arange(z), np.arange(z)))
-    return Compliance(apart[steps], own, ends, cardinal, shape.outward)
+    between, groove = apart[steps], np.repeat(np.arange(len(angles)), ANGLES)
+    every = np.arange(z)
+    between[every, every] *= groove[:, None] != groove
+    return Compliance(between, own, ends, cardinal, shape.outward)
 
 
 def _by_harmonics(body: Body, loads: Array) -> Array:

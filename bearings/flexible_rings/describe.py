@@ -21,7 +21,7 @@ class ElasticRing:
     width : of the ring [m]
     seat_diameter : bore of an inner ring, outside of an outer ring [m]
     backing_diameter : bore of the shaft under an inner ring (0: solid), outside of the housing
-        around an outer ring [m]; None: the ring sits on something rigid
+        around an outer ring [m]
     backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: its
         diameter beyond the ring on either side, along which what the ring does decays
     ends : "free": the groove moves against the mean motion of the backing under the ring, which
@@ -29,7 +29,7 @@ class ElasticRing:
         backing are held, and grooves move against these
     shoulder_diameter : where the groove ends, on both sides alike [m]; None: half-way to where it
         would reach the circle of ball centres
-    material, backing_material : isotropic
+    backing_material : isotropic; the ring is of the ring material of its bearing, as its contacts
 
     Raises
     ------
@@ -38,11 +38,10 @@ class ElasticRing:
 
     width: float
     seat_diameter: float
-    backing_diameter: float | None = None
+    backing_diameter: float
     backing_length: float | None = None
     ends: str = "free"
     shoulder_diameter: float | None = None
-    material: Material = STEEL
     backing_material: Material = STEEL
 
     def __post_init__(self) -> None:
@@ -56,13 +55,14 @@ class ElasticRing:
                 raise InvalidBearing(f"{name} of a ring must be {rule}, got {shown(value)}")
         if self.ends not in ENDS:
             raise InvalidBearing(f"ends must be one of {', '.join(ENDS)}, got {shown(self.ends)}")
-        for name in ("material", "backing_material"):
-            if not isinstance(getattr(self, name), Material):
-                given = shown(getattr(self, name))
-                raise InvalidBearing(f"{name} of a ring must be a bearings.Material, got {given}")
+        given: object = self.backing_material
+        if not isinstance(given, Material):
+            raise InvalidBearing(
+                f"backing_material must be a bearings.Material, got {shown(given)}"
+            )
         if self.backing_diameter == self.seat_diameter:
             raise InvalidBearing(
-                "backing_diameter is that of the seat: give None for a ring on something rigid"
+                "backing_diameter is that of the seat: nothing is left between them"
             )
         if self.length < self.width:
             raise InvalidBearing(
@@ -75,7 +75,7 @@ class ElasticRing:
         """Of the piece of shaft or housing [m]."""
         if self.backing_length is not None:
             return self.backing_length
-        return self.width + 2.0 * max(self.seat_diameter, self.backing_diameter or 0.0)
+        return self.width + 2.0 * max(self.seat_diameter, self.backing_diameter)
 
 
 @dataclass(frozen=True, slots=True)

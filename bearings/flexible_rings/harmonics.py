@@ -30,13 +30,13 @@ POINTS = 24  # along a patch
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A section with its materials, held at its seat (``held`` "seat"), at its far ends ("ends"),
-    or nowhere (""): then it moves against the mean motion of its backing under the ring."""
+    """A section with its materials, ``held`` at its far ends or nowhere: then it moves against the
+    mean motion of its backing under the ring."""
 
     section: Section
     material: Material
     backing: Material
-    held: str
+    held: bool
 
     @cached_property
     def basis(self) -> Any:
@@ -106,10 +106,7 @@ class Body:
         it is, to which balanced loads are blind."""
         basis, held = self.basis, np.zeros(self.basis.N, dtype=bool)
         corners, x = self.section.corners, self.basis.doflocs[0]
-        if self.held == "seat":
-            level = corners[1, self.section.seat[0]]
-            held |= np.abs(basis.doflocs[1] - level) < 1e-9 * level
-        elif self.held == "ends":
+        if self.held:
             far = np.abs(corners[0, self.section.ends]).max()
             held |= np.abs(np.abs(x) - far) < 1e-9 * far
         elif n < 2:

@@ -87,7 +87,7 @@ def _check(ring: ElasticRing, outward: float, bottom: float) -> None:
             f"(the {name}) must lie {side} {2e3 * bottom:.5g} mm"
         )
     around = ring.backing_diameter
-    if around is not None and outward * (around - ring.seat_diameter) <= 0.0:
+    if outward * (around - ring.seat_diameter) <= 0.0:
         raise InvalidBearing(
             f"backing_diameter {around * 1e3:.5g} mm must lie {side} the seat's "
             f"{ring.seat_diameter * 1e3:.5g} mm"

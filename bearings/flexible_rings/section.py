@@ -20,7 +20,8 @@ from bearings.grooves import Grooves
 
 STEP = math.radians(6.0)  # along the groove
 LAYERS, GROWTH = 5, 1.6  # from the raceway to the seat, each thicker than the last
-DEEP, OUTWARD, WIDER = 3, 5, 1.5  # layers of the backing, columns beside the ring
+DEEP = 3  # layers of the backing
+FIRST, WIDER = 10.0, 1.5  # of the width: the first column beside the ring, and how they widen
 SOLID = 0.02  # of the seat's radius: the hole in a solid shaft, without measurable effect
 
 
@@ -68,14 +69,11 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
     corners = body.reshape(-1, 2)
     number = np.arange(len(corners)).reshape(body.shape[:2])
     quads = _quads(number)
-    backing = np.zeros(len(quads), dtype=bool)
-    held, ends = number[-1], number[-1, :0]
-    if ring.backing_diameter is not None:
-        more, grid = _backing(ring, outward, seat[:, 0], number[-1], len(corners))
-        corners, beyond = np.concatenate([corners, more]), _quads(grid)
-        quads = np.concatenate([quads, beyond])
-        backing = np.arange(len(quads)) >= len(quads) - len(beyond)
-        ends = np.concatenate([grid[:, 0], grid[:, -1]])
+    more, grid = _backing(ring, outward, seat[:, 0], number[-1], len(corners))
+    corners, beyond = np.concatenate([corners, more]), _quads(grid)
+    backing = np.arange(len(quads) + len(beyond)) >= len(quads)
+    quads = np.concatenate([quads, beyond])
+    held, ends = number[-1], np.concatenate([grid[:, 0], grid[:, -1]])
     middle, turned = len(raceway) // 2, len(half)
     first = number[0, middle : middle + turned], half, (-offset, centre)
     second = number[0, middle - turned + 1 : middle + 1], -half[::-1], (offset, centre)
@@ -93,14 +91,15 @@ def _backing(
     ring: ElasticRing, outward: float, seat: Array, taken: Index, count: int
 ) -> tuple[Array, NDArray[np.intp]]:
     """More corners, from number ``count``, and the grid of all, its first row that of the seat."""
-    assert ring.backing_diameter is not None
     beside = 0.5 * (ring.length - ring.width)
     x = seat
     columns = 0
     if beside > 1e-6 * ring.width:
-        out = np.cumsum(WIDER ** np.arange(OUTWARD))
+        first = ring.width / FIRST
+        columns = max(1, math.ceil(math.log1p((WIDER - 1.0) * beside / first) / math.log(WIDER)))
+        out = np.cumsum(WIDER ** np.arange(columns))
         out = 0.5 * ring.width + beside * out / out[-1]
-        x, columns = np.concatenate([-out[::-1], seat, out]), OUTWARD
+        x = np.concatenate([-out[::-1], seat, out])
     start = 0.5 * ring.seat_diameter
     end = 0.5 * ring.backing_diameter
     if outward < 0.0:

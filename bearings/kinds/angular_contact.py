@@ -14,7 +14,7 @@ CONTACT_ANGLE = Measure("angle", "free contact angle", 0.0, math.radians(60.0), 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AngularContactBallBearing(BallBearing):
-    """A single-row angular-contact ball bearing with rigid rings.
+    """A single-row angular-contact ball bearing.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ CLEARANCE = Measure(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DeepGrooveBallBearing(BallBearing):
-    """A single-row deep-groove ball bearing with rigid rings.
+    """A single-row deep-groove ball bearing.
 
     Displacement counts from the centred position, where load is zero by symmetry.
 

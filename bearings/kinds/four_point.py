@@ -26,7 +26,7 @@ SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0,
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FourPointBallBearing(BallBearing):
-    """A single-row four-point-contact ball bearing with rigid rings.
+    """A single-row four-point-contact ball bearing.
 
     Displacement and moments are about the centre of the inner ring's middle plane and count from
     the centred position, where load is zero by symmetry. Contacts are named ir and il (inner ring,

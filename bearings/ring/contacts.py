@@ -52,7 +52,8 @@ def contacts(
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
     shifts = dx[2:].reshape(-1, 2, *dx.shape[1:]) if len(dx) > 4 else np.zeros((4, 2, 1, 1))
-    inner_way, outer_way = moved[:2] - dx[:2] + shifts[:2], dx[:2] - shifts[2:]
+    split = len(c.inner_grooves)
+    inner_way, outer_way = moved[:2] - dx[:2] + shifts[:split], dx[:2] - shifts[split:]
     inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, inner_way, least)
     outer = _bearing(c.outer_grooves, place, -1.0, outer_way, least)
     qi, si, ci = _resultant(inner, balance.inner_direction)

@@ -21,11 +21,23 @@ class RingDeflection:
 
     By contact, in the order of the bearing's ``contact_names``: ``shift`` (…, balls, contacts, 2)
     [m] of the groove centre, axial and radial; ``normal`` (…, balls, contacts) [m]: how far the
-    raceway gives along the normal of the contact, beyond what Hertz's law counts.
+    raceway gives along the normal of the contact, beyond what Hertz's law counts. ``inner``,
+    ``outer`` (…, balls): the farthest contact of each ring.
     """
 
     shift: Array
     normal: Array
+    split: int
+
+    @property
+    def inner(self) -> Array:
+        """Of the inner raceway at every ball."""
+        return np.asarray(self.normal[..., : self.split].max(axis=-1))
+
+    @property
+    def outer(self) -> Array:
+        """Of the outer raceway at every ball."""
+        return np.asarray(self.normal[..., self.split :].max(axis=-1))
 
 
 @checked
@@ -53,5 +65,7 @@ def ring_deflection(state: BearingState) -> RingDeflection:
                 normal[rows] = along / np.where(length > 0.0, length, 1.0)
     shape = state.outcome.shape
     return RingDeflection(
-        shift.reshape(*shape, *shift.shape[1:]), normal.reshape(*shape, *normal.shape[1:])
+        shift.reshape(*shape, *shift.shape[1:]),
+        normal.reshape(*shape, *normal.shape[1:]),
+        len(g.inner_grooves),
     )

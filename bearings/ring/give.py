@@ -33,6 +33,8 @@ class Give:
     ``still`` (u, s, n) [m]: what they still change by with the ring where it is; ``follow``
     (u, s, n, 5): with the ring's displacement. ``error`` (s,): what they miss, as a force.
     ``ball_by`` (2, u, s, n), ``action_by`` (3, u, s, n): what a ball and its action do with them.
+    ``across`` (3, m, s, 1), of one ball that stands for all: what shifts add to its action by the
+    motion of its groove where the ring moves across the axis; else None.
     """
 
     still: Array
@@ -40,20 +42,21 @@ class Give:
     error: Array
     ball_by: Array
     action_by: Array
+    across: Array | None
 
 
 class Ways(NamedTuple):
     """From the centre of every groove to its ball, ``way`` (s, n, c, 2) [m], and how ways move.
 
     ``still`` (s, n, 2c): as balls come into balance, with ring and shifts where they are;
-    ``by_shift`` (s, n, 2c, u), ``by_ring`` (s, n, 2c, 5): by shifts and by the ring. ``joined``
-    (u, 2c): the unknowns of a ball from the shifts of all its grooves.
+    ``by_shift`` (s, n, 2c, u), ``by_motion`` (s, n, 2c, m): by shifts, and by motions of the inner
+    ring there. ``joined`` (u, 2c): the unknowns of a ball from the shifts of all its grooves.
     """
 
     way: Array
     still: Array
     by_shift: Array
-    by_ring: Array
+    by_motion: Array
     joined: Array
 
 
@@ -78,22 +81,34 @@ def given(
     else:
         ball_by, action_by = _by_grooves(problem, c, centre, x, balance, varying)
         ways = _between_two(problem, c, centre, x, balls, ball_by)
-    states, n, u = len(x[0]), x.shape[2], len(x) - 2
-    shift, slope = _pressed(problem, c, ways.way, blend)
-    turned = (ways.joined @ slope.reshape(states, n, -1, n * ways.still.shape[2])).reshape(
-        states, n * u, n, -1
-    )
+    shift, slopes = _pressed(problem, c, ways.way, blend)
+    by_ring = ways.by_motion @ np.moveaxis(problem.assembly.spread, -1, 0)
     here = np.moveaxis(x[2:], 0, 2)
     missing = shift @ ways.joined.T - here
-    tangent = np.einsum("siky,skyv->sikv", turned, ways.by_shift).reshape(states, n * u, n * u)
-    right = np.empty((states, n * u, 6))
-    right[..., 0] = missing.reshape(states, -1) + np.einsum("siky,sky->si", turned, ways.still)
-    right[..., 1:] = np.einsum("siky,skyd->sid", turned, ways.by_ring)
-    solved = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, 6)
-    solved = np.moveaxis(solved, 2, 0)
+    still, follow = _solved(ways, slopes[0], missing, by_ring)
+    across = None
+    if len(slopes) > 1:
+        answer = _solved(ways, slopes[1], missing, ways.by_motion)[1]
+        across = np.einsum("ausn,usnm->amsn", action_by, answer)
     stiffest = np.abs(np.asarray(balls.tangent[:2])).max(axis=(0, 1, 3))
     error = np.abs(missing).max(axis=(1, 2)) * stiffest
-    return Give(solved[..., 0], solved[..., 1:], error, ball_by, action_by)
+    return Give(still, follow, error, ball_by, action_by, across)
+
+
+def _solved(ways: Ways, slope: Array, missing: Array, by: Array) -> tuple[Array, Array]:
+    """Shifts of all balls: where they come to rest (u, s, n), and by given motions (u, s, n, k),
+    of which ``by`` (s, n, 2c, k) says what they do with the ways. ``slope`` (s, n, 2c, n, 2c)."""
+    states, n, ends = ways.still.shape
+    u = len(ways.joined)
+    turned = ways.joined @ slope.reshape(states, n, ends, n * ends)
+    turned = turned.reshape(states, n * u, n, ends)
+    tangent = np.einsum("siky,skyv->sikv", turned, ways.by_shift).reshape(states, n * u, n * u)
+    right = np.empty((states, n * u, 1 + by.shape[-1]))
+    right[..., 0] = missing.reshape(states, -1) + np.einsum("siky,sky->si", turned, ways.still)
+    right[..., 1:] = np.einsum("siky,skyd->sid", turned, by)
+    found = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, -1)
+    found = np.moveaxis(found, 2, 0)
+    return found[..., 0], found[..., 1:]
 
 
 def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> Ways:
@@ -110,7 +125,7 @@ def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -
         way=_way(problem, problem.geometry, centre, x),
         still=np.moveaxis(np.concatenate([still, still]), 0, 2),
         by_shift=by_shift,
-        by_ring=_by_ring(by_shift, problem.assembly.spread[:2]),
+        by_motion=by_shift,
         joined=np.hstack([np.eye(2), -np.eye(2)]),
     )
 
@@ -119,19 +134,20 @@ def _between_two(
     problem: Problem, c: Geometry, centre: Motion, x: Array, balls: Condensed, ball_by: Array
 ) -> Ways:
     """Two grooves a ring: every one with its own shift."""
-    way, follow = _way(problem, c, centre, x), _rows(balls.follow, 3)
+    way, follow = _way(problem, c, centre, x), _rows(balls.follow, len(centre))
     still, count = np.stack(balls.still), way.shape[2]
-    by_ring = np.tile(follow, (count, 1, 1, 1))  # (2c, 3, s, n)
+    by_motion = np.tile(follow, (count, 1, 1, 1))  # (2c, m, s, n)
     for k, groove in enumerate(c.inner_grooves):
-        by_ring[2 * k, 0] -= 1.0
-        by_ring[2 * k + 1, 1] -= 1.0
-        by_ring[2 * k + 1, 2] -= groove.offset
+        by_motion[2 * k, 0] -= 1.0
+        by_motion[2 * k + 1, 1] -= 1.0
+        if len(centre) > 2:
+            by_motion[2 * k + 1, 2] -= groove.offset
     by_shift = np.tile(ball_by, (count, 1, 1, 1)) - np.eye(2 * count)[:, :, None, None]
     return Ways(
         way=way,
         still=np.moveaxis(np.tile(still, (count, 1, 1)), 0, 2),
         by_shift=_last(by_shift, x),
-        by_ring=_by_ring(_last(by_ring, x), problem.assembly.spread),
+        by_motion=_last(by_motion, x),
         joined=np.eye(2 * count),
     )
 
@@ -174,17 +190,22 @@ def _by_grooves(
     return ball_by, action + np.einsum("axsn,xusn->ausn", by_ball, ball_by)
 
 
-def _pressed(problem: Problem, c: Geometry, way: Array, blend: Array) -> tuple[Array, Array]:
+def _pressed(
+    problem: Problem, c: Geometry, way: Array, blend: Array
+) -> tuple[Array, tuple[Array, ...]]:
     """Shifts of all grooves (s, n, 2c), and what they change by with the ways of the balls
-    (s, n, 2c, n, 2c)."""
+    (s, n, 2c, n, 2c): in the motion solved for, and where one ball stands for all across it."""
     states, n, contacts = way.shape[:3]
-    half, rings = contacts // 2, problem.rings
+    split, rings = len(c.inner_grooves), problem.rings
+    alone = problem.assembly.balls < problem.geometry.balls
     assert rings is not None
     shift = np.zeros((states, n, contacts, 2))
-    slope = np.zeros((states, n, contacts, 2, n, contacts, 2))
-    ends = ((rings.inner, c.inner_grooves, -1.0), (rings.outer, c.outer_grooves, 1.0))
-    for k, (ring, grooves, outward) in enumerate(ends):
-        part = slice(k * half, (k + 1) * half)
+    slopes = [np.zeros((states, n, contacts, 2, n, contacts, 2)) for _ in range(2 if alone else 1)]
+    ends = (
+        (rings.inner, c.inner_grooves, -1.0, slice(split)),
+        (rings.outer, c.outer_grooves, 1.0, slice(split, None)),
+    )
+    for ring, grooves, outward, part in ends:
         if ring is None:
             continue
         groove = grooves[0] if problem.placed else both_grooves(c)
@@ -193,13 +214,13 @@ def _pressed(problem: Problem, c: Geometry, way: Array, blend: Array) -> tuple[A
             there[..., 1] = outward * np.maximum(outward * there[..., 1], 0.0)
         length = np.sqrt((there * there).sum(axis=-1))
         load, stiffness = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0))
-        each = ring.pressed(there, load, stiffness)
-        shift[:, :, part] = each.shift
-        slope[:, :, part, :, :, part] = each.slope
-    shift *= blend[:, None, None, None]
-    slope *= blend[:, None, None, None, None, None, None]
-    flat = shift.reshape(states, n, 2 * contacts)
-    return flat, slope.reshape(states, n, 2 * contacts, n, 2 * contacts)
+        known, others = (ring.alike(0), [ring.alike(1)]) if alone else (ring, [])
+        each = known.pressed(there, load, stiffness, others)
+        shift[:, :, part] = each.shift * blend[:, None, None, None]
+        for whole, slope in zip(slopes, each.slopes, strict=True):
+            whole[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
+    flat = (states, n, 2 * contacts, n, 2 * contacts)
+    return shift.reshape(states, n, 2 * contacts), (*(each.reshape(flat) for each in slopes),)
 
 
 def _rows(rows: Any, columns: int) -> Array:
@@ -211,8 +232,3 @@ def _last(block: Array, x: Array) -> Array:
     """(k, l, s, n) as (s, n, k, l)."""
     whole = np.broadcast_to(block, (*block.shape[:2], *x.shape[1:]))
     return np.moveaxis(whole, (0, 1), (2, 3))
-
-
-def _by_ring(by_motion: Array, spread: Array) -> Array:
-    """By the five DOF of the ring (s, n, k, 5), from motions of its grooves (s, n, k, m)."""
-    return np.asarray(by_motion @ np.moveaxis(spread, -1, 0))

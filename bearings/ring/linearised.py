@@ -53,7 +53,13 @@ class Linear:
         if self.give is None:
             return rigid
         columns = [self._by_shift(self.give.follow[..., k]) for k in range(5)]
-        return rigid + np.stack(columns, axis=-1)
+        whole = rigid + np.stack(columns, axis=-1)
+        if self.give.across is None:
+            return whole
+        x, r, tilt = self.give.across
+        beside = self.assembly.stiffness(((*x,), (*r,), (*tilt,)))
+        beside[:, 0], beside[:, :, 0] = 0.0, 0.0
+        return whole + beside
 
     def _by_shift(self, shift: Array) -> Array:
         """Change of f (s, 5) with ``shift`` (u, s, n) of the grooves."""

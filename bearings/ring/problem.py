@@ -28,8 +28,8 @@ class Problem:
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
     the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
     stiffness may be singular; the shortest step is taken. ``rings``: compliance of rings that
-    deform. They couple the balls, all of which are solved then, and a ball has more unknowns than
-    X: the shift of the inner groove against the outer one, or of each of two grooves a ring.
+    deform. They couple the balls, and a ball has more unknowns than X: the shift of the inner
+    groove against the outer one, or of every groove where a ring has two.
     """
 
     geometry: Geometry
@@ -49,14 +49,19 @@ class Problem:
         g = o.geometry
         origin = groove_origin(g, o.static_growth, o.growth)
         rings = compliances(o.grooves)
-        which = assembly(g) if rings is None else full_assembly(g)
+        which = assembly(g)
+        if rings is not None and which.balls > 1:  # no mirror images
+            which = full_assembly(g)
         given = (origin, o.speed, o.load, o.free)
         return cls(g, o.law, which, *given, turning=True, rings=rings)
 
     @property
     def unknowns(self) -> int:
         """Of a ball: its place, and with rings that deform the shifts of its grooves."""
-        return 2 if self.rings is None else 4 if self.geometry.single else 10
+        g = self.geometry
+        if self.rings is None:
+            return 2
+        return 4 if g.single else 2 + 2 * (len(g.inner_grooves) + len(g.outer_grooves))
 
     def centres(self, displacement: Array, ball: Array | None = None) -> Array:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2.
@@ -78,7 +83,8 @@ class Problem:
             groove._replace(along=axial, rise=radial)
             for groove, axial, radial in zip(every, ball[2::2], ball[3::2], strict=True)
         ]
-        return g._replace(inner_grooves=(*moved[:2],), outer_grooves=(*moved[2:],))
+        inner = len(g.inner_grooves)
+        return g._replace(inner_grooves=(*moved[:inner],), outer_grooves=(*moved[inner:],))
 
     def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
         """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""

@@ -50,7 +50,7 @@ def solved(
     fast = _compiled(g, operation) if compiled is None else compiled
     for index, axial, turning in _groups(g, operation, outcome):
         problem = replace(whole.take(index), turning=turning)
-        if axial and whole.rings is None:  # what is not axial stays at zero by symmetry
+        if axial:  # what is not axial stays at zero by symmetry
             free = operation.free & np.array([True, False, False, False, False])
             problem = replace(problem, assembly=axial_assembly(g), free=free)
         first, near = first_displacement(problem, operation.displacement[index]), None

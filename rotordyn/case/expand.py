@@ -22,6 +22,7 @@ from rotordyn.case.override import apply
 from rotordyn.case.table import tabled
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
+from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
@@ -188,12 +189,24 @@ def asked(node: Node, spec: type, reader: Reader) -> None:
     A workpiece that cannot be read, whose fault is reported, is one of unknown coefficients, so
     that its absence is not reported as well.
     """
+    _fill(node, ways_to(Material, spec), Material, reader)
     for holder, key, named in _naming(node, ways_to(Tool, spec)):
         _set(holder, key, tool(named, reader))
     for holder, key, named in _naming(node, ways_to(Workpiece, spec)):
         _set(holder, key, reader.model(MODELS[Workpiece], named))
         if (held := holder.at(key)).value is UNKNOWN:
             holder.value[key] = replace(named, value={"coefficients": held})
+
+
+def ring_sizes(case: Node, model: Node | None) -> None:
+    """Sizes of its rings from the model of a single bearing, where they deform."""
+    rings = case.child("analyses", "bearing", "flexible_rings")
+    if model is None or rings is None or not isinstance(rings.value, dict):
+        return
+    for size in SIZES:
+        known = model.child(size)
+        if known is not None:
+            rings.value.setdefault(size, known.copy())
 
 
 def bearing(

@@ -113,6 +113,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     if (reference := root.child("bearing")) is not None:
         expanded = expand.bearing(reference, (override,), reader)
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
+        expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references

@@ -83,7 +83,9 @@ def _rings(spindle: Spindle) -> Faults:
     low, high = spindle.shaft.reach
     for index, seat in enumerate(spindle.seats):
         known, bearing = seat.flexible_rings, seat.known_bearing
-        if known is None or bearing is None or any(known._faults()) or not low <= seat.x <= high:
+        if known is None or bearing is None or not low <= seat.x <= high:
+            continue
+        if not known.sound or any(known._faults()) or any(seat._faults()):
             continue
         try:
             spindle.mounted(seat)

@@ -9,11 +9,12 @@ from bearings.bearing import BallBearing
 from bearings.flexible_rings.describe import ENDS, ElasticRing, FlexibleRings
 from bearings.materials import STEEL, Material
 from rotordyn.description import Description, Faults
-from rotordyn.machine.fits import AROUND
+from rotordyn.machine.fits import AROUND, Fits
 from rotordyn.quantity import Bore, Choice, Diameter, Key
 from rotordyn.units import format_quantity
 
 WHICH = ("both", "inner", "outer")
+SIZES = ("bore_diameter", "outside_diameter", "width")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,10 +42,13 @@ class RingBodies(Description):
     ] = None
     housing_diameter: Annotated[
         Diameter | None,
-        "outside of the housing or sleeve around the outer ring; by default 1.5 times that of the "
-        "ring",
+        "outside of the housing or sleeve around the outer ring; by default that of the fits, or "
+        "1.5 times that of the ring",
     ] = None
     housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
+    shaft_material: Annotated[
+        Material | None, "name, path or mapping; by default that of the shaft there, or steel"
+    ] = None
     length: Annotated[
         Diameter | None,
         "of the piece of shaft and housing that deforms, the ring at its middle; by default its "
@@ -67,6 +71,16 @@ class RingBodies(Description):
         """Whether the outer ring deforms."""
         return self.which != "inner"
 
+    @property
+    def sound(self) -> bool:
+        """Whether every value was taken; faults of the others are reported by their keys."""
+        sizes = (
+            getattr(self, name) for name in (*SIZES, "shaft_bore", "housing_diameter", "length")
+        )
+        words = self.which in WHICH and self.ends in ENDS
+        known = all(size is None or size == size for size in sizes)
+        return words and known and isinstance(self.housing_material, Material)
+
     def _faults(self) -> Faults:
         needed = [("bore_diameter", self.inner), ("outside_diameter", self.outer), ("width", True)]
         for key, needs in needed:
@@ -75,6 +89,16 @@ class RingBodies(Description):
                     (key,),
                     "missing key: a ring that deforms needs it; the model of this bearing gives "
                     "none",
+                )
+        for key, serves, other in (
+            ("shaft_bore", self.inner, "an inner"),
+            ("housing_diameter", self.outer, "an outer"),
+        ):
+            if getattr(self, key) is not None and not serves:
+                yield (
+                    (key,),
+                    f"serves {other} ring that deforms: given {{given}} beside which: "
+                    f"{self.which}; leave one of both out",
                 )
         hole, bore = self.shaft_bore, self.bore_diameter
         if self.inner and hole is not None and bore is not None and hole >= bore:
@@ -98,9 +122,15 @@ class RingBodies(Description):
             )
 
     def bodies(
-        self, bearing: BallBearing, hole: float = 0.0, shaft: Material = STEEL
+        self,
+        bearing: BallBearing,
+        hole: float = 0.0,
+        shaft: Material = STEEL,
+        fits: Fits | None = None,
     ) -> FlexibleRings:
         """Rings of a ``bearing`` on a ``shaft`` with a ``hole`` of that diameter [m].
+
+        ``fits`` of the seat, which may know the housing.
 
         Raises
         ------
@@ -116,18 +146,19 @@ class RingBodies(Description):
                 hole if self.shaft_bore is None else self.shaft_bore,
                 self.length,
                 self.ends,
-                material=bearing.ring_material,
-                backing_material=shaft,
+                backing_material=self.shaft_material or shaft,
             )
         if self.outer:
             assert self.outside_diameter is not None
+            around, material = self.housing_diameter, self.housing_material
+            if around is None and fits is not None and fits.housing_diameter is not None:
+                around, material = fits.housing_diameter, fits.housing_material
             outer = ElasticRing(
                 self.width,
                 self.outside_diameter,
-                self.housing_diameter or AROUND * self.outside_diameter,
+                around or AROUND * self.outside_diameter,
                 self.length,
                 self.ends,
-                material=bearing.ring_material,
-                backing_material=self.housing_material,
+                backing_material=material,
             )
         return FlexibleRings(inner, outer)

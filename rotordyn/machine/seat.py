@@ -138,6 +138,14 @@ class BearingSeat(Description):
                     f"{format_quantity(size, 'mm')}; allowed: {allowed}",
                 )
         bodies = self.flexible_rings
+        if fits is not None and bodies is not None and bodies.housing_diameter is not None:
+            around = fits.housing_diameter
+            if around is not None and around != bodies.housing_diameter:
+                yield (
+                    ("flexible_rings", "housing_diameter"),
+                    "given {given}, and as fits.housing_diameter "
+                    f"{format_quantity(around, 'mm')}: it is one housing; leave one of both out",
+                )
         if fits is not None and fits.under_balls and bodies is not None and bodies.outer:
             yield (
                 ("fits", "under_balls"),

@@ -104,7 +104,7 @@ class Spindle(Description):
         if known is None:
             return seat.bearing
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
-        return replace(seat.bearing, rings=known.bodies(seat.bearing, hole, material))
+        return replace(seat.bearing, rings=known.bodies(seat.bearing, hole, material, seat.fits))
 
     @property
     def damped(self) -> bool:

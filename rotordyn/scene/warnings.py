@@ -81,10 +81,10 @@ def ring_notes(scene: Scene) -> Iterator[str]:
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
         if seat.flexible_rings is None:
             continue
-        normal = ring_deflection(balls.rows((slice(None), column))).normal
-        normal = np.nan_to_num(np.where(state.usable[:, None, None], normal, np.nan))
-        half = normal.shape[-1] // 2
-        inner, outer = normal[..., :half].max() * 1e6, normal[..., half:].max() * 1e6
+        found = ring_deflection(balls.rows((slice(None), column)))
+        inner, outer = (
+            np.nanmax(each[state.usable], initial=0.0) * 1e6 for each in (found.inner, found.outer)
+        )
         parts.append(f"{seat.name} {inner:.2g} and {outer:.2g}")
     yield (
         "rings deform under their balls; inner and outer raceway give at most, beyond the contacts "

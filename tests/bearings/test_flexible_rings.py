@@ -57,7 +57,7 @@ def on_sleeve(width: float, shoulder: float, thickness: float) -> FlexibleRings:
     """On a shaft and in a housing of 100 mm whose ends are held."""
     inner = ElasticRing(
         *(width, 128e-3, 128e-3 - 2.0 * thickness, 100e-3, "clamped", 128e-3 + 2.0 * shoulder),
-        *(THESIS, THESIS),
+        THESIS,
     )
     outer = replace(
         inner,
@@ -113,7 +113,9 @@ def pushed(body: Body, width: float) -> np.ndarray:
 
 
 def test_rigid_motions_store_no_energy() -> None:
-    body = Body(section(four_point(27.67).grooves, R20.outer, inner=False), THESIS, THESIS, "")
+    body = Body(
+        section(four_point(27.67).grooves, R20.outer, inner=False), THESIS, THESIS, held=False
+    )
     for n in (0, 1):
         k = body.stiffness[0] + n * body.stiffness[1] + n * n * body.stiffness[2]
         moves = body._rigid(n)
@@ -125,7 +127,7 @@ def test_rigid_motions_store_no_energy() -> None:
 @pytest.mark.parametrize("outer", [52e-3, 100e-3])
 def test_a_tube_under_pressure_is_lames(outer: float) -> None:
     inner, width = 50e-3, 20e-3
-    body = Body(tube(inner, outer, width, (2, 8)), THESIS, THESIS, "")
+    body = Body(tube(inner, outer, width, (2, 8)), THESIS, THESIS, held=False)
     found = body.responses(pushed(body, width), [0])[0, 0, 0]
     pressure = 1.0 / (2.0 * math.pi * inner * width)
     ratio = (outer**2 + inner**2) / (outer**2 - inner**2)
@@ -137,7 +139,9 @@ def test_a_thin_ring_bends_by_its_closed_form(n: int) -> None:
     # w = q R⁴/(E I (n² − 1)²) under q cos nθ (Timoshenko, Vibration Problems in Engineering), its
     # error that of shear and stretching, of order (n h/R)²
     radius, thick, width = 50e-3, 0.5e-3, 1e-3
-    body = Body(tube(radius - thick / 2.0, radius + thick / 2.0, width, (1, 2)), THESIS, THESIS, "")
+    body = Body(
+        tube(radius - thick / 2.0, radius + thick / 2.0, width, (1, 2)), THESIS, THESIS, held=False
+    )
     found = body.responses(pushed(body, width), [n])[0, 0, 0]
     inertia = width * thick**3 / 12.0
     thin = radius**3 / (math.pi * 200e9 * inertia * (n * n - 1) ** 2)
@@ -260,16 +264,16 @@ def test_stiff_rings_are_rigid_ones_and_soft_ones_softer(kind: str) -> None:
     stiff = Material("a million times as stiff", 2e17, 0.3, 7850.0)
     rings = bearing.rings
     hard = FlexibleRings(
-        *(
-            replace(ring, material=stiff, backing_material=stiff)
-            for ring in (rings.inner, rings.outer)
-        )
+        *(replace(ring, backing_material=stiff) for ring in (rings.inner, rings.outer))
     )
-    found, soft, rigid = (
-        replace(bearing, rings=each).equilibrium(load=LOADS, speed=900.0)
-        for each in (hard, rings, None)
+    found, limit = (
+        replace(bearing, ring_material=stiff, rings=each).equilibrium(load=LOADS, speed=900.0)
+        for each in (hard, None)
     )
-    assert found.displacement == pytest.approx(rigid.displacement, rel=1e-5)
+    assert found.displacement == pytest.approx(limit.displacement, rel=1e-5)
+    soft, rigid = (
+        replace(bearing, rings=each).equilibrium(load=LOADS, speed=900.0) for each in (rings, None)
+    )
     work = (LOADS * soft.displacement).sum(axis=1) / (LOADS * rigid.displacement).sum(axis=1)
     assert (work > 1.01).all()
     give = ring_deflection(soft)
@@ -371,8 +375,8 @@ WRONG = {
     "width": ({"width": -1.0}, "width of a ring must be a length"),
     "ends": ({"ends": "loose"}, "ends must be one of free, clamped"),
     "length": ({"backing_length": 1e-2}, "backing_length must be at least the width"),
-    "seat": ({"backing_diameter": 70e-3}, "give None for a ring on something rigid"),
-    "material": ({"material": "steel"}, "must be a bearings.Material"),
+    "seat": ({"backing_diameter": 70e-3}, "nothing is left between them"),
+    "material": ({"backing_material": "steel"}, "must be a bearings.Material"),
 }
 
 
@@ -415,15 +419,59 @@ def test_something_else_for_rings_is_refused() -> None:
         AngularContactBallBearing(**SPINDLE | {"rings": THIN.inner}, contact_angle=0.4)
 
 
-def test_a_solid_shaft_and_a_rigid_seat() -> None:
-    solid = replace(angular(), rings=FlexibleRings(replace(THIN.inner, backing_diameter=0.0)))
-    held = replace(angular(), rings=FlexibleRings(replace(THIN.inner, backing_diameter=None)))
-    hollow = replace(angular(), rings=FlexibleRings(THIN.inner))
-    rigid = replace(angular(), rings=None)
-    work = [
-        float(b.equilibrium(load=LOADS[0]).displacement @ LOADS[0])
-        for b in (rigid, held, solid, hollow)
-    ]
-    # A ring on something rigid is as stiff as the half-space that Hertz counts, or stiffer.
-    assert work[1] == pytest.approx(work[0], rel=0.02)
-    assert max(work[:2]) < work[2] < work[3]
+def test_the_thinner_the_wall_the_softer() -> None:
+    work = []
+    for hole in (0.0, 40e-3, 60e-3, 66e-3):
+        rings = FlexibleRings(replace(THIN.inner, backing_diameter=hole))
+        state = replace(angular(), rings=rings).equilibrium(load=LOADS[0])
+        work.append(float(state.displacement @ LOADS[0]))
+    rigid = replace(angular(), rings=None).equilibrium(load=LOADS[0]).displacement @ LOADS[0]
+    assert np.all(np.diff(work) > 0.0)
+    assert work[0] == pytest.approx(rigid, rel=0.03)
+
+
+def test_one_ball_for_all_is_all_of_them() -> None:
+    # A load across the axis of a nanonewton makes all balls be solved.
+    for kind in ("angular", "four_point"):
+        bearing = BEARINGS[kind]()
+        for speed in (0.0, 900.0):
+            one, all_ = (
+                bearing.equilibrium(load=[1500.0, across, 0.0, 0.0, 0.0], speed=speed)
+                for across in (0.0, 1e-9)
+            )
+            assert one.displacement[0] == pytest.approx(all_.displacement[0], rel=1e-9)
+            size = np.sqrt(np.diag(all_.complete_stiffness))
+            gap = (one.complete_stiffness - all_.complete_stiffness) / np.outer(size, size)
+            assert np.abs(gap).max() < 1e-7
+            assert one.inner_load == pytest.approx(all_.inner_load, rel=1e-7)
+
+
+@pytest.mark.parametrize("shims", [(0.2e-3, 0.0), (0.0, 0.2e-3)])
+def test_a_shim_in_one_ring_alone(shims: tuple[float, float]) -> None:
+    inner, outer = shims
+    bearing = FourPointBallBearing(
+        **SPINDLE, contact_angle=0.61, inner_shim=inner, outer_shim=outer
+    )
+    state = bearing.equilibrium(load=LOADS, speed=900.0)
+    rigid = replace(bearing, rings=None).equilibrium(load=LOADS, speed=900.0)
+    assert (state.residual < 1e-10).all()
+    step = 3e-9 * np.eye(5)[:3]
+    slope = (
+        bearing.equilibrium(displacement=state.displacement[0] + step, speed=900.0).load
+        - bearing.equilibrium(displacement=state.displacement[0] - step, speed=900.0).load
+    ) / 6e-9
+    stiffness = state.complete_stiffness[0, :3, :3]
+    assert pytest.approx(stiffness, rel=1e-5, abs=1e-5 * stiffness.max()) == slope[:, :3].T
+    assert (LOADS * state.displacement).sum() > 1.003 * (LOADS * rigid.displacement).sum()
+
+
+def test_elements_follow_the_length_of_the_backing() -> None:
+    # What is far away does not matter, however long it is.
+    work = []
+    for length in (None, 1.0, 3.0):
+        rings = FlexibleRings(outer=replace(THIN.outer, backing_length=length))
+        state = replace(angular(), rings=rings).equilibrium(load=LOADS[0])
+        work.append(float(state.displacement @ LOADS[0]))
+    rigid = replace(angular(), rings=None).equilibrium(load=LOADS[0]).displacement @ LOADS[0]
+    gained = np.array(work) - rigid
+    assert gained[1:] == pytest.approx(gained[0], rel=0.04)

@@ -30,13 +30,16 @@ def summary(result: BearingMapResult) -> list[str]:
 
 def _rings(result: BearingMapResult) -> list[str]:
     """How far raceways of rings that deform give at most."""
-    normal = np.nan_to_num(result.ring_deflection * 1e6).max(axis=(0, 1, 2))
+    normal = np.nan_to_num(result.ring_deflection * 1e6).max(axis=(0, 1, 2), initial=0.0)
     if not normal.any():
         return []
-    half = len(normal) // 2
+    inner, outer = (
+        max(value for name, value in zip(result.contact, normal, strict=True) if name[0] == letter)
+        for letter in RINGS
+    )
     return [
-        f"rings      deform: the inner raceway gives {normal[:half].max():.2g} µm at most, the "
-        f"outer one {normal[half:].max():.2g}, beyond the contacts themselves"
+        f"rings      deform: the inner raceway gives {inner:.2g} µm at most, the outer one "
+        f"{outer:.2g}, beyond the contacts themselves"
     ]
 
 

@@ -34,10 +34,8 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
         azimuth[k, :count] = np.mod(angle, 2.0 * math.pi)
         for name, whole in balls.items():
             whole[:, k, :count] = getattr(state, name)[:, column]
-        normal = ring_deflection(state.rows((slice(None), column))).normal
-        half = normal.shape[-1] // 2
-        given[0][:, k, :count] = normal[..., :half].max(axis=-1)
-        given[1][:, k, :count] = normal[..., half:].max(axis=-1)
+        deformed = ring_deflection(state.rows((slice(None), column)))
+        given[0][:, k, :count], given[1][:, k, :count] = deformed.inner, deformed.outer
     share, lost = _losses(scene, spec, balls["inner_load"])
     places = np.take_along_axis(azimuth[None].repeat(len(lost), 0), lost[..., None], axis=2)[..., 0]
     return BearingLoadsResult(
