@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,33 +28,15 @@ class Pressed:
     slopes: tuple[Array, ...]
 
 
-class Weights(NamedTuple):
-    """Of the angles that are known, at others: ``value`` (s, z, g, k), and derivatives."""
-
-    value: Array
-    first: Array
-    second: Array
-
-
-class Coefficients(NamedTuple):
-    """Of normal deflections (s, z, g, z, g) [m/N], and their derivatives by the angle that is read
-    (``along``; ``bent``, twice), that of the load (``beside``), and ``both``."""
-
-    normal: Array
-    along: Array
-    bent: Array
-    beside: Array
-    both: Array
-
-
 @dataclass(frozen=True, eq=False, slots=True)
 class Compliance:
     """Of one ring with z balls evenly around it, known at k angles of each of its g grooves.
 
     ``between`` (z, z, g·k, g·k) [m/N]: displacement at one ball by load at another, 0 at the place
     of the load; ``own`` (g, k): there, without what Hertz counts. ``ends`` (g, 2): the angles φ
-    between which they are known; ``cardinal`` (k, k): Chebyshev coefficients of the polynomials
-    that are 1 at one of the angles. ``outward`` ±1: sign of the radial direction into the ring.
+    between which they are known; ``cardinal`` (3, k, k): Chebyshev coefficients of
+    the polynomials that are 1 at one of the angles, of their first and second derivatives.
+    ``outward`` ±1: sign of the radial direction into the ring.
     """
 
     between: Array
@@ -82,91 +63,77 @@ class Compliance:
         part = 1.0 / np.where(length > 0.0, length, 1.0)[..., None]
         down = way * part
         across = self.outward * np.stack([down[..., 1], -down[..., 0]], axis=-1)
-        weights = self._weights(np.arctan2(down[..., 0], self.outward * down[..., 1]))
-        c = self._coefficients(weights)
-        w, turned, bent = (
-            np.einsum("sjgkh,skh->sjg", each, load) for each in (c.normal, c.along, c.bent)
-        )
-        # A ball that moves by dy presses more by ``stiffness`` down·dy, its place turns by
-        # across·dy / length.
+        angle = np.arctan2(down[..., 0], self.outward * down[..., 1])
+        each = [self._in_groove(g, angle[..., g]) for g in range(angle.shape[2])]
+        own = [np.stack([one[k] @ self.own[g] for g, one in enumerate(each)], 2) for k in range(3)]
+        value, first, second = (_spread([one[k] for one in each]) for k in range(3))
+
+        pressed = np.einsum("szga,szg->sza", value, load)  # loads at the known angles
+        given = np.tensordot(pressed, self.between, ((1, 2), (1, 3)))  # deflections there (s, z, a)
+        w = np.einsum("szga,sza->szg", value, given) + own[0] * load
+        turned = np.einsum("szga,sza->szg", first, given) + 0.5 * own[1] * load
+        bent = np.einsum("szga,sza->szg", second, given)
+
+        # A ball that moves by dy presses more by ``stiffness`` down·dy, and its place turns by
+        # across·dy / length; the groove is read along its normal, which turns, and across it.
         turning = across * part
         pressing, carried = stiffness[..., None] * down, load[..., None] * turning
-        itself = ((w + bent)[..., None] * across)[..., None] * turning[..., None, :]
-        slopes = []
-        for each in (c, *(other._coefficients(weights) for other in others)):
-            slope = _outer(down, each.normal, pressing) + _outer(down, each.beside, carried)
-            slope += _outer(across, each.along, pressing) + _outer(across, each.both, carried)
-            _add_own(slope, itself)
-            slopes.append(slope)
+        by = value[..., None] * pressing[:, :, :, None] + first[..., None] * carried[:, :, :, None]
+        read = value[..., None] * down[:, :, :, None] + first[..., None] * across[:, :, :, None]
+        at_place = _pair(down, own[0][..., None] * pressing + 0.5 * own[1][..., None] * carried)
+        at_place += _pair(
+            across,
+            0.5 * own[1][..., None] * pressing
+            + 0.5 * own[2][..., None] * carried
+            + (w + bent)[..., None] * turning,
+        )
+        slopes = [c._slope(read, by) for c in (self, *others)]
+        every = np.arange(way.shape[1])
+        for slope in slopes:
+            for g in range(way.shape[2]):
+                slope[:, every, g, :, every, g] += at_place[:, :, g].swapaxes(0, 1)
         return Pressed(w[..., None] * down + turned[..., None] * across, (*slopes,))
 
-    def _coefficients(self, weights: Weights) -> Coefficients:
-        wide = [_spread(each) for each in weights]
-        by_load, by_turn = (
-            np.einsum("jkab,skhb->sjkha", self.between, each, optimize=True) for each in wide[:2]
-        )
-        normal, along, bent = (
-            np.einsum("sjga,sjkha->sjgkh", each, by_load, optimize=True) for each in wide
-        )
-        beside, both = (
-            np.einsum("sjga,sjkha->sjgkh", each, by_turn, optimize=True) for each in wide[:2]
-        )
-        own, slope, curve = (np.einsum("sjgk,gk->sjg", each, self.own) for each in weights)
-        for whole, part in (
-            (normal, own),
-            (along, 0.5 * slope),
-            (beside, 0.5 * slope),
-            (both, 0.5 * curve),
-        ):
-            _add_own(whole[:, :, :, None, :, :, None], part[..., None, None])
-        return Coefficients(normal, along, bent, beside, both)
-
-    def _weights(self, angle: Array) -> Weights:
-        """At angles φ (s, z, g); beyond the ends of the groove they go on straight, for ``BEYOND``
-        at most."""
-        each = [self._in_groove(g, angle[..., g]) for g in range(angle.shape[2])]
-        value, first, second = (np.stack(part, axis=2) for part in zip(*each, strict=True))
-        return Weights(value, first, second)
+    def _slope(self, read: Array, by: Array) -> Array:
+        """``read`` · between · ``by``, each (s, z, g, g·k, 2), as (s, z, g, 2, z, g, 2)."""
+        states, z, grooves, places, _ = by.shape
+        ends = 2 * grooves
+        by = np.moveaxis(by, 3, 2).reshape(states, z, places, ends)
+        half = self.between.transpose(1, 0, 2, 3).reshape(z, z * places, places) @ by
+        half = half.reshape(states, z, z, places, ends).transpose(0, 2, 3, 1, 4)
+        read = np.moveaxis(read, 3, 4).reshape(states, z, ends, places)
+        whole = read @ half.reshape(states, z, places, z * ends)
+        return whole.reshape(states, z, grooves, 2, z, grooves, 2)
 
     def _in_groove(self, g: int, angle: Array) -> tuple[Array, Array, Array]:
+        """Weights (s, z, k) of the known angles at others φ (s, z), and their derivatives; beyond
+        the ends of the groove they go on straight, for ``BEYOND`` at most."""
         low, high = self.ends[g]
         inside = np.clip(angle, low, high)
         beyond = angle - inside
-        further = BEYOND * np.tanh(beyond / BEYOND)
+        further = (BEYOND * np.tanh(beyond / BEYOND))[..., None]
         scale = 2.0 / (high - low)
-        t = scale * (2.0 * inside - low - high) / 2.0
-        value, first, second = (
-            np.moveaxis(np.polynomial.chebyshev.chebval(t, table), 0, -1)
-            for table in (self.cardinal, *self._derivatives)
+        t = scale * (inside - 0.5 * (low + high))
+        terms = np.polynomial.chebyshev.chebvander(t, self.cardinal.shape[1] - 1)
+        value, first, second = (terms @ table for table in self.cardinal)
+        fading = 1.0 / np.cosh(beyond / BEYOND)[..., None] ** 2
+        bending = -2.0 * further / BEYOND**2 * fading
+        straight = (beyond != 0.0)[..., None]
+        return (
+            value + scale * first * further,
+            scale * first * fading,
+            np.where(straight, scale * first * bending, scale**2 * second),
         )
-        fading = (1.0 / np.cosh(beyond / BEYOND) ** 2)[..., None]
-        bending = -2.0 * further[..., None] / BEYOND**2 * fading
-        bent = np.where((beyond == 0.0)[..., None], scale**2 * second, scale * first * bending)
-        return value + scale * first * further[..., None], scale * first * fading, bent
-
-    @property
-    def _derivatives(self) -> tuple[Any, Any]:
-        chebder = np.polynomial.chebyshev.chebder
-        return chebder(self.cardinal, 1), chebder(self.cardinal, 2)
 
 
-def _spread(weight: Array) -> Array:
-    """Weights (s, z, g, k) among the angles of all grooves (s, z, g, g·k)."""
-    states, z, grooves, count = weight.shape
-    wide = np.zeros((states, z, grooves, grooves, count))
-    for g in range(grooves):
-        wide[:, :, g, g] = weight[:, :, g]
-    return wide.reshape(states, z, grooves, grooves * count)
+def _spread(weights: Sequence[Array]) -> Array:
+    """Weights (s, z, k) of each groove among the angles of all (s, z, g, g·k)."""
+    count, size = weights[0].shape[-1], len(weights)
+    wide = np.zeros((*weights[0].shape[:2], size, size * count))
+    for g, weight in enumerate(weights):
+        wide[:, :, g, g * count : (g + 1) * count] = weight
+    return wide
 
 
-def _outer(direction: Array, coefficient: Array, by: Array) -> Array:
-    """direction (s, z, g, 2) · coefficient (s, z, g, z, g) · by (s, z, g, 2)."""
-    scaled = coefficient[..., None] * by[:, None, None]
-    return direction[:, :, :, :, None, None, None] * scaled[:, :, :, None]
-
-
-def _add_own(whole: Array, part: Array) -> None:
-    """Add ``part`` (s, z, g, a, b) where ball and groove are the same in (s, z, g, a, z, g, b)."""
-    every = np.arange(part.shape[1])
-    for g in range(part.shape[2]):
-        whole[:, every, g, :, every, g] += part[:, :, g].swapaxes(0, 1)
+def _pair(a: Array, b: Array) -> Array:
+    return a[..., :, None] * b[..., None, :]

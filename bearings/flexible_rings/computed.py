@@ -42,7 +42,10 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     half_length = PATCH * grooves.ball_diameter
     margin = half_length / shape.radius
     points = np.cos(np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
-    cardinal = np.linalg.inv(np.polynomial.chebyshev.chebvander(points, ANGLES - 1)).astype(float)
+    cardinal = np.zeros((3, ANGLES, ANGLES))
+    cardinal[0] = np.linalg.inv(np.polynomial.chebyshev.chebvander(points, ANGLES - 1))
+    for order in (1, 2):
+        cardinal[order, :-order] = np.polynomial.chebyshev.chebder(cardinal[0], order)
     ends = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs])
     angles = 0.5 * (ends.sum(axis=1)[:, None] + np.diff(ends, axis=1) * points)
     patches = np.array(

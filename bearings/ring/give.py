@@ -102,10 +102,11 @@ def _solved(ways: Ways, slope: Array, missing: Array, by: Array) -> tuple[Array,
     u = len(ways.joined)
     turned = ways.joined @ slope.reshape(states, n, ends, n * ends)
     turned = turned.reshape(states, n * u, n, ends)
-    tangent = np.einsum("siky,skyv->sikv", turned, ways.by_shift).reshape(states, n * u, n * u)
-    right = np.empty((states, n * u, 1 + by.shape[-1]))
-    right[..., 0] = missing.reshape(states, -1) + np.einsum("siky,sky->si", turned, ways.still)
-    right[..., 1:] = np.einsum("siky,skyd->sid", turned, by)
+    tangent = turned.swapaxes(1, 2) @ ways.by_shift  # (s, n, n·u, u), ball by ball
+    tangent = tangent.swapaxes(1, 2).reshape(states, n * u, n * u)
+    moves = np.concatenate([ways.still[..., None], by], axis=-1).reshape(states, n * ends, -1)
+    right = turned.reshape(states, n * u, n * ends) @ moves
+    right[..., 0] += missing.reshape(states, -1)
     found = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, -1)
     found = np.moveaxis(found, 2, 0)
     return found[..., 0], found[..., 1:]
