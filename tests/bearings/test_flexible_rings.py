@@ -238,11 +238,17 @@ BEARINGS: dict[str, Any] = {
 LOADS = np.array([[900.0, 250.0, -80.0, 2.0, 3.0], [1800.0, 0.0, 300.0, -4.0, 0.0]])
 
 
-@pytest.mark.parametrize("kind", BEARINGS)
+RADIAL = np.array([[300.0, 6e3, 500.0, 10.0, 40.0]])  # presses both arcs of a ring
+
+
+@pytest.mark.parametrize("kind", [*BEARINGS, "both arcs"])
 @pytest.mark.parametrize("speed", [0.0, 1200.0])
 def test_tangent_is_the_derivative_and_symmetric_at_rest(kind: str, speed: float) -> None:
-    bearing = BEARINGS[kind]()
-    state = bearing.equilibrium(load=LOADS, speed=speed)
+    bearing = BEARINGS.get(kind, BEARINGS["four_point"])()
+    load = RADIAL if kind == "both arcs" else LOADS
+    state = bearing.equilibrium(load=load, speed=speed)
+    if kind == "both arcs":
+        assert (state.contact_load[0, :, :2] > 0.0).all(axis=1).any()
     assert (state.residual < 1e-10).all()
     step = np.array([3e-9, 3e-9, 3e-9, 1e-7, 1e-7])
     moves = np.concatenate([np.eye(5), -np.eye(5)]) * np.tile(step, 2)[:, None]
