@@ -17,6 +17,7 @@ from rotordyn.machine.spindle import Spindle
 
 RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
+THIN = 0.05  # wall over the diameter of a ring: radial stiffness of the bearing 2 to 3 % lower
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
 SLENDER = 100.0  # length over outer diameter of one section
 SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less than these is meant as none
@@ -34,6 +35,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
+    yield from _thin_walls(spindle)
     yield from _soft(spindle)
     yield from _materials(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
@@ -210,6 +212,34 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
             f"{most * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"
         )
+
+
+def _thin_walls(spindle: Spindle) -> Iterator[str]:
+    """Rings taken as rigid on a shaft or in a housing that becomes oval under them."""
+    thin = [
+        f"{seat.name} ({wall * 1e3:.3g} mm of {what})"
+        for seat in spindle.seats
+        if seat.flexible_rings is None
+        for what, wall, size in _walls(spindle, seat)
+        if 0.0 < wall < THIN * size
+    ]
+    if thin:
+        yield (
+            f"rings of bearing {', '.join(thin)} are taken as rigid, but the wall there gives: "
+            "stiffnesses are some hundredths too high, under radial loads up to a tenth; "
+            "flexible_rings takes them as they are"
+        )
+
+
+def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, float]]:
+    """What the rings of a seat sit on, how thick it is [m] and their diameter, as far as known."""
+    fits = seat.fits
+    bore = seat.sizes.get("bore_diameter") if fits is None else fits.bore_diameter
+    if bore is not None:
+        yield "shaft", 0.5 * (bore - spindle.shaft.diameters_at(seat.x)[1]), bore
+    if fits is not None and fits.housing_diameter is not None and fits.outside_diameter is not None:
+        outside = fits.outside_diameter
+        yield "housing", 0.5 * (fits.housing_diameter - outside), outside
 
 
 def _grows_unsaid(seat: BearingSeat, top: float) -> bool:

@@ -192,3 +192,24 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
         results = rotordyn.run(case.variants[name])
         stiffness[name] = float(results["stiffness"].tangent[-1, 0])
     assert 0.85 < stiffness["cartridge"] / stiffness["rigid"] < 0.95
+
+
+def test_a_thin_wall_is_told_where_rings_are_taken_as_rigid(tmp_path: Path) -> None:
+    text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", "  FITS\n")
+    words = "rings of bearing"
+    for housing, told in (("118 mm", True), ("160 mm", False)):
+        fits = f"fits: {{shaft: k5, housing: JS5, housing_diameter: {housing}}}"
+        case = rotordyn.load(written(tmp_path, "  preload: {}\n", text=text.replace("FITS", fits)))
+        warnings = [line for line in rotordyn.run(case).warnings if words in line]
+        assert bool(warnings) == told
+        assert all("a (4 mm of housing)" in line for line in warnings)
+    elastic = text.replace("FITS", f"{fits}\n  flexible_rings: {{}}")
+    elastic = elastic.replace("160 mm", "118 mm")
+    case = rotordyn.load(written(tmp_path, "  preload: {}\n", text=elastic))
+    assert not [line for line in rotordyn.run(case).warnings if words in line]
+    spindle = case.spindle
+    assert spindle is not None
+    rings = spindle.mounted(spindle.seats[0]).rings
+    assert rings is not None
+    assert rings.outer is not None
+    assert rings.outer.backing_diameter == pytest.approx(0.118)
