@@ -136,7 +136,7 @@ class Follower:
             load=load,
             free=np.full(5, free),
             turning=turning,
-            rings=compliances(self._bearing.grooves),
+            compliances=compliances(self._bearing.grooves),
         )
         near, chained = None, self._law.one_branch
         if self._last is not None and chained:

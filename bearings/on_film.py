@@ -11,7 +11,7 @@ At constant speed a film is a spring of dQ/dh = Q/(0.067 h) in series with its c
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,13 +19,12 @@ from numpy.typing import ArrayLike
 
 from bearings.arguments import checked
 from bearings.arrays import Array
-from bearings.ball.balance import turning_balance
-from bearings.ball.condensed import condensed
 from bearings.ball.law import STANDARD, Law
 from bearings.ball.race import facing_radius
 from bearings.film import Film, film
 from bearings.geometry import Groove
 from bearings.ring.assembly import alike, full_assembly
+from bearings.ring.linearised import linearise
 from bearings.ring.problem import Problem, turns
 from bearings.ring.request import sides
 
@@ -159,12 +158,9 @@ def softened(state: BearingState, films: Film) -> Array:
         )
     ]
     soft = g._replace(inner_grooves=(grooves[0],), outer_grooves=(grooves[1],))
-    squared = part.speed[:, None] ** 2
-    balance = turning_balance(
-        soft, operation.law.numbers, tuple(a), (x[0], x[1]), squared, part.full, 1.0
-    )
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[rows] = part.assembly.stiffness(condensed(balance.forces).tangent)
+    d = state.displacement.reshape(-1, 5)[rows]
+    stiffness[rows] = linearise(replace(part, geometry=soft), d, x, np.ones(len(d))).stiffness
     return alike(state.load, state.displacement, stiffness.reshape(state.complete_stiffness.shape))
 
 

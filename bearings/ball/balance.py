@@ -176,10 +176,14 @@ def by_grooves(
     ball: Pair,
     squared: Any,
     blend: Any,
+    vary: float,
 ) -> tuple[tuple[tuple[Pair, ...], tuple[Pair, ...]], ...]:
     """For every contact of a ball between two grooves a ring, in their order: derivatives of the
-    forces on the ball (two rows) and of the action on the ring (three) by a shift of its groove."""
-    r = _rolled(c, law, centre, ball, squared, blend, 1.0)
+    forces on the ball (two rows) and of the action on the ring (three) by a shift of its groove.
+
+    Arguments as for ``turning_balance``.
+    """
+    r = _rolled(c, law, centre, ball, squared, blend, vary)
     still = (0.0, 0.0)
     held = r.inner._replace(angle_by=still, approach_by=still, middle_by=still)
     free = r.outer._replace(angle_by=still, approach_by=still, middle_by=still)

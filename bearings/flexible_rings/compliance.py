@@ -15,11 +15,11 @@ import numpy as np
 
 from bearings.arrays import Array
 
-BEYOND = 0.2  # rad
+FADING = 0.2  # rad
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Pressed:
+class Shifts:
     """Shifts (s, z, g, 2) [m] of the groove centres of a ring, axial and radial, and what they
     change by (s, z, g, 2, z, g, 2) where balls move against the grooves: in the first of
     ``slopes``, and by further compliances in the others."""
@@ -33,7 +33,7 @@ class Compliance:
     """Of one ring with z balls evenly around it, known at k angles of each of its g grooves.
 
     ``between`` (z, z, g·k, g·k) [m/N]: displacement at one ball by load at another, 0 at the place
-    of the load; ``own`` (g, k): there, without what Hertz counts. ``ends`` (g, 2): the angles φ
+    of the load; ``own`` (g, k): there, without what Hertz counts. ``limits`` (g, 2): the angles φ
     between which they are known; ``cardinal`` (3, k, k): Chebyshev coefficients of
     the polynomials that are 1 at one of the angles, of their first and second derivatives.
     ``outward`` ±1: sign of the radial direction into the ring.
@@ -41,19 +41,19 @@ class Compliance:
 
     between: Array
     own: Array
-    ends: Array
+    limits: Array
     cardinal: Array
     outward: float
 
-    def alike(self, wave: int) -> Compliance:
-        """For one ball that stands for all, loaded alike: ball k answers with cos(wave ψ_k)."""
-        around = np.cos(2.0 * np.pi * wave * np.arange(len(self.between)) / len(self.between))
+    def for_equal_loads(self, harmonic: int) -> Compliance:
+        """For one ball that stands for all, loaded alike: ball k answers with cos(harmonic ψ_k)."""
+        around = np.cos(2.0 * np.pi * harmonic * np.arange(len(self.between)) / len(self.between))
         one = np.einsum("k,kab->ab", around, self.between[0])
         return replace(self, between=one[None, None])
 
-    def pressed(
+    def shifts(
         self, way: Array, load: Array, stiffness: Array, others: Sequence[Compliance] = ()
-    ) -> Pressed:
+    ) -> Shifts:
         """Shifts by contacts of a ``load`` [N] and a slope ``stiffness`` [N/m] (s, z, g).
 
         ``way`` (s, z, g, 2) [m]: from every groove centre to its ball. ``others``: compliances by
@@ -62,7 +62,7 @@ class Compliance:
         length = np.sqrt((way * way).sum(axis=-1))
         part = 1.0 / np.where(length > 0.0, length, 1.0)[..., None]
         down = way * part
-        across = self.outward * np.stack([down[..., 1], -down[..., 0]], axis=-1)
+        along = self.outward * np.stack([down[..., 1], -down[..., 0]], axis=-1)
         angle = np.arctan2(down[..., 0], self.outward * down[..., 1])
         each = [self._in_groove(g, angle[..., g]) for g in range(angle.shape[2])]
         own = [np.stack([one[k] @ self.own[g] for g, one in enumerate(each)], 2) for k in range(3)]
@@ -75,14 +75,16 @@ class Compliance:
         bent = np.einsum("szga,sza->szg", second, given)
 
         # A ball that moves by dy presses more by ``stiffness`` down·dy, and its place turns by
-        # across·dy / length; the groove is read along its normal, which turns, and across it.
-        turning = across * part
+        # along·dy / length. With C read at φ and loaded at φ', dw = C dQ + ∂C/∂φ' Q dφ'
+        # + ∂C/∂φ Q dφ; the last cancels against what w' along loses as it turns, −w' down dφ. At
+        # the place of a load both angles move together: each has half of a derivative of ``own``.
+        turning = along * part
         pressing, carried = stiffness[..., None] * down, load[..., None] * turning
         by = value[..., None] * pressing[:, :, :, None] + first[..., None] * carried[:, :, :, None]
-        read = value[..., None] * down[:, :, :, None] + first[..., None] * across[:, :, :, None]
+        read = value[..., None] * down[:, :, :, None] + first[..., None] * along[:, :, :, None]
         at_place = _pair(down, own[0][..., None] * pressing + 0.5 * own[1][..., None] * carried)
         at_place += _pair(
-            across,
+            along,
             0.5 * own[1][..., None] * pressing
             + 0.5 * own[2][..., None] * carried
             + (w + bent)[..., None] * turning,
@@ -92,7 +94,7 @@ class Compliance:
         for slope in slopes:
             for g in range(way.shape[2]):
                 slope[:, every, g, :, every, g] += at_place[:, :, g].swapaxes(0, 1)
-        return Pressed(w[..., None] * down + turned[..., None] * across, (*slopes,))
+        return Shifts(w[..., None] * down + turned[..., None] * along, (*slopes,))
 
     def _slope(self, read: Array, by: Array) -> Array:
         """``read`` · between · ``by``, each (s, z, g, g·k, 2), as (s, z, g, 2, z, g, 2)."""
@@ -107,17 +109,17 @@ class Compliance:
 
     def _in_groove(self, g: int, angle: Array) -> tuple[Array, Array, Array]:
         """Weights (s, z, k) of the known angles at others φ (s, z), and their derivatives; beyond
-        the ends of the groove they go on straight, for ``BEYOND`` at most."""
-        low, high = self.ends[g]
+        the ends of the groove they go on straight, for ``FADING`` at most."""
+        low, high = self.limits[g]
         inside = np.clip(angle, low, high)
         beyond = angle - inside
-        further = (BEYOND * np.tanh(beyond / BEYOND))[..., None]
+        further = (FADING * np.tanh(beyond / FADING))[..., None]
         scale = 2.0 / (high - low)
         t = scale * (inside - 0.5 * (low + high))
         terms = np.polynomial.chebyshev.chebvander(t, self.cardinal.shape[1] - 1)
         value, first, second = (terms @ table for table in self.cardinal)
-        fading = 1.0 / np.cosh(beyond / BEYOND)[..., None] ** 2
-        bending = -2.0 * further / BEYOND**2 * fading
+        fading = 1.0 / np.cosh(beyond / FADING)[..., None] ** 2
+        bending = -2.0 * further / FADING**2 * fading
         straight = (beyond != 0.0)[..., None]
         return (
             value + scale * first * further,

@@ -9,6 +9,7 @@ coarse section.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -46,16 +47,18 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     cardinal[0] = np.linalg.inv(np.polynomial.chebyshev.chebvander(points, ANGLES - 1))
     for order in (1, 2):
         cardinal[order, :-order] = np.polynomial.chebyshev.chebder(cardinal[0], order)
-    ends = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs])
-    angles = 0.5 * (ends.sum(axis=1)[:, None] + np.diff(ends, axis=1) * points)
+    limits = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs])
+    angles = 0.5 * (limits.sum(axis=1)[:, None] + np.diff(limits, axis=1) * points)
     patches = np.array(
         [_down(phi, shape) @ body.patch(arc, phi, half_length) for arc, phi in _places(angles)]
     )
-    each, z = _by_harmonics(body, patches), grooves.balls
-    around = np.cos(2.0 * np.pi * np.outer(np.arange(z), np.arange(HARMONICS + 1)) / z)
+    z = grooves.balls
+    highest = _highest(z)
+    each = _by_harmonics(body, patches, highest)
+    around = np.cos(2.0 * np.pi * np.outer(np.arange(z), np.arange(highest + 1)) / z)
     apart = np.einsum("dn,nab->dab", around, each)
     counted = [
-        half_space(grooves.ring_material, half_length, (HARMONICS + 0.5) / _radius(shape, arc, phi))
+        half_space(grooves.ring_material, half_length, (highest + 0.5) / _radius(shape, arc, phi))
         for arc, phi in _places(angles)
     ]
     own = (np.diagonal(apart[0]) - counted).reshape(angles.shape)
@@ -63,20 +66,28 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     between, groove = apart[steps], np.repeat(np.arange(len(angles)), ANGLES)
     every = np.arange(z)
     between[every, every] *= groove[:, None] != groove
-    return Compliance(between, own, ends, cardinal, shape.outward)
+    return Compliance(between, own, limits, cardinal, shape.outward)
 
 
-def _by_harmonics(body: Body, loads: Array) -> Array:
-    """Responses by all harmonics (n, k, k), of which the higher ones are ever smoother over n: some
-    are solved, the others lie on a spline (5e-5 of the whole deflection)."""
+def _highest(balls: int) -> int:
+    """Where the series ends: midway between two multiples of the number of balls, from
+    ``HARMONICS`` on. Of loads that are alike at all balls multiples alone count, each for all of
+    its neighbours, and the half-space is subtracted up to there."""
+    turns = math.ceil((HARMONICS + 0.5) / balls - 0.5)
+    return round(balls * (turns + 0.5) - 0.5)
+
+
+def _by_harmonics(body: Body, loads: Array, highest: int) -> Array:
+    """Responses by all harmonics (n, k, k) up to the ``highest``. The higher ones are ever
+    smoother over n: some are solved, the others lie on a spline (3e-4 of a deflection)."""
     solved = [*range(DENSE)]
-    while solved[-1] < HARMONICS:
-        solved.append(min(HARMONICS, solved[-1] + max(1, round(SPARSER * solved[-1]))))
+    while solved[-1] < highest:
+        solved.append(min(highest, solved[-1] + max(1, round(SPARSER * solved[-1]))))
     known = body.responses(loads, solved)
-    found = np.empty((HARMONICS + 1, *known.shape[1:]))
+    found = np.empty((highest + 1, *known.shape[1:]))
     found[:SMOOTH] = known[:SMOOTH]
     spline = CubicSpline(solved[SMOOTH:], known[SMOOTH:])
-    found[SMOOTH:] = spline(np.arange(SMOOTH, HARMONICS + 1))
+    found[SMOOTH:] = spline(np.arange(SMOOTH, highest + 1))
     return found
 
 

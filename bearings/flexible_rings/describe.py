@@ -27,8 +27,8 @@ class ElasticRing:
     ends : "free": the groove moves against the mean motion of the backing under the ring, which
         is what a beam model knows as the motion of its axis; "clamped": the far ends of the
         backing are held, and grooves move against these
-    shoulder_diameter : where the groove ends, on both sides alike [m]; None: half-way to where it
-        would reach the circle of ball centres
+    shoulder_diameter : where the groove ends, on both sides alike [m]; None: that of the bearing,
+        else at 60°, or 20° beyond the free contact angle if that is more
     backing_material : isotropic; the ring is of the ring material of its bearing, as its contacts
 
     Raises

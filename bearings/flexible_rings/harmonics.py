@@ -107,7 +107,7 @@ class Body:
         basis, held = self.basis, np.zeros(self.basis.N, dtype=bool)
         corners, x = self.section.corners, self.basis.doflocs[0]
         if self.held:
-            far = np.abs(corners[0, self.section.ends]).max()
+            far = np.abs(corners[0, self.section.far]).max()
             held |= np.abs(np.abs(x) - far) < 1e-9 * far
         elif n < 2:
             held[basis.nodal_dofs[0, 0]] = True

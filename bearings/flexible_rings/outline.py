@@ -69,6 +69,11 @@ def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
             f"a groove wider than its ring: {wide:.4g} mm up to the shoulder of {given * 1e3:.5g} "
             f"mm in a width of {ring.width * 1e3:.4g} mm"
         )
+    if top <= grooves.free_angle:
+        raise InvalidBearing(
+            f"a shoulder of {given * 1e3:.5g} mm ends the groove at {math.degrees(top):.3g}°, "
+            f"before the free contact angle of {math.degrees(grooves.free_angle):.3g}°"
+        )
     length = radius * (top - low if offset else 2.0 * top)
     if length < ROOM * 2.0 * PATCH * grooves.ball_diameter:
         raise InvalidBearing(

@@ -31,7 +31,8 @@ class Section:
 
     ``arcs``: of every groove, that with its centre at +x first as contacts are counted: corners
     (k,), angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of
-    the radial direction into the material; ``seat``, ``ends``: corners there, and at far ends.
+    the radial direction into the material; ``seat``, ``far``: corners on the seat, and at the far
+    ends of the backing.
     """
 
     corners: Array
@@ -41,7 +42,7 @@ class Section:
     radius: float
     outward: float
     seat: Index
-    ends: Index
+    far: Index
 
 
 def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
@@ -73,7 +74,7 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
     corners, beyond = np.concatenate([corners, more]), _quads(grid)
     backing = np.arange(len(quads) + len(beyond)) >= len(quads)
     quads = np.concatenate([quads, beyond])
-    held, ends = number[-1], np.concatenate([grid[:, 0], grid[:, -1]])
+    on_seat, far = number[-1], np.concatenate([grid[:, 0], grid[:, -1]])
     middle, turned = len(raceway) // 2, len(half)
     first = number[0, middle : middle + turned], half, (-offset, centre)
     second = number[0, middle - turned + 1 : middle + 1], -half[::-1], (offset, centre)
@@ -83,7 +84,7 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
         whole = np.concatenate([second[0], first[0][1:]]), np.concatenate([second[1], half[1:]])
         arcs = ((*whole, (0.0, centre)),)
     return Section(
-        corners.T, _right_handed(corners, quads).T, backing, arcs, radius, outward, held, ends
+        corners.T, _right_handed(corners, quads).T, backing, arcs, radius, outward, on_seat, far
     )
 
 

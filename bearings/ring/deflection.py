@@ -10,7 +10,7 @@ from bearings.arguments import checked
 from bearings.arrays import Array
 from bearings.geometry import geometry
 from bearings.ring.assembly import full_assembly
-from bearings.ring.give import groove_shifts
+from bearings.ring.groove_shifts import groove_shifts
 from bearings.ring.problem import Problem, turns
 from bearings.ring.state import BearingState
 

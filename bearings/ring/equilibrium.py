@@ -49,7 +49,7 @@ def solve(
     state of a sweep); where following from it fails, the two-stage solve decides. ``compiled``: one
     state after the other instead of all together.
     """
-    if compiled and problem.rings is None:
+    if compiled and problem.compliances is None:
         each, outcome = one_by_one(problem, displacement, guess)
         d, x, linear = each.displacement, each.ball, None
     else:
@@ -83,7 +83,7 @@ def one_by_one(
     What is refused so is looked for together, where free motions are followed; and so is every
     bearing whose rings deform, which the compiled solver does not know.
     """
-    if problem.rings is not None:
+    if problem.compliances is not None:
         near = None if guess is None or guess.shape[1] != len(displacement) else guess
         all_ = solve(problem, displacement, near)
         exists = all_.outcome == ""
@@ -118,7 +118,7 @@ def _together(
         part, linear = problem.take(cold), None
         d[cold], x[:2, cold], reached = convex_state(part, displacement[cold])
         x[2:, cold], converged = 0.0, reached
-        if problem.placed or problem.rings is not None:
+        if problem.placed or problem.compliances is not None:
             d[cold], x[:, cold], converged = _followed(part, d[cold], x[:, cold], reached)
         heavy = np.abs(part.load).max(axis=1) > tol.LIGHT
         outcome[cold] = np.where(reached | ~heavy, _words(converged), "overloaded")

@@ -18,7 +18,7 @@ from bearings.ball.condensed import Condensed, condensed
 from bearings.ball.potential import rounding_force
 from bearings.ring import tolerances as tol
 from bearings.ring.assembly import Assembly, full_assembly
-from bearings.ring.give import Give, given
+from bearings.ring.groove_shifts import ShiftStep, linearised_shifts
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, turns
 
@@ -29,7 +29,8 @@ class Linear:
 
     ``balls``: each ball eliminated; ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the
     smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual of
-    balls and ring. ``give``: of rings that deform, likewise eliminated.
+    balls and ring. ``shifts``: of the grooves of rings that
+    deform, likewise eliminated.
     """
 
     assembly: Assembly
@@ -38,54 +39,54 @@ class Linear:
     ring_load: Array
     fold: Array
     error: Array
-    give: Give | None = None
+    shifts: ShiftStep | None = None
 
     @cached_property
     def load(self) -> Array:
         """f (s, 5) with the balls settled to first order."""
         load = self.assembly.load(self.balls.action)
-        return load if self.give is None else load + self._by_shift(self.give.still)
+        return load if self.shifts is None else load + self._by_shift(self.shifts.still)
 
     @cached_property
     def stiffness(self) -> Array:
         """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
         rigid = self.assembly.stiffness(self.balls.tangent)
-        if self.give is None:
+        if self.shifts is None:
             return rigid
-        columns = [self._by_shift(self.give.follow[..., k]) for k in range(5)]
+        columns = [self._by_shift(self.shifts.follow[..., k]) for k in range(5)]
         whole = rigid + np.stack(columns, axis=-1)
-        if self.give.across is None:
+        if self.shifts.across is None:
             return whole
-        x, r, tilt = self.give.across
+        x, r, tilt = self.shifts.across
         beside = self.assembly.stiffness(((*x,), (*r,), (*tilt,)))
         beside[:, 0], beside[:, :, 0] = 0.0, 0.0
         return whole + beside
 
     def _by_shift(self, shift: Array) -> Array:
         """Change of f (s, 5) with ``shift`` (u, s, n) of the grooves."""
-        assert self.give is not None
-        x, r, tilt = (self.give.action_by * shift).sum(axis=1)
+        assert self.shifts is not None
+        x, r, tilt = (self.shifts.action_by * shift).sum(axis=1)
         return self.assembly.load((x, r, tilt))
 
     def _ball_by(self, shift: Array) -> Array:
         """dX (2, s, n) with ``shift`` (u, s, n) of the grooves."""
-        assert self.give is not None
-        return np.asarray((self.give.ball_by * shift).sum(axis=1))
+        assert self.shifts is not None
+        return np.asarray((self.shifts.ball_by * shift).sum(axis=1))
 
     @property
     def still(self) -> Array:
         """Step of the balls (u, s, n) with the ring where it is."""
         still = np.stack(self.balls.still)
-        if self.give is None:
+        if self.shifts is None:
             return still
-        return np.concatenate([still + self._ball_by(self.give.still), self.give.still])
+        return np.concatenate([still + self._ball_by(self.shifts.still), self.shifts.still])
 
     def along(self, dd: Array) -> Array:
         """Step (u, s, n) of balls that follow the ring by dd (s, 5)."""
         along = followed_by(np.stack(self.balls.follow), self.assembly.moved(dd))
-        if self.give is None:
+        if self.shifts is None:
             return along
-        shift = np.einsum("usnk,sk->usn", self.give.follow, dd)
+        shift = np.einsum("usnk,sk->usn", self.shifts.follow, dd)
         return np.concatenate([along + self._ball_by(shift), shift])
 
 
@@ -100,11 +101,12 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
     else:
         balance, balls = resting_balance(g, centre)
     ring_load = problem.assembly.load(balance.forces.action)
-    error, give = scaled_error(problem, balance, ring_load), None
-    if problem.rings is not None:
-        give = given(problem, g, centre, x, balance, balls, blend, t)
+    error, shifts = scaled_error(problem, balance, ring_load), None
+    if problem.compliances is not None:
+        shifts = linearised_shifts(problem, g, centre, x, balance, balls, blend, (t, vary))
         largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
-        error = np.maximum(error, give.error / (largest + 1e-300))
+        noise = tol.ROUNDING * rounding_force(problem.geometry, largest) / tol.TOLERANCE
+        error = np.maximum(error, shifts.error / (largest + noise + 1e-300))
     return Linear(
         assembly=problem.assembly,
         balance=balance,
@@ -112,7 +114,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
         ring_load=ring_load,
         fold=balls.fold.min(axis=-1),
         error=error,
-        give=give,
+        shifts=shifts,
     )
 
 

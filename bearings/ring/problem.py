@@ -27,7 +27,7 @@ class Problem:
 
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
     the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
-    stiffness may be singular; the shortest step is taken. ``rings``: compliance of rings that
+    stiffness may be singular; the shortest step is taken. ``compliances``: of rings that
     deform. They couple the balls, and a ball has more unknowns than X: the shift of the inner
     groove against the outer one, or of every groove where a ring has two.
     """
@@ -41,7 +41,7 @@ class Problem:
     free: Flags
     turning: bool
     loose: bool = False
-    rings: Compliances | None = None
+    compliances: Compliances | None = None
 
     @classmethod
     def of(cls, o: Operation, assembly: Callable[[Geometry], Assembly]) -> Problem:
@@ -53,13 +53,13 @@ class Problem:
         if rings is not None and which.balls > 1:  # no mirror images
             which = full_assembly(g)
         given = (origin, o.speed, o.load, o.free)
-        return cls(g, o.law, which, *given, turning=True, rings=rings)
+        return cls(g, o.law, which, *given, turning=True, compliances=rings)
 
     @property
     def unknowns(self) -> int:
         """Of a ball: its place, and with rings that deform the shifts of its grooves."""
         g = self.geometry
-        if self.rings is None:
+        if self.compliances is None:
             return 2
         return 4 if g.single else 2 + 2 * (len(g.inner_grooves) + len(g.outer_grooves))
 
@@ -98,7 +98,7 @@ class Problem:
     @property
     def full(self) -> float:
         """Blend at which a state is found: 1, or 0 where the first stage is all there is."""
-        return 1.0 if self.varying or self.rings is not None else 0.0
+        return 1.0 if self.varying or self.compliances is not None else 0.0
 
     @property
     def varying(self) -> bool:

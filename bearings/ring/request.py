@@ -110,7 +110,9 @@ def _neighbour(
             f"{start.inner_load.shape[-1]} balls"
         )
     near = start.ball_centre.reshape(len(start.ball_centre), len(operation.speed), -1)[:, index]
-    near = np.concatenate([near, np.zeros_like(near)])[: problem.unknowns]
+    if len(near) != problem.unknowns:  # of rings that were rigid, or that are now
+        shifts = np.zeros((problem.unknowns - 2, *near.shape[1:]))
+        near = np.concatenate([near[:2], shifts])
     near = near[..., : problem.assembly.balls]  # of an axial state all balls are alike
     known = np.asarray(np.isfinite(near).all(axis=(0, 2))) & problem.law.one_branch
     there = start.displacement.reshape(-1, 5)[index]

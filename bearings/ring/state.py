@@ -40,8 +40,8 @@ class BearingState:
     ``"unloaded"`` (at rest).
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
-    ``ball_centre`` (2, …, balls), of rings that deform (4, …, balls): a start for neighbouring
-    states; ``operation``: what was asked.
+    ``ball_centre`` (2, …, balls), with the shifts of grooves behind where rings deform: a start
+    for neighbouring states; ``operation``: what was asked.
     """
 
     operation: Operation

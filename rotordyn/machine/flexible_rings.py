@@ -10,7 +10,7 @@ from bearings.flexible_rings.describe import ENDS, ElasticRing, FlexibleRings
 from bearings.materials import STEEL, Material
 from rotordyn.description import Description, Faults
 from rotordyn.machine.fits import AROUND, Fits
-from rotordyn.quantity import Bore, Choice, Diameter, Key
+from rotordyn.quantity import Bore, Choice, Diameter
 from rotordyn.units import format_quantity
 
 WHICH = ("both", "inner", "outer")
@@ -42,10 +42,12 @@ class RingBodies(Description):
     ] = None
     housing_diameter: Annotated[
         Diameter | None,
-        "outside of the housing or sleeve around the outer ring; by default that of the fits, or "
-        "1.5 times that of the ring",
+        "outside of the housing or sleeve around the outer ring, by default 1.5 times that of the "
+        "ring; with fits it stands there",
     ] = None
-    housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
+    housing_material: Annotated[
+        Material | None, "name, path or mapping; steel by default; with fits it stands there"
+    ] = None
     shaft_material: Annotated[
         Material | None, "name, path or mapping; by default that of the shaft there, or steel"
     ] = None
@@ -78,8 +80,7 @@ class RingBodies(Description):
             getattr(self, name) for name in (*SIZES, "shaft_bore", "housing_diameter", "length")
         )
         words = self.which in WHICH and self.ends in ENDS
-        known = all(size is None or size == size for size in sizes)
-        return words and known and isinstance(self.housing_material, Material)
+        return words and all(size is None or size == size for size in sizes)
 
     def _faults(self) -> Faults:
         needed = [("bore_diameter", self.inner), ("outside_diameter", self.outer), ("width", True)]
@@ -150,8 +151,8 @@ class RingBodies(Description):
             )
         if self.outer:
             assert self.outside_diameter is not None
-            around, material = self.housing_diameter, self.housing_material
-            if around is None and fits is not None and fits.housing_diameter is not None:
+            around, material = self.housing_diameter, self.housing_material or STEEL
+            if fits is not None:
                 around, material = fits.housing_diameter, fits.housing_material
             outer = ElasticRing(
                 self.width,

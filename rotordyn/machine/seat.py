@@ -138,13 +138,11 @@ class BearingSeat(Description):
                     f"{format_quantity(size, 'mm')}; allowed: {allowed}",
                 )
         bodies = self.flexible_rings
-        if fits is not None and bodies is not None and bodies.housing_diameter is not None:
-            around = fits.housing_diameter
-            if around is not None and around != bodies.housing_diameter:
+        for key in ("housing_diameter", "housing_material"):
+            if fits is not None and bodies is not None and getattr(bodies, key) is not None:
                 yield (
-                    ("flexible_rings", "housing_diameter"),
-                    "given {given}, and as fits.housing_diameter "
-                    f"{format_quantity(around, 'mm')}: it is one housing; leave one of both out",
+                    ("flexible_rings", key),
+                    f"fits and rings share one housing: give it as fits.{key}, and not here",
                 )
         if fits is not None and fits.under_balls and bodies is not None and bodies.outer:
             yield (

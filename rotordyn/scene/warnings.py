@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings import ring_deflection
 from rotordyn.arrays import Array, Flags
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
@@ -77,6 +76,8 @@ def ring_notes(scene: Scene) -> Iterator[str]:
         return
     if "preload" not in scene.solved:
         return
+    from bearings.ring.deflection import ring_deflection  # finite elements, for these alone
+
     state, parts = scene.preload, []
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
         if seat.flexible_rings is None:
@@ -85,7 +86,12 @@ def ring_notes(scene: Scene) -> Iterator[str]:
         inner, outer = (
             np.nanmax(each[state.usable], initial=0.0) * 1e6 for each in (found.inner, found.outer)
         )
-        parts.append(f"{seat.name} {inner:.2g} and {outer:.2g}")
+        known = seat.flexible_rings
+        words = (
+            f"{inner:.2g}" if known.inner else "rigid",
+            f"{outer:.2g}" if known.outer else "rigid",
+        )
+        parts.append(f"{seat.name} {' and '.join(words)}")
     yield (
         "rings deform under their balls; inner and outer raceway give at most, beyond the contacts "
         f"themselves, in µm: bearing {', '.join(parts)}"

@@ -213,3 +213,24 @@ def test_a_thin_wall_is_told_where_rings_are_taken_as_rigid(tmp_path: Path) -> N
     assert rings is not None
     assert rings.outer is not None
     assert rings.outer.backing_diameter == pytest.approx(0.118)
+
+
+def test_fits_and_rings_share_one_housing(tmp_path: Path) -> None:
+    text = SPINDLE.replace(
+        "  flexible_rings:", "  fits: {shaft: k5, housing: JS5}\n  flexible_rings:"
+    )
+    with pytest.raises(InvalidInput, match="share one housing: give it as fits"):
+        rotordyn.load(written(tmp_path, "  preload: {}\n", text=text))
+
+
+def test_films_are_in_series_with_elastic_rings(tmp_path: Path) -> None:
+    oil = "{viscosity_40: 32 mm^2/s, viscosity_100: 5.4 mm^2/s, temperature: 50 degC}"
+    ratio = []
+    for films in (f"conditions: {{films: {oil}}}\n", ""):
+        results = both(tmp_path, "  campbell: {max_frequency: 1500 Hz}\n", films)
+        soft, stiff = (
+            results[f"{v}/campbell"].frequency.values[1, 0] for v in ("elastic", "rigid")
+        )
+        ratio.append(soft / stiff)
+    assert ratio[0] == pytest.approx(ratio[1], abs=2e-3)
+    assert ratio[0] < 0.995

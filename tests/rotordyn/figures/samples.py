@@ -542,6 +542,7 @@ def one_ball(load, s, ones) -> dict[str, Any]:
         contact_load=q,
         contact_angle=angle,
         contact_pressure=1.5e9 * np.ones_like(q),
+        ring_deflection=0.0 * q,
         ellipse_length=4e-4 * np.ones_like(q),
         ellipse_width=1e-4 * np.ones_like(q),
         ellipse_lower=angle - 0.1,

@@ -1,4 +1,4 @@
-"""How grooves give under the loads of all balls: more unknowns beside the ball centres.
+"""Shifts of the grooves of rings that deform: more unknowns beside the ball centres.
 
 With rigid rings every ball depends on the motion of its ring alone. Rings that deform couple the
 balls: at each, a groove is where the ring's motion carries it, and shifted, which all contact loads
@@ -6,7 +6,8 @@ bring about (``bearings.flexible_rings.compliance``). Once balls are eliminated,
 equation for the shifts of all balls of a state, and the ring sees balls and shifts as springs.
 
 Between one groove a ring, only the shift of the inner groove against the outer one matters to a
-ball: two unknowns. Between two, each groove has its own: eight, in the order of the contacts.
+ball: two unknowns. Where a ring has two, each groove has its own, in the order of the contacts:
+eight unknowns, or six with a shim in one ring alone.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from bearings.ring.problem import Problem
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Give:
+class ShiftStep:
     """The u shifts of the grooves at every ball, linearised with the balls.
 
     ``still`` (u, s, n) [m]: what they still change by with the ring where it is; ``follow``
@@ -45,7 +46,7 @@ class Give:
     across: Array | None
 
 
-class Ways(NamedTuple):
+class CentreToBall(NamedTuple):
     """From the centre of every groove to its ball, ``way`` (s, n, c, 2) [m], and how ways move.
 
     ``still`` (s, n, 2c): as balls come into balance, with ring and shifts where they are;
@@ -60,7 +61,7 @@ class Ways(NamedTuple):
     joined: Array
 
 
-def given(
+def linearised_shifts(
     problem: Problem,
     c: Geometry,
     centre: Motion,
@@ -68,18 +69,18 @@ def given(
     balance: Balance,
     balls: Condensed,
     blend: Array,
-    varying: Any,
-) -> Give:
+    motion: tuple[Any, float],
+) -> ShiftStep:
     """Shifts where grooves stand at ``centre`` and balls at ``x``, whose later rows they are.
 
-    ``c``: with grooves as shifted; ``blend`` (s,): share of the compliance that acts; ``varying``:
-    that of Fc and Mg.
+    ``c``: with grooves as shifted; ``blend`` (s,): share of the compliance that acts; ``motion``:
+    blend and ``vary`` of Fc and Mg, as for ``turning_balance``.
     """
     if c.single:
         ball_by, action_by = _rows(balls.follow, 2), _rows(balls.tangent, 2)
         ways = _between_one(problem, centre, x, balls)
     else:
-        ball_by, action_by = _by_grooves(problem, c, centre, x, balance, varying)
+        ball_by, action_by = _by_grooves(problem, c, centre, x, balance, motion)
         ways = _between_two(problem, c, centre, x, balls, ball_by)
     shift, slopes = _pressed(problem, c, ways.way, blend)
     by_ring = ways.by_motion @ np.moveaxis(problem.assembly.spread, -1, 0)
@@ -92,10 +93,10 @@ def given(
         across = np.einsum("ausn,usnm->amsn", action_by, answer)
     stiffest = np.abs(np.asarray(balls.tangent[:2])).max(axis=(0, 1, 3))
     error = np.abs(missing).max(axis=(1, 2)) * stiffest
-    return Give(still, follow, error, ball_by, action_by, across)
+    return ShiftStep(still, follow, error, ball_by, action_by, across)
 
 
-def _solved(ways: Ways, slope: Array, missing: Array, by: Array) -> tuple[Array, Array]:
+def _solved(ways: CentreToBall, slope: Array, missing: Array, by: Array) -> tuple[Array, Array]:
     """Shifts of all balls: where they come to rest (u, s, n), and by given motions (u, s, n, k),
     of which ``by`` (s, n, 2c, k) says what they do with the ways. ``slope`` (s, n, 2c, n, 2c)."""
     states, n, ends = ways.still.shape
@@ -112,7 +113,7 @@ def _solved(ways: Ways, slope: Array, missing: Array, by: Array) -> tuple[Array,
     return found[..., 0], found[..., 1:]
 
 
-def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> Ways:
+def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> CentreToBall:
     """One groove a ring: X counts from the outer groove, A from there to the inner one. At rest
     both contacts are in series, and the ball takes no place."""
     eye, still = np.eye(2)[:, :, None, None], np.zeros_like(x[:2])
@@ -122,7 +123,7 @@ def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -
         still = np.stack(balls.still)
         by = (follow - eye, follow)
     by_shift = _last(np.concatenate(np.broadcast_arrays(*by)), x)
-    return Ways(
+    return CentreToBall(
         way=_way(problem, problem.geometry, centre, x),
         still=np.moveaxis(np.concatenate([still, still]), 0, 2),
         by_shift=by_shift,
@@ -133,7 +134,7 @@ def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -
 
 def _between_two(
     problem: Problem, c: Geometry, centre: Motion, x: Array, balls: Condensed, ball_by: Array
-) -> Ways:
+) -> CentreToBall:
     """Two grooves a ring: every one with its own shift."""
     way, follow = _way(problem, c, centre, x), _rows(balls.follow, len(centre))
     still, count = np.stack(balls.still), way.shape[2]
@@ -144,7 +145,7 @@ def _between_two(
         if len(centre) > 2:
             by_motion[2 * k + 1, 2] -= groove.offset
     by_shift = np.tile(ball_by, (count, 1, 1, 1)) - np.eye(2 * count)[:, :, None, None]
-    return Ways(
+    return CentreToBall(
         way=way,
         still=np.moveaxis(np.tile(still, (count, 1, 1)), 0, 2),
         by_shift=_last(by_shift, x),
@@ -177,11 +178,16 @@ def groove_shifts(problem: Problem, d: Array, x: Array) -> tuple[Array, Array]:
 
 
 def _by_grooves(
-    problem: Problem, c: Geometry, centre: Motion, x: Array, balance: Balance, varying: Any
+    problem: Problem,
+    c: Geometry,
+    centre: Motion,
+    x: Array,
+    balance: Balance,
+    motion: tuple[Any, float],
 ) -> tuple[Array, Array]:
     """What a ball does with the shifts of its grooves (2, u, s, n), and its action (3, u, s, n)."""
     law, squared = problem.law.numbers, problem.squared[:, None]
-    each = by_grooves(c, law, centre, (x[0], x[1]), squared, varying)
+    each = by_grooves(c, law, centre, (x[0], x[1]), squared, *motion)
     forces, action = (
         np.concatenate([_rows(part[k], 2) for part in each], axis=1) for k in range(2)
     )
@@ -197,7 +203,7 @@ def _pressed(
     """Shifts of all grooves (s, n, 2c), and what they change by with the ways of the balls
     (s, n, 2c, n, 2c): in the motion solved for, and where one ball stands for all across it."""
     states, n, contacts = way.shape[:3]
-    split, rings = len(c.inner_grooves), problem.rings
+    split, rings = len(c.inner_grooves), problem.compliances
     alone = problem.assembly.balls < problem.geometry.balls
     assert rings is not None
     shift = np.zeros((states, n, contacts, 2))
@@ -214,9 +220,15 @@ def _pressed(
         if groove.walls:  # straight beyond 90°
             there[..., 1] = outward * np.maximum(outward * there[..., 1], 0.0)
         length = np.sqrt((there * there).sum(axis=-1))
-        load, stiffness = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0))
-        known, others = (ring.alike(0), [ring.alike(1)]) if alone else (ring, [])
-        each = known.pressed(there, load, stiffness, others)
+        k: Any = np.asarray(groove.stiffness)
+        distance = np.asarray(groove.centre_distance)
+        if k.ndim:  # films in series with the contacts make them differ from ball to ball
+            k, distance = k[..., None], distance[..., None]
+        load, stiffness = hertz(k, np.maximum(length - distance, 0.0))
+        known, others = (
+            (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if alone else (ring, [])
+        )
+        each = known.shifts(there, load, stiffness, others)
         shift[:, :, part] = each.shift * blend[:, None, None, None]
         for whole, slope in zip(slopes, each.slopes, strict=True):
             whole[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
