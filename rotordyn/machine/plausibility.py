@@ -36,6 +36,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
+    yield from _loose_rings(spindle)
     yield from _soft(spindle)
     yield from _materials(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
@@ -228,6 +229,25 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
             f"rings of bearing {', '.join(thin)} are taken as rigid, but the wall there gives: "
             "stiffnesses are some hundredths too high, under radial loads up to a tenth; "
             "flexible_rings takes them as they are"
+        )
+
+
+def _loose_rings(spindle: Spindle) -> Iterator[str]:
+    """Rings that deform as one body with what they sit in, though there is play between them."""
+    loose = [
+        f"{seat.name} ({-2e6 * fits.depth('outer'):.2g} µm)"
+        for seat in spindle.seats
+        if (bodies := seat.flexible_rings) is not None
+        and bodies.outer
+        and (fits := seat.fits) is not None
+        and fits.housing
+        and fits.depth("outer") < 0.0
+    ]
+    if loose:
+        yield (
+            f"outer ring of bearing {', '.join(loose)}: has play in its housing by its fit, and yet "
+            "deforms as one body with it here; it gives more than computed until it rests on "
+            "the housing"
         )
 
 

@@ -56,7 +56,11 @@ WARNED = {  # what the case is there to show
     "friswell_tapered_shaft": ("unstable", "grows by itself", "modes are overdamped"),
     "friswell_cross_coupled": ("frf: nothing in the machine is damped",),
     "grinding_spindle_catalogue": ("estimate from catalogue values",),
-    "grinding_spindle_rings": ("cartridge: bearing a: its ball 13, at 180°",),
+    "grinding_spindle_rings": (
+        "cartridge: bearing a: its ball 13, at 180°",
+        "has play in its housing by its fit",
+        "are taken as rigid, but the wall there gives",
+    ),
     "grinding_spindle_touch": ("estimate from catalogue values",),
     "squeeze_film_damper": ("modes are overdamped",),
     "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C from"),

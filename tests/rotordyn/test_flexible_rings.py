@@ -234,3 +234,14 @@ def test_films_are_in_series_with_elastic_rings(tmp_path: Path) -> None:
         ratio.append(soft / stiff)
     assert ratio[0] == pytest.approx(ratio[1], abs=2e-3)
     assert ratio[0] < 0.995
+
+
+@pytest.mark.parametrize(("taken", "told"), [("mean", True), ("most", False)])
+def test_play_of_a_ring_that_deforms_with_its_housing_is_told(
+    taken: str, told: bool, tmp_path: Path
+) -> None:
+    fits = f"  fits: {{shaft: k5, housing: JS5, taken: {taken}, housing_diameter: 130 mm}}\n"
+    text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", fits)
+    text = text.replace("speeds:", "  flexible_rings: {}\nspeeds:")
+    results = rotordyn.run(rotordyn.load(written(tmp_path, "  preload: {}\n", text=text)))
+    assert bool([w for w in results.warnings if "has play in its housing" in w]) == told
