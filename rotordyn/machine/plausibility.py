@@ -245,8 +245,8 @@ def _loose_rings(spindle: Spindle) -> Iterator[str]:
     ]
     if loose:
         yield (
-            f"outer ring of bearing {', '.join(loose)}: has play in its housing by its fit, and yet "
-            "deforms as one body with it here; it gives more than computed until it rests on "
+            f"outer ring of bearing {', '.join(loose)}: has play in its housing by its fit, and "
+            "yet deforms as one body with it here; it gives more than computed until it rests on "
             "the housing"
         )
 
