@@ -99,6 +99,8 @@ def linearised_shifts(
 def _solved(ways: CentreToBall, slope: Array, missing: Array, by: Array) -> tuple[Array, Array]:
     """Shifts of all balls: where they come to rest (u, s, n), and by given motions (u, s, n, k),
     of which ``by`` (s, n, 2c, k) says what they do with the ways. ``slope`` (s, n, 2c, n, 2c)."""
+    # With e the shifts, y the ways and J = ``joined``: e = J E(y), so that
+    # (I − J E' ∂y/∂e) de = J E − e + J E' (dy of the balls, and of the given motions).
     states, n, ends = ways.still.shape
     u = len(ways.joined)
     turned = ways.joined @ slope.reshape(states, n, ends, n * ends)
