@@ -93,8 +93,8 @@ def ring_notes(scene: Scene) -> Iterator[str]:
         )
         parts.append(f"{seat.name} {' and '.join(words)}")
     yield (
-        "rings deform under their balls; inner and outer raceway give at most, beyond the contacts "
-        f"themselves, in µm: bearing {', '.join(parts)}; every bearing has its walls to itself"
+        "rings deform, every bearing with walls of its own; raceways give at most [µm], inner and "
+        f"outer, bearing {', '.join(parts)}"
     )
 
 

@@ -59,7 +59,6 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_rings": (
         "cartridge: bearing a: its ball 13, at 180°",
         "has play in its housing by its fit",
-        "are taken as rigid, but the wall there gives",
     ),
     "grinding_spindle_touch": ("estimate from catalogue values",),
     "squeeze_film_damper": ("modes are overdamped",),
