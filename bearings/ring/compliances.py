@@ -26,7 +26,6 @@ def compliances(grooves: Grooves) -> Compliances | None:
 
     assert isinstance(rings, FlexibleRings)
     grooves = replace(grooves, rings=None)  # one ring does not know the other
-
     return Compliances(
         None if rings.inner is None else compliance(grooves, rings.inner, inner=True),
         None if rings.outer is None else compliance(grooves, rings.outer, inner=False),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -57,7 +57,7 @@ def ring_deflection(state: BearingState) -> RingDeflection:
         for there in (turning, ~turning):
             rows = np.flatnonzero(good & there)
             if rows.size:
-                part = whole.take(rows, turning=bool(turning[rows[0]]))
+                part = replace(whole.take(rows), turning=bool(turning[rows[0]]))
                 way, moved = groove_shifts(part, d[rows], x[:, rows])
                 length = np.sqrt((way * way).sum(axis=-1))
                 along = (way * moved).sum(axis=-1)

@@ -128,11 +128,10 @@ class Problem:
         given = (self.origin.T, self.squared, self.load, self.scale)
         return common, tuple(np.array(part, order="C") for part in given)
 
-    def take(self, index: Index, *, turning: bool | None = None) -> Problem:
-        """The same problem for some of its states, which all turn or all rest if that is said."""
+    def take(self, index: Index) -> Problem:
+        """The same problem for some of its states."""
         return replace(
             self,
-            turning=self.turning if turning is None else turning,
             law=self.law.take(index),
             origin=self.origin[:, index],
             speed=self.speed[index],
