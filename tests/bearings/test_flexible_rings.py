@@ -194,10 +194,10 @@ def test_shift_of_an_inner_groove_is_that_of_the_torus_fitted_to_it(
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
     [
-        ("DENSE", 41, 4e-4),
+        pytest.param("DENSE", 41, 4e-4, marks=pytest.mark.long),
         ("HARMONICS", 80, 6e-3),
-        ("STEP", 0.5 * sections.STEP, 3e-3),
-        ("PATCH", 0.07, 5e-3),
+        pytest.param("STEP", 0.5 * sections.STEP, 3e-3, marks=pytest.mark.long),
+        pytest.param("PATCH", 0.07, 5e-3, marks=pytest.mark.long),
     ],
 )
 def test_deflection_is_converged(
@@ -212,6 +212,7 @@ def test_deflection_is_converged(
     assert finer != before
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ring", [R20.outer, R24.inner])
 def test_deflection_under_all_balls_is_converged(
     ring: ElasticRing, monkeypatch: pytest.MonkeyPatch
@@ -265,8 +266,15 @@ LOADS = np.array([[900.0, 250.0, -80.0, 2.0, 3.0], [1800.0, 0.0, 300.0, -4.0, 0.
 RADIAL = np.array([[300.0, 6e3, 500.0, 10.0, 40.0]])  # presses both arcs of a ring
 
 
-@pytest.mark.parametrize("kind", [*BEARINGS, "both arcs"])
-@pytest.mark.parametrize("speed", [0.0, 1200.0])
+AT_REST = [  # where four contacts may bear it takes many steps
+    pytest.param(kind, 0.0, marks=[pytest.mark.long] if kind in ("four_point", "both arcs") else [])
+    for kind in (*BEARINGS, "both arcs")
+]
+
+
+@pytest.mark.parametrize(
+    ("kind", "speed"), [*AT_REST, *((kind, 1200.0) for kind in (*BEARINGS, "both arcs"))]
+)
 def test_tangent_is_the_derivative_and_symmetric_at_rest(kind: str, speed: float) -> None:
     bearing = BEARINGS.get(kind, BEARINGS["four_point"])()
     load = RADIAL if kind == "both arcs" else LOADS
@@ -288,7 +296,9 @@ def test_tangent_is_the_derivative_and_symmetric_at_rest(kind: str, speed: float
         assert (np.abs(skew) / size).max() < 1e-9
 
 
-@pytest.mark.parametrize("kind", BEARINGS)
+@pytest.mark.parametrize(
+    "kind", ["angular", "deep_groove", pytest.param("four_point", marks=pytest.mark.long)]
+)
 def test_stiff_rings_are_rigid_ones_and_soft_ones_softer(kind: str) -> None:
     bearing = BEARINGS[kind]()
     stiff = Material("a million times as stiff", 2e17, 0.3, 7850.0)
@@ -347,6 +357,7 @@ def test_one_loaded_arc_a_ring_is_an_angular_contact_bearing() -> None:
     assert gained == pytest.approx(alone, rel=0.02)
 
 
+@pytest.mark.long
 def test_deflection_against_the_backing_hardly_depends_on_its_length() -> None:
     work = []
     for longer in (None, 1.0, 2.0):
@@ -512,6 +523,7 @@ def test_one_ball_for_all_is_all_of_them() -> None:
             assert one.inner_load == pytest.approx(all_.inner_load, rel=1e-7)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("shims", [(0.2e-3, 0.0), (0.0, 0.2e-3)])
 def test_a_shim_in_one_ring_alone(shims: tuple[float, float]) -> None:
     inner, outer = shims

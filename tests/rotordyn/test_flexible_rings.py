@@ -110,6 +110,7 @@ def test_rings_of_one_bearing_alone(tmp_path: Path) -> None:
     assert np.nanmax(np.abs(outer[:, 1:])) == 0.0
 
 
+@pytest.mark.long
 def test_small_motion_over_time_is_that_of_linear_bearings(tmp_path: Path) -> None:
     analyses = (
         "  time_response: {duration: 5 ms, max_frequency: 2 kHz, points: [nose], forces: "

@@ -182,6 +182,7 @@ def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed
     assert np.abs(found[1] - found[0]).max() < 1e-9 * np.abs(found[0]).max()
 
 
+@pytest.mark.long
 def test_points_on_the_nose_need_no_blank(tested):
     """A tool of 0.1 mm on the machine that has the blank for its nose."""
     shaft = MACHINE.replace("  shaft:", "  points: {tip: 0 mm, inner: 30 mm}\n  shaft:")
