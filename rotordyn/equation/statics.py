@@ -145,13 +145,23 @@ def withstands(structure: Structure, state: State, force: Array, pull: float = 1
     The symmetric stiffness of bending must have as many negative eigenvalues as without axial
     force, which is none in any machine that stands. ``pull``: share of the drawbar's tension.
     """
+    loaded, free = (_bending(structure, state, each, pull) for each in (force, None))
+    return np.asarray(_negative(loaded) <= _negative(free))
+
+
+def stands(structure: Structure, state: State, force: Array | None) -> Flags:
+    """States (s,) in which bending has no negative stiffness, under the axial ``force``
+    (s, elements) [N] if there is one."""
+    return np.asarray(_negative(_bending(structure, state, force)) == 0)
+
+
+def _bending(structure: Structure, state: State, force: Array | None, pull: float = 1.0) -> Array:
+    """Stiffness (s, m, m) of the shaft's bending with all that moves with it."""
     first = structure.node(SPINDLE, structure.spindle.shaft.start)[position("y")]
     bent = structure.components[structure.owner[first]]
     every = subsystems(structure, state, drawbar=True)
     components = next(components_of for components_of in every if bent in components_of)
-    both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
-    loaded, free = (each.allowed_stiffness for each in both)
-    return np.asarray(_negative(loaded) <= _negative(free))
+    return assemble(structure, components, state, force, pull=pull).allowed_stiffness
 
 
 def _negative(matrix: Array) -> Array:

@@ -128,6 +128,12 @@ class LinearSupport(Description):
         value = self.stiffness.get(("x", "x"), 0.0)
         return value if isinstance(value, float) else math.nan
 
+    @property
+    def pushes_away(self) -> bool:
+        """Somewhere it has a negative stiffness, as the field of a motor has."""
+        given = (value for (row, column), value in self.stiffness.items() if row == column)
+        return any(min(each if isinstance(each, tuple) else (each,)) < 0.0 for each in given)
+
     def at(self, speed: float) -> LinearSupport:
         """The support as it is at ``speed`` [rad/s], without a table.
 

@@ -22,6 +22,7 @@ from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.seat import in_spindle_frame
+from rotordyn.equation.statics import stands
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.errors import NoSolution
@@ -247,6 +248,14 @@ class Scene(Statics):
         """Axial force that acts on bending at the usable speeds (usable, elements) [N]."""
         force = self.bending_force()
         return None if force is None else force[self.bearing_row[self.usable]]
+
+    @cached_property
+    def pushed_away(self) -> Flags:
+        """Usable speeds (usable,) at which supports of negative stiffness push the shaft away from
+        where it stands."""
+        if not any(support.pushes_away for support in self.spindle.supports):
+            return np.zeros(len(self.usable), dtype=bool)
+        return ~stands(self.rotor, self.state._replace(standing=True), self.force)
 
     @stage
     def subsystems(self) -> list[tuple[Component, ...]]:

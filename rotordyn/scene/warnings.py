@@ -17,7 +17,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import gripping, pressed, slipping
-from rotordyn.results.display import RPM
+from rotordyn.results.display import RPM, number
 from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
@@ -51,9 +51,23 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from _films_rule(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
+    yield from _pushed_away(scene)
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
+
+
+def _pushed_away(scene: Scene) -> Iterator[str]:
+    """Where the negative stiffness of supports is stronger than what holds the shaft."""
+    speed = scene.speed[scene.usable][scene.pushed_away]
+    if speed.size:
+        names = ", ".join(each.name for each in scene.spindle.supports if each.pushes_away)
+        yield (
+            f"the negative stiffness of support {names} is stronger than what holds the shaft at "
+            f"{speed.size} of {len(scene.usable)} speeds, first at "
+            f"{number(speed[0] * RPM.factor, 0)} rpm: it does not stay where statics have it; "
+            "lower it, or hold the shaft more stiffly"
+        )
 
 
 def friction_notes(scene: Scene) -> Iterator[str]:

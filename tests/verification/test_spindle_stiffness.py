@@ -22,6 +22,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.balance import Balance
 from rotordyn.preload.network import Network
 from tests.oracles.dense_rotor.assemble import bending_plane
@@ -333,3 +334,21 @@ def test_kinematics_of_two_branches_are_not_followed(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(Iterate, "moved", lambda *given: pytest.fail("a ball was moved"))
     answer = stiffness_answer(found, StiffnessSpec("Oc2", 500.0, 2, ("nonlinear",)))
     assert np.isfinite(answer.deflection).all()
+
+
+@pytest.mark.parametrize("share", [0.999, 1.001])
+def test_a_negative_stiffness_as_large_as_the_machines_pushes_the_shaft_away(share: float) -> None:
+    """Where it acts, the machine stands as long as it has more than that."""
+    least = tangent(stiffness(), "full")[1]  # at 12 000 rpm; more at rest, less at 24 000 rpm
+    field = {(way, way): -share * least for way in ("y", "z")}
+    spindle = mfw2310(supports=(LinearSupport("field", -0.0524, field),))
+    found = scene(spindle, SPEEDS)
+    falls = [False, share > 1.0, True]
+    assert found.pushed_away.tolist() == falls
+    (said,) = [each for each in found.warnings if "negative stiffness of support field" in each]
+    assert f"at {sum(falls)} of 3 speeds" in said
+    result = stiffness_answer(found, StiffnessSpec("Oc2", 10.0, 1))
+    assert ["negative stiffness" in word for word in result.outcome] == falls
+    assert np.isnan(result.tangent).all(axis=1).tolist() == falls
+    left = tangent(result, "full")[0]
+    assert left == pytest.approx(tangent(stiffness(), "full")[0] - share * least, rel=1e-6)

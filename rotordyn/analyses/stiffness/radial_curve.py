@@ -71,15 +71,15 @@ class RadialCurve:
         return RadialCurve(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
-def radial_curve(problem: Balance, here: Point, force: Array) -> RadialCurve:
-    """Deflection under loads that ascend evenly from zero, where the machine stands ``here``; every
-    speed stands on its own."""
+def radial_curve(problem: Balance, here: Point, force: Array, outcome: Words) -> RadialCurve:
+    """Deflection under loads that ascend evenly from zero, where the machine stands ``here``, at
+    speeds without an ``outcome`` (speeds,); every speed stands on its own."""
     p, point, start = len(problem.rotor.point), problem.rotor.point, problem.start
     every = np.ones(len(start), dtype=bool)
     step, slope = float(force[-1]) / max(len(force) - 1, 1), problem.per_newton(here, every)
     before, last = None, _load_step(problem, here, step * slope)
     deflection, tangent = np.zeros((len(start), len(force))), 1.0 / slope[:, :p].dot(point)
-    outcome, slack = np.full(len(start), "", dtype=object), problem.slack(here)
+    outcome, slack = outcome.astype(object), problem.slack(here)
     reach = problem.travel(start)
     unloading = np.full_like(here.lightest, np.nan)
     unloaded = np.full(unloading.shape, -1)
@@ -169,16 +169,18 @@ def _nearer(
     forces tried within it."""
     begin = next(iter(known.values())).load[-1]
     (place, *balls), (slope, *moves) = last.place, last.slope
+    lost = set[int]()  # without a balance at a force that is tried: the next would be the same
     for _ in range(NEARER):
         force, alive = np.full(len(place), begin), np.zeros(len(place), dtype=bool)
         for row, one in known.items():
-            force[row], alive[row] = one.trial, not one.found
+            force[row], alive[row] = one.trial, not (one.found or row in lost)
         if not alive.any():
             break
         share = ((force - begin) / step)[:, None]
         guess = [place + share * slope]
         guess += [x + share[..., None] * dx for x, dx in zip(balls, moves, strict=True)]
         _, there, good = problem.solved(guess, here, force, alive)
+        lost |= set(np.flatnonzero(alive & ~good).tolist())
         for row in [row for row in known if good[row] and alive[row]]:
             lightest, ball = there.lightest[row, seat], there.lightest_ball[row, seat]
             known[row] = known[row].after(float(force[row]), float(lightest), int(ball))

@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
+from rotordyn.analyses.stiffness.radial_curve import RadialCurve, Words, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.arrays import Array, Indices
@@ -30,6 +30,10 @@ from rotordyn.scene.scene import Scene
 UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
 SHORT_STOP = "short_stop"
+FALLS = (
+    "the negative stiffness of a support is stronger than what holds the shaft: lower it, or hold "
+    "the shaft more stiffly"
+)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -49,7 +53,8 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant | RadialCurve] = {}
-    curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
+    rows, words = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
+    curves = partial(_nonlinear, scene.preload, rotor, rows, force, words)
     usual = None
     if "nonlinear" in spec.variants or spec.second_stop:
         usual = scene.timed("stiffness: nonlinear", curves)
@@ -63,6 +68,8 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         short = partial(_short_stop, scene, spec, force, usual)
         variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
+    tangent = np.stack([variant.tangent for variant in variants.values()], axis=1)
+    deflection[scene.pushed_away], tangent[scene.pushed_away] = np.nan, np.nan
     seats = scene.spindle.seats
     force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
     loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
@@ -78,7 +85,7 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         bearing=tuple(seat.name for seat in seats),
         outcome=_outcome(scene, variants),
         deflection=scene.scattered(deflection),
-        tangent=scene.scattered(np.stack([v.tangent for v in variants.values()], axis=1)),
+        tangent=scene.scattered(tangent),
         secant=scene.scattered(_secant(force, deflection)),
         axial_load=scene.scattered(loads[..., 0]),
         radial_load=scene.scattered(loads[..., 1]),
@@ -121,6 +128,8 @@ def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     words = list(scene.outcome)
     for place, row in enumerate(scene.usable):
+        if scene.pushed_away[place]:
+            words[row] = FALLS
         rpm = scene.speed[row] * RPM.factor
         for name, variant in variants.items():
             if variant.outcome[place] and not words[row]:
@@ -128,11 +137,15 @@ def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[
     return tuple(words)
 
 
-def _nonlinear(state: PreloadState, rotor: StaticRotor, rows: Indices, force: Array) -> RadialCurve:
-    """The full bearing model at every load; equal rows are solved once."""
-    distinct, place = np.unique(rows, return_inverse=True)
+def _nonlinear(
+    state: PreloadState, rotor: StaticRotor, rows: Indices, force: Array, outcome: Words
+) -> RadialCurve:
+    """The full bearing model at every load, at rows without an ``outcome``; equal rows are solved
+    once."""
+    distinct, first, place = np.unique(rows, return_index=True, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
-    return radial_curve(problem, problem.first_point(state, distinct), force).at(place)
+    here = problem.first_point(state, distinct)
+    return radial_curve(problem, here, force, outcome[first]).at(place)
 
 
 def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
@@ -146,7 +159,8 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
         state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
-        curve = _nonlinear(state, rotor, np.arange(anew.size), force)
+        words = np.where(scene.pushed_away[anew], FALLS, "")
+        curve = _nonlinear(state, rotor, np.arange(anew.size), force, words)
         words = np.array(state.outcome, dtype=object)
         buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
         words = np.where(words == "", np.array(buckled, dtype=object), words)
