@@ -17,6 +17,7 @@ __all__ = ["ANALYSIS", "Limit", "limit_depth", "turning_limit"]
 
 ANALYSIS = in_folder(
     __name__,
+    "accuracy",
     "warnings",
     machine="spindle",
     place=25,

@@ -19,16 +19,19 @@ STEPS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # of the interval of stiffness, over which 
 
 
 def band(
-    limits: Limits, operations: Sequence[Operation], known: Sequence[Limit], interval: Interval
+    limits: Limits,
+    operations: Sequence[Operation],
+    known: Sequence[Sequence[Limit]],
+    interval: Interval,
 ) -> tuple[Array, Array]:
     """Least and largest limit (s,) [m] over all operations and changes within the interval.
 
-    ``known``: limits of the first operation without any change.
+    ``known``: limits of every operation without any change.
     """
-    found = [np.array([limit.depth for limit in known])]
-    for k, operation in enumerate(operations):
+    found = [np.array([limit.depth for limit in each]) for each in known]
+    for operation in operations:
         for change in _changes(interval):
-            if k or change != UNCHANGED:
+            if change != UNCHANGED:
                 found.append(np.array([own.depth for own in limits.of(operation, change)]))
     every = np.array(found)
     share = interval.coefficients

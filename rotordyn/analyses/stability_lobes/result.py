@@ -26,7 +26,8 @@ class StabilityLobesResult:
     ``at_rest``: what the receptance of the machine at rest gives instead; ``measured``: that of the
     tool on the measured spindle, NaN where none was. ``least``, ``most``:
     over the intervals of the case and all sources of the cutting coefficients. ``pocket``: maxima
-    of the depth over speed, the deepest first.
+    of the depth over speed, the deepest first. ``error``: largest change of a limit at some speeds
+    by a model of twice the frequencies, over the limit.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -102,3 +103,10 @@ class StabilityLobesResult:
     )
     pocket_from: Array = quantity("pocket", unit="rad/s", label="speed from which 80 % of it hold")
     pocket_to: Array = quantity("pocket", unit="rad/s", label="speed to which 80 % of it hold")
+    modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
+    error: float = quantity(
+        unit="1",
+        label="change of a limit by a finer model",
+        absent=(Absence("where no finer model is asked for"),),
+    )
+    error_asked: float = quantity(unit="1", label="largest change asked for")

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.bands import band
+from rotordyn.analyses.stability_lobes.converged import ALLOWED, converged
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
@@ -17,6 +18,7 @@ from rotordyn.analyses.stability_lobes.pockets import pockets
 from rotordyn.analyses.stability_lobes.result import StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import NONE, StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.equation.fineness import FINER
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.scene import Scene
 
@@ -41,10 +43,14 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     usable = running.speed[running.usable[rows]]
     why = dict(zip(running.speed.tolist(), running.outcome, strict=True))
     operations = [Operation(spec, *pair) for pair in spec.pairs]
-    limits = Limits(_tip(running, spec), rows, usable, scene.progress)
-    own = limits.of(operations[0])
-    ends = band(limits, operations, own, spec.interval)
-    tip_at_rest = _tip(scene.at(np.zeros(1)), spec)
+
+    def limits_of(one: Scene, rows: Rows) -> Limits:
+        return Limits(_tip(one, spec), rows, one.speed[one.usable[rows]], scene.progress)
+
+    running, limits, every, error = converged(running, limits_of, operations)
+    own = every[0]
+    ends = band(limits, operations, every, spec.interval)
+    tip_at_rest = _tip(running.at(np.zeros(1)), spec)
     at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
     measured = _on_measured(scene, spec, operations[0], usable)
 
@@ -77,11 +83,19 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         pocket_removal=removal[deepest.place],
         pocket_from=deepest.low,
         pocket_to=deepest.high,
+        modelled=_modelled(running, spec),
+        error=error,
+        error_asked=ALLOWED,
     )
 
 
 def _tip(scene: Scene, spec: StabilityLobesSpec) -> Tip:
-    return Tip(scene, spec.point, _feed(spec), spec.max_frequency)
+    return Tip(scene, spec.point, _feed(spec), _modelled(scene, spec))
+
+
+def _modelled(scene: Scene, spec: StabilityLobesSpec) -> float:
+    """Frequency up to which modes of the machine take part [Hz]."""
+    return float(spec.max_frequency * FINER**scene.finer)
 
 
 def _feed(spec: StabilityLobesSpec) -> float:

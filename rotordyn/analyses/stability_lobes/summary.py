@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.results.described import Described
-from rotordyn.results.display import MILLIMETRE, RPM, number
+from rotordyn.results.display import MILLIMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
@@ -98,8 +98,17 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
     return f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm"
 
 
+def accuracy(result: StabilityLobesResult) -> list[str]:
+    """By how much limits change with a finer model."""
+    if not np.isfinite(result.error):
+        return []
+    return [
+        f"limits within {rounded_up(result.error)} by modes up to {number(result.modelled, 0)} Hz"
+    ]
+
+
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Speeds without a solution, and where period doubling limits."""
+    """Speeds without a solution, where period doubling limits, modes that are missing."""
     sentences = []
     failed = [row for row, word in enumerate(result.cutting_outcome) if word]
     if failed:
@@ -113,6 +122,11 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         sentences.append(
             f"period doubling limits {flips.size} of {len(result.depth)} speeds, first at {rpm} "
             "rpm: zero-order limits do not see it"
+        )
+    if result.error > result.error_asked:
+        sentences.append(
+            f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with modes "
+            f"above {number(result.modelled, 0)} Hz: raise max_frequency, or give the damping of such modes"
         )
     return sentences
 

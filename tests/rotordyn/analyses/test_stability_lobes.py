@@ -11,7 +11,7 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import find_peaks
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
+from rotordyn.analyses.stability_lobes import converged, limit_depth, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.pockets import MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.tip import Tip
@@ -196,6 +196,34 @@ def test_without_damping_there_are_no_lobes(case):
 def test_faults(case, given, sentence):
     with pytest.raises(RotordynError, match=sentence):
         case(**given)
+
+
+SLENDER = MACHINE.replace("start: 0 mm", "start: -40 mm").replace(
+    "sections: [", "sections: [{length: 40 mm, outer_diameter: 8 mm}, "
+)
+
+
+def test_modes_above_the_band_are_found_where_they_limit(tmp_path, monkeypatch):
+    """A slender tool: its own mode, at 3.6 kHz, is beyond a band of 900 Hz."""
+    found = {}
+    for highest in ("900 Hz", "12 kHz"):
+        asked = ASKED | {"max_frequency": highest, "radial": "400 MPa", "milling": "down"}
+        path = tmp_path / "tool.yaml"
+        path.write_text(SLENDER.replace("tip: 0", "tip: -40") + f"    {asked}\n")
+        found[highest] = rotordyn.run(rotordyn.load(path))
+    low, high = (each["stability_lobes"] for each in found.values())
+    assert float(low["modelled"]) > 900.0
+    assert float(high["modelled"]) == 12000.0
+    assert float(low["error"]) <= 0.05
+    assert low["depth"].values == pytest.approx(high["depth"].values, rel=0.05)
+    assert (low["chatter"].values > 3000.0).all()
+    assert "limits within" in found["900 Hz"].summary
+    monkeypatch.setattr(converged, "DOUBLINGS", 0)  # as a model that stays too coarse
+    path.write_text(path.read_text().replace("12 kHz", "900 Hz"))
+    coarse = rotordyn.run(rotordyn.load(path))
+    assert np.abs(coarse["stability_lobes"]["depth"].values / low["depth"].values - 1.0).max() > 0.2
+    (said,) = [each for each in coarse.warnings if "raise max_frequency" in each]
+    assert "modes above 900 Hz" in said
 
 
 def test_a_band_below_all_modes_is_refused(case):

@@ -1,0 +1,88 @@
+"""Limits of a model that knows all modes by which the cut may chatter.
+
+A short tool has modes at several times the frequencies that other analyses ask for. A model that
+lacks them gives limits that are far too high, most of all between the lobes of the modes it has. So
+limits at some speeds are computed once more with a finer model and twice the frequencies; while they
+change, all are computed with that one.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.limits import Limits
+from rotordyn.analyses.stability_lobes.modal_limit import Limit
+from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.errors import InvalidInput
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
+ALLOWED = 0.05  # of a limit, that it may change
+DOUBLINGS = 4  # of the highest frequency
+LOOKED_AT = 4  # speeds, beside that of the deepest cut; of the faster half, which takes less time
+
+
+class Converged(NamedTuple):
+    """The ``scene`` that is fine enough, its ``limits`` with ``depths`` of every operation, and the
+    ``error``: the largest change of a depth over it by a finer model, NaN where none was asked
+    for."""
+
+    scene: Scene
+    limits: Limits
+    depths: list[list[Limit]]
+    error: float
+
+
+def converged(
+    scene: Scene, limits_of: Callable[[Scene, Rows], Limits], operations: Sequence[Operation]
+) -> Converged:
+    """At every usable speed above 0; ``limits_of`` some rows of a scene."""
+    error = np.nan
+    for doubling in range(DOUBLINGS + 1):
+        rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
+        limits = limits_of(scene, rows)
+        found = [limits.of(each) for each in operations]
+        if not scene.checks.wanted:
+            break
+        error = _change(scene, limits_of, operations, rows, found)
+        scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
+        if error <= ALLOWED or doubling == DOUBLINGS:
+            break
+        scene = scene.refined
+    return Converged(scene, limits, found, error)
+
+
+def _change(
+    scene: Scene,
+    limits_of: Callable[[Scene, Rows], Limits],
+    operations: Sequence[Operation],
+    rows: Rows,
+    found: Sequence[Sequence[Limit]],
+) -> float:
+    """Largest change of a limit by the finer model, over the smaller of both."""
+    worst, usable = 0.0, scene.speed[scene.usable]
+    for operation, known in zip(operations, found, strict=True):
+        depth = np.array([limit.depth for limit in known])
+        spread = np.linspace(len(rows) // 2, len(rows) - 1, LOOKED_AT).round().astype(np.intp)
+        deepest = len(rows) // 2 + depth[len(rows) // 2 :].argmax()
+        for k in np.unique([*spread, deepest]).tolist():
+            finer = scene.at(usable[rows[k] : rows[k] + 1]).refined
+            try:
+                (limit,) = limits_of(finer, np.zeros(1, dtype=np.intp)).of(operation)
+            except InvalidInput:  # a cut that turns too slowly for waves of such frequencies
+                continue
+            worst = max(worst, _apart(limit.depth, known[k].depth))
+    return worst
+
+
+def _apart(one: float, other: float) -> float:
+    """Difference over the smaller depth; none if both are infinite."""
+    small, large = sorted((one, other))
+    return 0.0 if small == large else large / small - 1.0
