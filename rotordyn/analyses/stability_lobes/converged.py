@@ -1,9 +1,9 @@
 """Limits of a model that knows all modes by which the cut may chatter.
 
-A short tool has modes at several times the frequencies that other analyses ask for. A model that
-lacks them gives limits that are far too high, most of all between the lobes of the modes it has. So
-limits at some speeds are computed once more with a finer model and twice the frequencies; while they
-change, all are computed with that one.
+A slender tool has modes at several times the frequencies that other analyses ask for. A model that
+lacks them gives limits that are far too high, most of all between the lobes of the modes it has.
+So limits at some speeds are computed once more with a finer model and twice the frequencies; while
+they change, all are computed with that one.
 
 Theory: docs/theory/lobes.md.
 """

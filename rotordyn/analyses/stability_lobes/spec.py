@@ -108,7 +108,9 @@ class StabilityLobesSpec(Spec):
         "with the tool of the case coupled to it, beside the machine as computed "
         "([how](howto/measured_spindle.md))",
     ] = None
-    max_frequency: Annotated[Frequency, "up to which the machine is modelled"] = 4000.0
+    max_frequency: Annotated[
+        Frequency, "up to which the machine is modelled, or higher while limits change by that"
+    ] = 4000.0
     speeds: Annotated[
         tuple[TopSpeed, ...],
         Sweep(),

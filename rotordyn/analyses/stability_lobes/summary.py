@@ -125,8 +125,9 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     if result.error > result.error_asked:
         sentences.append(
-            f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with modes "
-            f"above {number(result.modelled, 0)} Hz: raise max_frequency, or give the damping of such modes"
+            f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with "
+            f"modes above {number(result.modelled, 0)} Hz: raise max_frequency, or give damping to "
+            "such modes"
         )
     return sentences
 
