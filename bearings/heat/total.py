@@ -90,5 +90,5 @@ def losses(
         viscous=np.broadcast_to(viscous, np.shape(inner)).copy(),
         spin=np.asarray(slid.spin_power.sum(axis=(-2, -1))),
         moment=np.asarray(np.where(speed > 0.0, total / turning, 0.0)),
-        slips=np.asarray(slid.slips.any(axis=(-2, -1))),
+        slips=np.asarray((slid.slips & state.driven[..., None]).any(axis=(-2, -1))),
     )

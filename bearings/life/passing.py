@@ -25,7 +25,7 @@ class Frequencies(NamedTuple):
 
     ``cage``: FTF, ωm/ω; ``outer`` and ``inner``: BPFO and BPFI, balls past a point of the ring;
     ``ball``: BSF, turns of a ball against the cage, whose defect strikes twice (some print that);
-    ``spread``: largest less smallest ωm/ω of the loaded balls, which a radial load drives apart.
+    ``spread``: largest less smallest ωm/ω of these balls, which a radial load drives apart.
     """
 
     cage: Array
@@ -37,14 +37,14 @@ class Frequencies(NamedTuple):
 
 @checked
 def frequencies(state: BearingState) -> Frequencies:
-    """Of the balls that the inner race drives, mean over these; NaN where it drives none."""
-    motion, driven = ball_motion(state), np.asarray(state.inner_load) > 0.0
-    count = driven.sum(axis=-1)
-    some = np.where(count > 0, count, 1)
+    """Means over the balls, by the loads with which the inner race drives them; NaN where it drives
+    none."""
+    motion, driven, load = ball_motion(state), state.driven, np.asarray(state.inner_load)
+    count, whole = driven.sum(axis=-1), load.sum(axis=-1)
 
     def mean(values: Array) -> Array:
-        total = np.where(driven, values, 0.0).sum(axis=-1) / some
-        return np.where(count > 0, total, np.nan)
+        total = np.where(load > 0.0, load * values, 0.0).sum(axis=-1)
+        return np.asarray(np.where(count > 0, total / np.where(count > 0, whole, 1.0), np.nan))
 
     cage, balls = mean(motion.orbit), state.operation.grooves.balls
     high = np.where(driven, motion.orbit, -np.inf).max(axis=-1)

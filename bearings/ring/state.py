@@ -17,6 +17,7 @@ from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.operation import Operation
 
 RATIO_ROUNDING = 1e-15  # of a ratio
+DRIVEN = 0.05  # of the largest load of a ball of the bearing
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,6 +121,13 @@ class BearingState:
     def contacts(self) -> NDArray[np.int_]:
         """How many contacts of each ball bear load (…, balls)."""
         return np.asarray((self.contact_load > 0.0).sum(axis=-1))
+
+    @property
+    def driven(self) -> Flags:
+        """Balls that the inner race drives (…, balls): those of less than ``DRIVEN`` of the largest
+        load are dragged along by the cage, whatever their friction."""
+        load = np.asarray(self.inner_load)
+        return np.asarray(load > DRIVEN * load.max(axis=-1, keepdims=True, initial=0.0))
 
     @property
     def slipping(self) -> Words:

@@ -26,12 +26,16 @@ STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
 LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
 TWICE = 0.1  # of a disc's mass that the shaft has as well
+UNLIKE = 1.25  # diameter of the shaft over the bore on it; some count inner rings as shaft
+DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 
 
 def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     """Sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
     yield from _lengths(spindle)
     yield from _discs(spindle)
+    yield from _masses(spindle)
+    yield from _bores(spindle)
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
@@ -168,6 +172,32 @@ def _discs(spindle: Spindle) -> Iterator[str]:
                 f"disc {disc.name} and the shaft fill the same space: its bore is "
                 f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "
                 "so that mass is counted twice; let the bore be the shaft's diameter"
+            )
+
+
+def _masses(spindle: Spindle) -> Iterator[str]:
+    """Inertias far below those of any body of that mass, as of a number in kg mm²."""
+    for body in spindle.masses:
+        ball = 0.4 * body.mass * (0.75 * body.mass / (math.pi * DENSEST)) ** (2.0 / 3.0)
+        for word in ("polar", "diametral"):
+            inertia = getattr(body, f"{word}_inertia")
+            if 0.0 < inertia < TIGHT * ball:
+                yield (
+                    f"mass {body.name}: its {word} inertia of {inertia:.3g} kg m^2 is far below "
+                    f"that of any body of {body.mass:.4g} kg (a ball of tungsten has {ball:.2g}): "
+                    "check its unit"
+                )
+
+
+def _bores(spindle: Spindle) -> Iterator[str]:
+    """Bearings on a shaft of another diameter, as of a radius that was given for it."""
+    for seat in spindle.seats:
+        bore = seat.sizes.get("bore_diameter") if seat.fits is None else seat.fits.bore_diameter
+        under = spindle.shaft.diameters_at(seat.x)[0]
+        if bore is not None and not 1.0 / UNLIKE < under / bore < UNLIKE:
+            yield (
+                f"bearing {seat.name}: its bore is {bore * 1e3:.4g} mm, the shaft at its seat "
+                f"{under * 1e3:.4g} mm thick: check the section there, or the station"
             )
 
 

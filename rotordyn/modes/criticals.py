@@ -32,7 +32,6 @@ from rotordyn.modes.branches import (
 from rotordyn.modes.character import whirl_along
 from rotordyn.modes.excitation import Line, exciting
 from rotordyn.modes.names import named
-from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.modes.roots import Start, State, solved
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import mac
@@ -45,6 +44,7 @@ BEYOND = 1.2  # times the highest frequency of lines: up to there modes are foll
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
+RESONANT = math.sqrt(0.5)  # damping ratio above which no response has a peak
 FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
 ROUNDING = 1e-9  # of the highest frequency
 OF_UNBALANCE = 1.0  # the order of what turns with the shaft; forces of others point anywhere
@@ -87,7 +87,7 @@ def critical_speeds(
     starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
     crossings, criticals = list[tuple[Start, float, State]](), list[Critical]()
     for start, speed, state in solved(scene, branches, starts):
-        swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
+        swings = -state.pole.real <= RESONANT * abs(state.pole)
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
         known = any(_same(start, speed, state, other) for other in crossings)
         if known or not (swings and within):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.machine.limits import WARNING_PRESSURE
+from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
 from rotordyn.results.display import RPM
 
 GRIP = 0.1  # friction coefficient
@@ -34,6 +34,17 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
         f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on: lower the "
         "preload or the loads"
+    )
+
+
+def preloaded(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+    """A warning where pressures at rest are beyond those of usual preloads, else nothing."""
+    at_rest = np.nanmax(peak[speed == 0.0], initial=0.0)
+    if not at_rest > PRELOAD_PRESSURE:
+        return ""
+    return (
+        f"{what}: contact pressure {at_rest / 1e9:.2f} GPa at rest, where spindle bearings are "
+        f"preloaded to less than {PRELOAD_PRESSURE / 1e9:g} GPa: check its preload and loads"
     )
 
 

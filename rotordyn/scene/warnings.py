@@ -16,7 +16,7 @@ from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.results.balls import gripping, pressed, slipping
+from rotordyn.results.balls import gripping, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.scene.stability import instability
 
@@ -51,10 +51,11 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from _films_rule(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
-    yield from _pushed_away(scene)
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
+    else:
+        yield from _pushed_away(scene)
 
 
 def _pushed_away(scene: Scene) -> Iterator[str]:
@@ -151,18 +152,18 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
     state = scene.preload
     speed, usable = state.speed, state.usable
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        name = f"bearing {seat.name}"
+        name, driven = f"bearing {seat.name}", balls.driven[:, column]
         peak, grip = (
-            np.where(usable, np.fmax(*(part[:, column].max(axis=-1) for part in parts)), np.nan)
-            for parts in (
-                (balls.inner_pressure, balls.outer_pressure),
-                (balls.inner_grip, balls.outer_grip),
+            np.where(usable, np.where(counted, part[:, column], 0.0).max(axis=-1), np.nan)
+            for part, counted in (
+                (np.fmax(balls.inner_pressure, balls.outer_pressure), True),
+                (np.fmax(balls.inner_grip, balls.outer_grip), driven),
             )
         )
-        slips = np.where(usable, _slipping(balls.slipping[:, column]), "")
+        slips = np.where(usable, _slipping(np.where(driven, balls.slipping[:, column], "")), "")
         free = not any(slips)
         sentences = (
-            pressed(name, speed, peak),
+            pressed(name, speed, peak) or preloaded(name, speed, peak),
             slipping(name, speed, slips),
             gripping(name, speed, grip) if free else "",
         )
@@ -179,17 +180,18 @@ def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
 
 
 def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat) -> Iterator[str]:
-    """Of a bearing that takes thrust one way, balls that loads from outside leave without load."""
+    """Balls that loads from outside leave without load: all of them, or some of a bearing that
+    takes thrust one way."""
     idle = usable[:, None] & (load <= 0.0)
-    rows = np.flatnonzero(idle.any(axis=1))
-    if seat.bearing.both_ways or not rows.size:
+    rows = np.flatnonzero(idle.all(axis=1) if seat.bearing.both_ways else idle.any(axis=1))
+    if not rows.size:
         return
     balls, rpm = idle[rows[0]], speed[rows[0]] * RPM.factor
     if balls.all():
+        why = "it stands within its play" if seat.bearing.both_ways else "static loads unload it"
         yield (
-            f"{name}: static loads unload it at {rpm:.0f} rpm: it holds nothing there, and "
-            "modes, stiffness and responses are those of the shaft without it; raise its preload, "
-            "or lower the loads"
+            f"{name}: {why} at {rpm:.0f} rpm: it holds nothing there, and modes, stiffness and "
+            "responses are those of the shaft without it; raise its preload, or change the loads"
         )
         return
     angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust

@@ -10,7 +10,7 @@ import pytest
 from bearings.materials import Material
 from rotordyn.errors import NoSolution
 from rotordyn.machine.growth import RingGrowth
-from rotordyn.machine.lumped import Disc
+from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.plausibility import implausible, undamped, unopposed
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.spindle import Spindle
@@ -125,3 +125,21 @@ def test_a_machine_without_any_damping() -> None:
     assert not undamped(replace(machine, rotor_damping=(0.01,)))
     seat = replace(machine.seats[0], radial_damping=100.0)
     assert not undamped(replace(machine, seats=(seat, *machine.seats[1:])))
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.5, True), (0.9, False), (1.1, False), (2.0, True)])
+def test_a_bearing_on_a_shaft_of_another_diameter(share: float, said: bool) -> None:
+    machine = mfw2310()
+    first = machine.seats[0]
+    bore = machine.shaft.diameters_at(first.x)[0] / share
+    seats = (replace(first, sizes={"bore_diameter": bore}), *machine.seats[1:])
+    words = _said(replace(machine, seats=seats))
+    assert (f"bearing {first.name}: its bore is {bore * 1e3:.4g} mm" in words) == said
+
+
+@pytest.mark.parametrize(("polar", "said"), [(9e-8, True), (0.09, False), (0.0, False)])
+def test_a_mass_with_the_inertia_of_a_smaller_one(polar: float, said: bool) -> None:
+    machine = mfw2310()
+    pulley = PointMass("pulley", machine.seats[0].x, 14.0, polar, 0.045)
+    words = _said(replace(machine, masses=(pulley,)))
+    assert ("mass pulley: its polar inertia of 9e-08 kg m^2 is far below" in words) == said
