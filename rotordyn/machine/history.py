@@ -76,6 +76,11 @@ class Past:
         return self.steps[self._run_up + 1 :]
 
     @property
+    def speeds(self) -> tuple[float, ...]:
+        """Rest, and those to which steps go [rad/s]."""
+        return 0.0, *(step.speed for step in self.steps if step.speed is not None)
+
+    @property
     def cold(self) -> bool:
         """Whether some speed is passed at the temperatures of assembly."""
         begins_warm = any(step.warm for step in self.before[:1])

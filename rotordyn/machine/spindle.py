@@ -112,6 +112,11 @@ class Spindle(Description):
         return any(self.rotor_damping) or bool(self.rayleigh)
 
     @property
+    def rubs(self) -> bool:
+        """Whether dry friction holds a sleeve: its state depends on what happened before."""
+        return any(sleeve.friction > 0.0 for sleeve in self.sleeves)
+
+    @property
     def ratios(self) -> dict[str, float]:
         """Speed of every rotor over that of the spindle's shaft, which comes first."""
         return {SPINDLE: 1.0} | {rotor.name: rotor.speed_ratio for rotor in self.rotors}

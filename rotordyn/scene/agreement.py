@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from bearings.bearing import BallBearing
 from rotordyn.description import Faults, Path
 from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.history import Past
 from rotordyn.machine.matrix import acts, entry_name
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
@@ -136,7 +137,8 @@ def _loads(setting: Setting) -> Faults:
 
 def _warm(setting: Setting) -> Faults:
     """Temperatures act on bearings that are there, at speeds that their tables reach."""
-    spindle, temperatures = setting.spindle, setting.conditions.temperatures
+    spindle, conditions = setting.spindle, setting.conditions
+    temperatures = conditions.temperatures
     yield from _heated(setting)
     yield from _oiled(setting)
     if temperatures is None:
@@ -148,14 +150,17 @@ def _warm(setting: Setting) -> Faults:
     for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
             yield (*way, "bearings", name), sentence
-    beyond = temperatures.unknown_at(setting.speeds)
+    passed = Past(conditions.history).speeds if spindle.rubs else ()
+    beyond = temperatures.unknown_at((*setting.speeds, *passed))
     if beyond is not None:
+        which = "" if beyond in setting.speeds else ", which the history of its friction passes"
         ends = " to ".join(
             f"{speed / RPM:.6g}" for speed in (temperatures.speeds[0], temperatures.speeds[-1])
         )
         yield (
             (*way, "speeds"),
-            f"the table of temperatures does not reach {beyond / RPM:.6g} rpm: given {ends} rpm",
+            f"the table of temperatures does not reach {beyond / RPM:.6g} rpm{which}: given {ends} "
+            "rpm",
         )
 
 

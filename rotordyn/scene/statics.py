@@ -227,11 +227,18 @@ class Statics(Staged):
         asked = self.conditions.heat_flow
         assert asked is not None
 
+        passed = self.past.speeds if self.spindle.rubs else ()
+        speed = np.union1d(self.bearing_speed, passed)
+
         def solve(temperatures: Temperatures) -> PreloadState:
-            speed, force = self.bearing_speed, self.axial_force
+            force = self.axial_force
             return operating_state(self.grounded, speed, self.law, force, temperatures, self.past)
 
-        return heat_balance(solve, self.bearing_speed, self.grounded, asked.flow)
+        found = heat_balance(solve, speed, self.grounded, asked.flow)
+        words, every = dict(zip(speed.tolist(), found.outcome, strict=True)), self.bearing_speed
+        lost = next((word for at, word in words.items() if word and at not in every), "")
+        before = lost and f"on the way there, {lost}"
+        return found._replace(outcome=tuple(words[at] or before for at in every.tolist()))
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:

@@ -40,8 +40,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             "its interference"
         )
     yield from _yielding(scene)
-    rubbing = any(sleeve.friction > 0.0 for sleeve in scene.spindle.sleeves)
-    if scene.conditions.history and not rubbing:
+    if scene.conditions.history and not scene.spindle.rubs:
         yield (
             "history: no sleeve has friction, so that nothing is left of what happened before; "
             "give friction to a sleeve, or leave the history out"

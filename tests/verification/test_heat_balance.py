@@ -11,9 +11,12 @@ import pytest
 
 import rotordyn
 from bearings.heat.temperature import Conductances, Surroundings
-from rotordyn.analyses import LifeSpec, Lubrication
+from rotordyn.analyses import LifeSpec, Lubrication, PreloadSpec
+from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.history import HistoryStep
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.heat_balance import Flow, heat_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
@@ -170,3 +173,34 @@ def test_temperatures_are_shown() -> None:
     assert all(axes.lines for axes in drawn.axes)
     line = next(line for line in summary(found) if line.startswith("warm"))
     assert f"balls {found.ball_temperature[2].min():.0f}" in line
+
+
+def rubbing() -> Spindle:
+    found = grinding()
+    sleeves = tuple(replace(each, friction=60.0) for each in found.sleeves)
+    return replace(found, sleeves=sleeves)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("history", [(), (HistoryStep(warm=True), HistoryStep(speed=9e3 * RPM))])
+def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(history: Any) -> None:
+    """Where friction remembers it, rest and speeds before are balanced whether a case names them or
+    not."""
+    found = []
+    for speeds in ([6e3, 12e3], [0.0, 6e3, 9e3, 12e3]):
+        steps = (*history, HistoryStep(run_up=True)) if history else ()
+        conditions = Conditions(heat_flow=FLOW, history=steps)
+        one = Scene(rubbing(), conditions, np.array(speeds) * RPM)
+        assert not any(one.outcome)
+        row = speeds.index(6e3)
+        state = one.preload
+        found.append((state.seat_load()[row], state.friction_force[row]))
+    assert found[0][0] == pytest.approx(found[1][0], rel=1e-6)
+    assert found[0][1] == pytest.approx(found[1][1], rel=1e-6)
+
+
+def test_a_way_beyond_the_table_of_temperatures_is_refused() -> None:
+    machine, table = rubbing(), Temperatures(shaft=(30.0, 50.0), speeds=(4e3 * RPM, 12e3 * RPM))
+    given = {"preload": PreloadSpec()}
+    with pytest.raises(InvalidInput, match="reach 0 rpm, which the history of its friction passes"):
+        Case("case", "", (5e3 * RPM,), given, Conditions(temperatures=table), machine)
