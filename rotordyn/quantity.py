@@ -278,6 +278,9 @@ DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 
 Station = Annotated[float, Quantity("length", at_least="-100 m", at_most="100 m")]
+ToolStation = Annotated[
+    float, Quantity("length", at_least="-100 m", at_most="100 m", infinite="front")
+]
 Length = Annotated[float, LENGTH]
 Amplitude = Annotated[float, Quantity("ratio", above="0 %", at_most="20 %")]
 Accuracy = Annotated[float, Quantity("number", at_least="1e-8", at_most="0.01")]

@@ -138,8 +138,7 @@ class MeasuredSpindle(Description):
 
     def _blank(self, blank: Tool) -> Faults:
         yield from uncoupled(("blank",), blank.masses, blank.joints)
-        front = -sum(section.length for section in blank.sections)
-        yield from self._points(blank.points, front)
+        yield from self._points(blank.placed(NOSE), blank.front(NOSE))
 
     def _points(self, points: Mapping[str, float], front: float) -> Faults:
         """Three responses in each plane, at points that exist, one of them in ``front`` [m]."""
@@ -176,7 +175,7 @@ class MeasuredSpindle(Description):
 
     def stations(self, spindle: Spindle) -> dict[str, float]:
         """Where the named points are [m]."""
-        return dict(spindle.points if self.blank is None else self.blank.points)
+        return dict(spindle.points if self.blank is None else self.blank.placed(NOSE))
 
 
 def _turned(one: MeasuredResponse) -> list[complex]:

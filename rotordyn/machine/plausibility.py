@@ -26,6 +26,7 @@ STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
 LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
 TWICE = 0.1  # of a disc's mass that the shaft has as well
+NEAR = 1e-6  # [m] between a point and an end
 UNLIKE = 1.25  # diameter of the shaft over the bore on it; some count inner rings as shaft
 DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 
@@ -34,6 +35,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     """Sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
     yield from _lengths(spindle)
     yield from _discs(spindle)
+    yield from _tip(spindle)
     yield from _masses(spindle)
     yield from _bores(spindle)
     yield from _overlapping(spindle)
@@ -173,6 +175,16 @@ def _discs(spindle: Spindle) -> Iterator[str]:
                 f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "
                 "so that mass is counted twice; let the bore be the shaft's diameter"
             )
+
+
+def _tip(spindle: Spindle) -> Iterator[str]:
+    """A tip that stayed where it was when a section of the tool became longer."""
+    behind = spindle.points.get("tip", spindle.shaft.start) - spindle.shaft.start
+    if behind > NEAR:
+        yield (
+            f"point tip lies {behind * 1e3:.4g} mm behind the front end: give it as `front` in the "
+            "points of the tool, which follows its sections, or call it otherwise"
+        )
 
 
 def _masses(spindle: Spindle) -> Iterator[str]:

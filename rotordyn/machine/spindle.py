@@ -226,7 +226,7 @@ class Spindle(Description):
         return replace(
             self,
             shaft=self.shaft.preceded_by(tool.sections),
-            points={**self.points, **tool.points},
+            points={**self.points, **tool.placed(self.shaft.start)},
             **{name: getattr(self, name) + getattr(tool, name) for name in OF_TOOL},
         )
 
@@ -240,7 +240,8 @@ class Spindle(Description):
         first = len(tool.sections)
         last = {name: len(getattr(self, name)) - len(getattr(tool, name)) for name in OF_TOOL}
         same = self.shaft.sections[:first] == tool.sections
-        same &= tool.points.items() <= self.points.items()
+        shaft = self.shaft.without_first(first)
+        same &= tool.placed(shaft.start).items() <= self.points.items()
         same &= all(getattr(self, name)[k:] == getattr(tool, name) for name, k in last.items())
         if not same:
             raise InvalidInput(
@@ -248,7 +249,7 @@ class Spindle(Description):
             )
         return replace(
             self,
-            shaft=self.shaft.without_first(first),
+            shaft=shaft,
             points={name: x for name, x in self.points.items() if name not in tool.points},
             **{name: getattr(self, name)[:k] for name, k in last.items()},
         )
