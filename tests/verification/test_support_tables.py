@@ -267,6 +267,7 @@ def test_tables_that_contradict_themselves(changes: dict, words: str) -> None:
         replace(TABLED, **changes)
 
 
+@pytest.mark.long
 def test_critical_speeds_and_threshold_within_the_table() -> None:
     """Each critical speed is that of the machine whose supports are constant, as they are there;
     machines solved between the speeds of the case do not leave the table."""
