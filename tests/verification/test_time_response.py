@@ -22,6 +22,7 @@ from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs, values
 from rotordyn.analyses.time_response.march import march
+from rotordyn.analyses.time_response.peaks import longest
 from rotordyn.analyses.time_response.solve import answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import warnings
@@ -422,3 +423,18 @@ def test_a_question_that_contradicts_itself_is_refused(changes: dict[str, Any], 
                 **changes,
             }
         )
+
+
+@pytest.mark.parametrize("phase", np.linspace(0.0, 0.3, 7).tolist())
+def test_peaks_are_those_between_instants(phase: float) -> None:
+    """Of a decaying wave of 20 instants in a period, of one that only grows, of one that ends."""
+    time, fine = np.linspace(0.0, 2.0, 41), np.linspace(0.0, 2.0, 200_001)
+    wave, known = (np.exp(-0.3 * t) * np.sin(2.0 * np.pi * t + phase) for t in (time, fine))
+    ended = np.where(np.arange(41) < 4, np.sin(2.0 * np.pi * time), np.nan)
+    vectors = np.zeros((1, 41, 3, 3))
+    vectors[0, :, :, 1] = -np.stack([wave, time, ended], axis=-1)
+    (when,), (size,) = longest(vectors, time)
+    assert size[0] == pytest.approx(known.max(), rel=2e-3)
+    assert when[0] == pytest.approx(fine[known.argmax()], abs=0.004)
+    assert (when[1], size[1]) == (2.0, 2.0)
+    assert (when[2], size[2]) == (time[3], pytest.approx(ended[3]))

@@ -158,7 +158,7 @@ def _result(
 ) -> TimeResponseResult:
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
     moved, straight = _displacement(path), _displacement(linear)
-    far, size = longest(moved)
+    when, size = longest(moved, time)
     ending = ["" for _ in scene.speed]
     for row, one in enumerate(scene.usable):
         if path.ended[row] < spec.samples:
@@ -181,8 +181,8 @@ def _result(
         displacement=scene.scattered(moved),
         linear_displacement=scene.scattered(straight),
         largest=scene.scattered(size),
-        largest_time=scene.scattered(time[far]),
-        linear_largest=scene.scattered(longest(straight)[1]),
+        largest_time=scene.scattered(when),
+        linear_largest=scene.scattered(longest(straight, time)[1]),
         **{name: scene.scattered(each) for name, each in loads.items()},
         **{name: scene.scattered(each) for name, each in margins.items()},
         error=motion.error,
