@@ -35,7 +35,9 @@ OF_SPINDLE = (
     Usual("spindle.bearings.*.model.inner_conformity", "± 1 %", THESIS),
     Usual("spindle.bearings.*.model.outer_conformity", "± 1 %", THESIS),
     Usual(
-        "spindle.bearings.*.fits.taken", "least..most", "ISO 286, ISO 492: limits of the classes"
+        "spindle.bearings.*.fits.taken",
+        "probable_least..probable_most",
+        "ISO 286, ISO 492: half the root of the squared tolerances (SKF)",
     ),
     Usual(
         "spindle.bearings.*.growth.static", "± 3 um", "ISO 286, ISO 492: k5 on 70 mm of class P4"

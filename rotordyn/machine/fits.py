@@ -13,7 +13,7 @@ from rotordyn.quantity import Choice, Diameter, Key
 from rotordyn.quantity import Interference as Depth
 from rotordyn.units import format_quantity
 
-TAKEN = ("mean", "least", "most")
+TAKEN = ("mean", "least", "most", "probable_least", "probable_most")
 RINGS = ("P4", "normal")
 AROUND = 1.5  # outer diameter of a housing over that of the ring in it, where it is not given
 
@@ -29,7 +29,11 @@ class Fits(Description):
     housing: Annotated[str, "tolerance class of the bore of the housing, such as JS5"] = ""
     rings: Annotated[str, Choice(RINGS), "tolerance class of the rings (ISO 492)"] = "P4"
     taken: Annotated[
-        str, Choice(TAKEN), "which interference of the tolerances: `mean`, `least` or `most`"
+        str,
+        Choice(TAKEN),
+        "which interference of the tolerances: their `mean`, the `least` or `most` of parts at "
+        "their limits, or those within which nearly all pairs of parts lie, `probable_least` and "
+        "`probable_most`",
     ] = "mean"
     smoothing: Annotated[
         Depth, "interference lost to the roughness of both surfaces, on the diameter"
@@ -123,8 +127,10 @@ class Fits(Description):
     def depth(self, which: str) -> float:
         """Interference on the radius that is taken, of ``"inner"`` or ``"outer"`` [m]."""
         interference: Interference = getattr(self, which)
-        diameter: float = getattr(interference.reduced(self.smoothing), self.taken)
-        return diameter / 2.0
+        found = interference.reduced(self.smoothing)
+        by_word = found._asdict()
+        by_word["probable_least"], by_word["probable_most"] = found.probable
+        return float(by_word[self.taken]) / 2.0
 
     @property
     def housing_radius(self) -> float:
