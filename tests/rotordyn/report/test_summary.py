@@ -15,6 +15,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.report.summary import summary
 from rotordyn.report.warnings import result_warnings
+from rotordyn.results.display import number
 from rotordyn.results.text import WIDTH
 from tests.oracles.spindles import CASES
 from tests.rotordyn.figures import samples
@@ -125,6 +126,13 @@ def test_slow_modes_are_told_with_their_digits(case, results):
     assert "axial 0.477 rpm" in said
     rows = comparison_summary(case, [(case, {"campbell": slow})]).splitlines()
     assert any("0.00903 → " in row for row in rows)
+
+
+def test_numbers_have_three_digits_at_least():
+    """Springs of small spindles are told apart."""
+    assert [number(each) for each in (2.416, 2.459, 2.529)] == ["2.42", "2.46", "2.53"]
+    assert [number(each) for each in (12.34, 903.04, 0.0)] == ["12.3", "903.0", "0.0"]
+    assert [number(each, 0) for each in (95.28, 952.8)] == ["95.3", "953"]
 
 
 def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
