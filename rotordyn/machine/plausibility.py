@@ -134,13 +134,15 @@ def _materials(spindle: Spindle) -> Iterator[str]:
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:
-    for place, section in enumerate(spindle.shaft.sections, start=1):
+    end = spindle.shaft.start
+    for section in spindle.shaft.sections:
+        start, end = end, end + section.length
         slender = section.length / section.outer_diameter
         if slender > SLENDER:
             named = f" ({section.name})" if section.name else ""
             yield (
-                f"section {place}{named} of the shaft is {section.length:.4g} m long, "
-                f"{slender:.0f} times its diameter: check the unit of its length"
+                f"section from {start * 1e3:.4g} mm on{named} of the shaft is "
+                f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of its length"
             )
     if spindle.shaft.end - spindle.shaft.start > LONG:
         yield (

@@ -345,3 +345,9 @@ def test_a_key_that_stands_further_down_is_pointed_at(path, meant):
     case = rotordyn.load("mfw2310")
     with pytest.raises(InvalidInput, match=re.escape(f"did you mean {meant}?")):
         case.vary({path: 1.0})
+
+
+def test_a_range_of_files_is_given_one_by_one():
+    case = rotordyn.load("mfw2310")
+    with pytest.raises(InvalidInput, match=r"speeds: .*allowed: values one by one, as a list"):
+        case.vary({"speeds": {"from": "0 rpm", "to": "9000 rpm", "step": "1000 rpm"}})

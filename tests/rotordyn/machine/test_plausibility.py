@@ -47,6 +47,7 @@ def test_a_section_of_metres() -> None:
     shaft = replace(machine.shaft, sections=(*machine.shaft.sections, long))
     said = _said(replace(machine, shaft=shaft))
     assert "(rear end) of the shaft is 25 m long, 500 times its diameter" in said
+    assert f"section from {machine.shaft.end * 1e3:.4g} mm on (rear end)" in said
     assert "check the units" in said
 
 
