@@ -98,9 +98,10 @@ def require_free_modes(size: int, count: int | None) -> None:
     _require(what, seconds, 8.0 * ARRAYS * size * wide)
 
 
-def require_matrices(name: str, speeds: int, size: int) -> None:
-    """The same of matrices of ``size`` rows at so many speeds."""
-    what = f"{name}: matrices of {size} rows at {speeds} speeds"
+def require_matrices(name: str, speeds: int, size: int, own: int) -> None:
+    """The same of matrices of ``size`` rows at so many speeds, of which the case has its ``own``."""
+    more = f" ({own} of the case, others added between them)" if speeds > own else ""
+    what = f"{name}: matrices of {size} rows at {speeds} speeds{more}"
     _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
 
 

@@ -223,8 +223,10 @@ def _row(inner: tuple[Any, ...]) -> Check:
 
     def row(value: Any) -> tuple[Any, ...]:
         scalar = getattr(value, "ndim", 1) == 0  # of numpy, which calls it iterable
-        if scalar or isinstance(value, str | bytes | Mapping) or not isinstance(value, Iterable):
-            raise Refused(_kind_wanted(value, "a tuple"))
+        if isinstance(value, Mapping):
+            raise Refused(_kind_wanted(value, "values one by one, as a list or tuple"))
+        if scalar or isinstance(value, str | bytes) or not isinstance(value, Iterable):
+            raise Refused(_kind_wanted(value, "a list or tuple"))
         items = tuple(value)
         if not endless and len(items) != len(checks):
             raise Refused(f"{len(checks)} items are needed: given {len(items)}")

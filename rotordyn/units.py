@@ -48,6 +48,7 @@ _NAMED: dict[str, Unit] = {
     "deg": Unit(0, math.pi / 180.0, (0, 0, 0, 1, 0, 0, 0)),
     "degC": Unit(0, 1.0, (0, 0, 0, 0, 0, 1, 0)),
     "K": Unit(0, 1.0, (0, 0, 0, 0, 0, 0, 1)),
+    "cSt": Unit(-6, 1.0, (2, 0, -1, 0, 0, 0, 0)),
     "W": Unit(0, 1.0, (2, 1, -3, 0, 0, 0, 0)),
     "rpm": Unit(0, math.pi / 30.0, (0, 0, -1, 1, 0, 0, 0)),
     "Hz": Unit(0, 1.0, (0, 0, -1, 0, 1, 0, 0)),
@@ -99,11 +100,13 @@ KINDS: dict[str, tuple[str, ...]] = {
     "tilt damping": ("N m s/rad",),
 }
 
-_ALSO = {"pressure": ("N/m^2",)}  # spelt so as well
+_ALSO = {"pressure": ("N/m^2",), "kinematic viscosity": ("cSt",)}  # spelt so as well
+_MEANT = {"C": ("degC", "K"), "c": ("degC", "K"), "Celsius": ("degC", "K")}
 
 _NUMBER = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S
 )
+_GROUPED = re.compile(r"(\s*[+-]?\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)")
 _FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z]+|%)(?:(?:\^|\*\*)([+-]?\d{1,2}))?")
 
 
@@ -117,7 +120,7 @@ def parse(given: object, kind: str) -> float:
         raise InvalidInput(f"no kind of quantity: given {shown(kind)}; allowed: {', '.join(KINDS)}")
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         raise InvalidInput(f"expected {kind}: given {shown(given)}; {_allowed(kind)}")
-    match = _NUMBER.fullmatch(written(given))
+    match = _NUMBER.fullmatch(_ungrouped(written(given)))
     if match is None:
         raise InvalidInput(f"not a finite number: given {shown(given)}; {_allowed(kind)}")
     mantissa, exponent, text = match.groups()
@@ -126,6 +129,12 @@ def parse(given: object, kind: str) -> float:
     if not math.isfinite(value):
         raise InvalidInput(f"too large a number: given {shown(given)}")
     return value
+
+
+def _ungrouped(text: str) -> str:
+    """A number without the spaces, or thin ones, between its groups of three digits."""
+    match = _GROUPED.match(text)
+    return text if match is None else re.sub(r"\s", "", match[1]) + text[match.end() :]
 
 
 def _unit_for(kind: str, text: str, given: object) -> Unit:
@@ -255,6 +264,9 @@ def _allowed(kind: str) -> str:
 
 
 def _hint(text: str, kind: str) -> str:
+    for meant in _MEANT.get(text, ()):
+        if meant in KINDS[kind]:
+            return f" (did you mean {meant}?)"
     units = {unit.lower(): unit for unit in KINDS[kind]}
     close = difflib.get_close_matches(_normal(text).lower(), list(units), n=1, cutoff=0.5)
     return f" (did you mean {units[close[0]]}?)" if close else ""

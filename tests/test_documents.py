@@ -27,6 +27,7 @@ from docs.generate.rows import Row
 from docs.generate.snippets import PICTURES, blocks, snippet_pages
 from docs.generate.times import benchmark_parts, measured, targets
 from rotordyn.analyses.campbell.known import bending_frequencies
+from rotordyn.analyses.registry import names
 from rotordyn.case.schema import FILES, json_schema
 
 PAGES = sorted(
@@ -253,6 +254,11 @@ def test_tables_of_debongnie_are_what_we_find_now() -> None:
             assert was[0] == now[0]
             for a, b in zip(was[1:], now[1:], strict=True):
                 assert numbers(a) == pytest.approx(numbers(b), rel=1e-3, abs=0.11), was[0]
+
+
+def test_every_analysis_is_in_the_table_of_results() -> None:
+    rows = re.findall(r"^\| `(\w+)` \|", text(DOCS / "reference" / "results.md"), re.M)
+    assert set(names()) <= set(rows)
 
 
 def test_every_module_that_computes_has_a_page_of_theory() -> None:

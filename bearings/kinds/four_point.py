@@ -54,7 +54,7 @@ class FourPointBallBearing(BallBearing):
     both_ways: ClassVar[bool] = True
 
     def _faults(self) -> Iterator[str]:
-        yield from self._exactly_one(GIVEN)
+        yield from (sentence + self._shims_of_both() for sentence in self._exactly_one(GIVEN))
         for ring, shim, conformity in self._rings():
             most = (2.0 * conformity - 1.0) * self.ball_diameter
             if shim >= most * (1.0 - 1e-9):
@@ -94,6 +94,14 @@ class FourPointBallBearing(BallBearing):
             return " (impossible with these shims)"
         words = [self.drawn(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
         return f" means {', '.join(words)}"
+
+    def _shims_of_both(self) -> str:
+        """The shims that angle and axial play give, where a drawing names these two."""
+        if self.contact_angle is None or self.axial_play is None or self.radial_play is not None:
+            return ""
+        shims = 2.0 * self.free_distance * math.sin(self.contact_angle) - self.axial_play
+        both = "to have both, give one of them and inner_shim and outer_shim"
+        return f"; {both}, {shims * 1e3:.4g} mm together" if shims >= 0.0 else ""
 
     def _radial_gap(self) -> float:
         """BD cos αf, from whichever of the three data is given (Lacroix 2.41–2.49, corrected)."""

@@ -25,6 +25,7 @@ PLAIN = {
     "meshes",
     "gltf",
     "uff",
+    "unlimited",
     "page",
 }
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING
@@ -14,7 +14,8 @@ from bearings.bearing import BallBearing
 from rotordyn.allowance import STOPS, Stop, heeding_stops, keeps_finished, require_time
 from rotordyn.analyses.contract import Result
 from rotordyn.analyses.registry import analysis
-from rotordyn.machine.plausibility import estimates, undamped
+from rotordyn.analyses.unlimited import unlimited
+from rotordyn.machine.plausibility import estimates
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -99,7 +100,7 @@ def answer_spindle(
             skipped=reasons(scene),
             spared=spared(scene),
             tolerances=scene.tolerances if scene.checks.wanted else {},
-            warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
+            warnings=(*scene.warnings, *unlimited(spindle, analyses)),
             notes=scene.notes,
             stop=stop,
         )
@@ -151,17 +152,6 @@ def answer_bearing(
         warnings=tuple(estimates({"": bearing})),
         stop=stop,
     )
-
-
-def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:
-    """A sentence where forced responses are asked for of a machine without any damping."""
-    forced = [name for name in analyses if analysis(name).forced]
-    if forced and undamped(spindle):
-        yield (
-            f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
-            "limit at its modes and their peaks mean nothing: give rotor_damping, damping of "
-            "bearings or of supports"
-        )
 
 
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:

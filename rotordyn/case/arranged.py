@@ -85,7 +85,9 @@ def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> 
     """Why no force follows from the class that is asked for."""
     for seat, known in zip(seats, printed, strict=True):
         if asked.value not in [*known]:
-            allowed = ", ".join(known) or "none, its model prints no preloads"
+            allowed = ", ".join(known) or (
+                "none, its model prints no preloads: give class_force: FORCE instead"
+            )
             return (
                 f"bearing {seat.name} has no such class of preload: given "
                 f"{units.shown(asked.plain())}; allowed: {allowed}"

@@ -29,6 +29,7 @@ MAX_VALUES = 100_000
 _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
 _UNPRINTABLE = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
+_TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space behind it
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -108,11 +109,11 @@ def _neighbour(path: Path) -> str:
     if path.is_symlink():
         return " at the end of this link"
     try:
-        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".yaml"]
+        stems = {entry.stem: entry for entry in path.parent.iterdir() if entry.suffix == ".yaml"}
     except (OSError, ValueError):
         return ""
-    close = difflib.get_close_matches(path.name, names, n=1)
-    return f" (did you mean {shown(path.parent / close[0])}?)" if close else ""
+    close = difflib.get_close_matches(path.stem, stems, n=1)
+    return f" (did you mean {shown(stems[close[0]])}?)" if close else ""
 
 
 def _text(raw: bytes) -> str:
@@ -257,6 +258,10 @@ def _not_yaml(error: Exception, text: str) -> _Refused:
     problem = getattr(error, "problem", None) or "cannot be parsed"
     if "maximum nesting depth" in problem:  # libyaml's own limit, met before the first event
         return _Refused(_TOO_DEEP, mark.line + 1, mark.column + 1)
+    above = text.splitlines()[max(mark.line - 1, 0) : mark.line]
+    if tight := _TIGHT.search(line) or _TIGHT.search("".join(above)):
+        lacking = f"is not YAML: put a space after the colon of '{tight[1]}:'"
+        return _Refused(lacking, mark.line + (line == tight.string), tight.end(1) + 1)
     context = getattr(error, "context", None)
     what = f"{problem}, {context}" if context else str(problem)
     return _Refused(f"is not YAML: {what}", mark.line + 1, mark.column + 1)

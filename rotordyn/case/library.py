@@ -10,6 +10,12 @@ from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
 KINDS = ("bearings", "materials", "spindles", "tools", "workpieces")
+SPOKEN = {  # words for materials that are in the library by another name
+    "ceramic": "silicon_nitride",
+    "si3n4": "silicon_nitride",
+    "100cr6": "bearing_steel",
+    "carbide": "cemented_carbide",
+}
 _LISTED = 24  # models that a message lists
 _PACKAGE = Path(__file__).resolve().parents[1]
 
@@ -80,6 +86,8 @@ def find(kind: str, reference: str, beside: Path) -> Path:
         return models_root() / kind / f"{reference}.yaml"
     file = f"{reference}.yaml"
     hint = f" (did you mean {file}?)" if os.path.exists(beside.parent / file) else ""
+    if not hint and (meant := SPOKEN.get(reference.lower())) in names:
+        hint = f" (did you mean {meant}?)"
     raise UnknownModel(
         f"unknown model: given {shown(reference)}; allowed: {_few(names)}, or the path of a file"
         + (hint or suggestion(reference, names))

@@ -19,7 +19,7 @@ from rotordyn.case.library import find_case
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
 from rotordyn.case.shipped import sources_in
-from rotordyn.case.variants import tools_compared, variant_trees
+from rotordyn.case.variants import tools_compared, unprefixed, variant_trees
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -46,7 +46,7 @@ def load(path: str | Path) -> Case:
         raise InvalidInput(f"load takes the path of a case file, or a name: got {shown(path)}")
     file = find_case(path if isinstance(path, str) else Path(path))
     root, reader = expand.opened(file)
-    root = tools_compared(root, reader.faults)
+    root = unprefixed(tools_compared(root, reader.faults), reader.faults)
     whole = _case(root, file.stem, reader)
     made: dict[str, Case] = {}
     if not reader.faults and (many := len(root.entries("compare"))) > MOST_VARIANTS:

@@ -8,6 +8,7 @@ read from a file with faults is good for that and for nothing else.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, get_args, get_origin
@@ -15,7 +16,7 @@ from typing import Any, get_args, get_origin
 from bearings.bearing import BallBearing
 from rotordyn import units
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, deeper, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.retired import RETIRED
@@ -24,6 +25,7 @@ from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, op
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
 
 _LISTED = 24
+_TIGHT = re.compile(r"([\w.*]+):[\[{\w]")  # a key without a space behind it
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 
@@ -76,6 +78,8 @@ class Reading:
     def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
         """Reports a value of another shape than is needed."""
         message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
+        if isinstance(node.value, str) and (tight := _TIGHT.match(node.value)):
+            message += f" (put a space after the colon of '{tight[1]}:')"
         self.faults.at(node, message)
         return unknown(annotation)
 
@@ -248,7 +252,8 @@ class Reading:
                 self.faults.at_key(child, f"given beside {alternative}: {noun} is one of both")
             else:
                 holder = place[-1] if place else last_key(node)
-                self.faults.at_key(child, unknown_key(name, known, holder))
+                within = "" if place else deeper(kind, name)
+                self.faults.at_key(child, unknown_key(name, known, holder, within))
 
     def _key_of_bearing(self, node: Node, name: str, known: list[str]) -> None:
         """A key of another kind of bearing than is written, or than an override has made it."""
@@ -263,12 +268,14 @@ class Reading:
         self.faults.at_key(key, sentence)
 
 
-def unknown_key(given: str, allowed: list[str], holder: str = "") -> str:
-    """A sentence for a key that is not there; of one that was there earlier, why it is gone."""
+def unknown_key(given: str, allowed: list[str], holder: str = "", within: str = "") -> str:
+    """A sentence for a key that is not there; of one that was there earlier, why it is gone.
+
+    ``within``: where such a key stands further down, if it does."""
     if sentence := RETIRED.get((holder, given)):
         return sentence
     listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
-    hint = suggestion(given, allowed)
+    hint = f" (did you mean {within}?)" if within else suggestion(given, allowed)
     return f"unknown key: given {units.shown(given)}; allowed: {listed or 'no keys'}{hint}"
 
 

@@ -272,7 +272,8 @@ def quantity(limits: Quantity) -> Shape:
 
 def _text(limits: Quantity) -> Shape:
     sign = r"\+?" if limits.low >= 0.0 else "[+-]?"
-    number = rf"{sign}([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{{1,4}})?"
+    grouped = "[0-9]{1,3}([ \u00a0\u2009\u202f][0-9]{3})+"
+    number = rf"{sign}(({grouped}|[0-9]+)\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{{1,4}})?"
     return {
         "type": "string",
         "pattern": rf"^\s*{number}\s*({units.pattern(limits.kind)})\s*$",

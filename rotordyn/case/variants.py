@@ -35,6 +35,29 @@ def tools_compared(root: Node, faults: Faults) -> Node:
     return replace(root, value=held)
 
 
+def unprefixed(root: Node, faults: Faults) -> Node:
+    """The case in ``root``, the paths of its overrides without ``spindle.`` (``bearing.``) before
+    them: files may write either."""
+    tree = root.copy()
+    machine = "spindle" if root.child("spindle") is not None else "bearing"
+    for holder in (tree, *tree.entries("compare").values()):
+        _cut(holder, machine, faults)
+    return tree
+
+
+def _cut(holder: Node, machine: str, faults: Faults) -> None:
+    override = holder.child("override")
+    if override is None or not isinstance(override.value, dict):
+        return
+    short: dict[str, Node] = {}
+    for path, value in override.value.items():
+        name = path.removeprefix(f"{machine}.") if isinstance(path, str) else path
+        if name in short:
+            faults.at_key(value, f"given twice: '{name}', with and without '{machine}.' before it")
+        short[name] = value
+    override.value = short
+
+
 def variant_trees(root: Node) -> dict[str, Node]:
     """By name, the tree that each entry of ``compare`` makes of the case in ``root``.
 

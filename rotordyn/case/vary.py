@@ -13,6 +13,7 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
+from rotordyn.case.keys import deeper
 from rotordyn.case.shared import called, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -53,7 +54,7 @@ class _Change:
 def vary(description: D, changes: Mapping[str, object]) -> D:
     """``description`` with other values at dotted paths; the description itself stays as it is.
 
-    A path is that of ``override`` in a file: it names keys, items of a list by their ``name``,
+    A path begins at the top of a case: it names keys, items of a list by their ``name``,
     entries of a mapping by their key; ``*`` stands for every item or entry.
     What a file gives once for all bearings (``spindle.fits``) goes to those that give none
     themselves; what is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is
@@ -138,7 +139,8 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     fields = {field.name: field for field in declared(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
-    groups = _by_field([*fields.values()], [w for each in changes for w in _ways(old, each)])
+    ways = [way for each in changes for way in _ways(old, each)]
+    groups = _by_field([*fields.values()], ways, old.__class__)
     if isinstance(old, BearingSeat):
         for name in ("fits", "flexible_rings"):
             if getattr(old, name) is None and name in groups:
@@ -173,7 +175,7 @@ def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
     by_kind = {kind: {f.keys[0]: f for f in declared(kind) if f.keys} for kind in kinds}
     kind = max(by_kind, key=lambda each: len(keys & by_kind[each].keys()))
     fields = declared(kind)
-    groups = _by_field(fields, changes)
+    groups = _by_field(fields, changes, kind)
     missing = [".".join(f.keys) for f in fields if f.default is REQUIRED and f.name not in groups]
     if missing:
         raise changes[0].refused(
@@ -188,11 +190,13 @@ def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
     return _made(kind, new, changes)
 
 
-def _by_field(fields: Sequence[Field], changes: Iterable[_Change]) -> dict[str, list[_Change]]:
+def _by_field(
+    fields: Sequence[Field], changes: Iterable[_Change], kind: type
+) -> dict[str, list[_Change]]:
     """Changes by the name of the field they lead to, whose keys are taken off them."""
     groups: dict[str, list[_Change]] = {}
     for change in changes:
-        field, rest = _field(fields, change)
+        field, rest = _field(fields, change, kind)
         groups.setdefault(field.name, []).append(rest)
     return groups
 
@@ -233,7 +237,7 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
     return [*(replace(mine[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
 
-def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:
+def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field, _Change]:
     """The field that the first steps of a path lead to, and what is still to go."""
     ways: dict[tuple[str, ...], Field] = {(f.name,): f for f in fields if not f.keys}
     ways |= {field.keys: field for field in fields if field.keys}
@@ -247,7 +251,8 @@ def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:
     called = {field.name: way for way, field in ways.items()}
     if (key := called.get(change.steps[0])) is not None:
         raise change.refused(f"'{change.steps[0]}' is called '{'.'.join(key)}' here, as in files")
-    _known(change, change.steps[0], [way[0] for way in ways], "key")
+    inner = deeper(kind, change.steps[0])
+    _known(change, change.steps[0], [way[0] for way in ways], "key", inner)
     raise change.refused("leads nowhere")
 
 
@@ -297,13 +302,14 @@ def _grouped(
     return groups
 
 
-def _known(change: _Change, step: str, known: Iterable[str], what: str) -> None:
+def _known(change: _Change, step: str, known: Iterable[str], what: str, inner: str = "") -> None:
     names = [*dict.fromkeys(name for name in known if name)]
     if step in names:
         return
     listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
     where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
-    allowed = f"{listed or 'none, it is empty'}{suggestion(step, names)}"
+    hint = f" (did you mean {inner}?)" if inner else suggestion(step, names)
+    allowed = f"{listed or 'none, it is empty'}{hint}"
     raise change.refused(f"unknown {what} '{step}'{where}; allowed: {allowed}")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -15,11 +16,13 @@ MACHINES = ("spindle", "bearing")
 COMPARED = ("compare", "tools")
 
 
-def write_changed(case: Case, changes: Mapping[str, Any], path: Path, *, title: str) -> None:
+def write_changed(
+    case: Case, changes: Mapping[str, Any], path: Path, *, title: str, home: Path | None = None
+) -> None:
     """Write the file of ``case`` with ``changes`` to ``path``; what it compares is left out.
 
-    ``changes``: dotted paths, as of ``vary``, to what a file says there. Files that it names are
-    named from the new place.
+    ``changes``: dotted paths, as of ``vary``, to what a file says there. ``home``: the folder that
+    it is for, from which files are named where one can; by default they have their whole paths.
 
     Raises
     ------
@@ -37,7 +40,8 @@ def write_changed(case: Case, changes: Mapping[str, Any], path: Path, *, title: 
             whole.setdefault("override", {})[rest] = value
         else:
             _put(whole, dotted.split("."), value)
-    text = yaml.safe_dump(whole, sort_keys=False, allow_unicode=True, width=100)
+    held = whole if home is None else _near(whole, home.resolve())
+    text = yaml.safe_dump(held, sort_keys=False, allow_unicode=True, width=100)
     try:
         path.write_text(text, encoding="utf-8", newline="\n")
     except OSError as error:
@@ -50,6 +54,20 @@ def _put(whole: dict[str, Any], steps: list[str], value: Any) -> None:
             whole[step] = {}
         whole = whole[step]
     whole[steps[-1]] = value
+
+
+def _near(value: Any, home: Path) -> Any:
+    """Files of whole paths named from ``home``; not those on another drive (Windows)."""
+    if isinstance(value, dict):
+        return {key: _near(each, home) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_near(each, home) for each in value]
+    if isinstance(value, str) and os.path.isabs(value) and os.path.isfile(value):
+        try:
+            return Path(os.path.relpath(value, home)).as_posix()
+        except ValueError:
+            return value
+    return value
 
 
 def _placed(value: Any, beside: Path) -> Any:

@@ -16,12 +16,18 @@ if TYPE_CHECKING:
 
 
 def check(arguments: argparse.Namespace) -> int:
-    """Read a case, and say what it asks for."""
+    """Read a case, and say what it asks for, and what of it is rarely meant."""
+    from rotordyn.case.doubts import doubts
+
     case = rotordyn.load(arguments.case)
     questions = ", ".join(case.analyses)
     compared = f"; {_counted(len(case.variants), 'variant')}" if case.variants else ""
     speeds = _counted(len(case.speeds), "speed")
-    say(f"{arguments.case}: fine ({speeds}; {questions}{compared})")
+    sentences = dict.fromkeys(doubts(case))
+    for sentence in sentences:
+        say(f"WARNING: {sentence}")
+    found = f"fine, with {_counted(len(sentences), 'warning')}" if sentences else "fine"
+    say(f"{arguments.case}: {found} ({speeds}; {questions}{compared})")
     return 0
 
 

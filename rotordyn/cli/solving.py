@@ -92,7 +92,9 @@ def _formats(words: str | None) -> tuple[str, ...]:
 def _told(arguments: argparse.Namespace, target: Path, delivery: Delivery) -> int:
     """Say what a run left behind; its exit code."""
     if not arguments.quiet:
-        say(delivery.summary)
+        from rotordyn.cli.screen import on_screen
+
+        say(on_screen(delivery.summary, delivery.folder / "summary.txt"))
         say(f"results in {delivery.folder}")
     if delivery.moved:
         complain(

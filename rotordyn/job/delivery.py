@@ -27,7 +27,7 @@ ENDED = "figures left out: the run was ended before; rotordyn.open and plot draw
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
-    """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
+    """What a run left behind: the folder, its summary, how it was solved, speeds without
     a solution. ``moved``: the folder is not the one asked for, which is in use; ``stop``: what
     ended the run before all was solved."""
 

@@ -64,7 +64,7 @@ class Results(Mapping[str, "xr.Dataset"]):
     @property
     @abstractmethod
     def summary(self) -> str:
-        """One screen of plain text, as in ``summary.txt``."""
+        """All that is said of the run as plain text, as in ``summary.txt``."""
 
     @property
     @abstractmethod

@@ -19,6 +19,7 @@ RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
 THIN = 0.05  # wall over the diameter of a ring: radial stiffness of the bearing 2 to 3 % lower
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
+BESIDE = 0.02  # of the width of rings: groove centres lie off their middle
 SLENDER = 100.0  # length over outer diameter of one section
 SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less than these is meant as none
 SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
@@ -139,13 +140,15 @@ def _materials(spindle: Spindle) -> Iterator[str]:
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:
-    for place, section in enumerate(spindle.shaft.sections, start=1):
+    end = spindle.shaft.start
+    for section in spindle.shaft.sections:
+        start, end = end, end + section.length
         slender = section.length / section.outer_diameter
         if slender > SLENDER:
             named = f" ({section.name})" if section.name else ""
             yield (
-                f"section {place}{named} of the shaft is {section.length:.4g} m long, "
-                f"{slender:.0f} times its diameter: check the unit of its length"
+                f"section from {start * 1e3:.4g} mm on{named} of the shaft is "
+                f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of its length"
             )
     if spindle.shaft.end - spindle.shaft.start > LONG:
         yield (
@@ -216,13 +219,23 @@ def _bores(spindle: Spindle) -> Iterator[str]:
 def _overlapping(spindle: Spindle) -> Iterator[str]:
     row = sorted(spindle.seats, key=lambda seat: seat.x)
     for front, rear in pairwise(row):
-        least = (front.bearing.ball_diameter + rear.bearing.ball_diameter) / 2.0
-        if rear.x - front.x < least:
+        sizes = [_width(front), _width(rear)]
+        rings = all(sizes)
+        if not rings:
+            sizes = [front.bearing.ball_diameter, rear.bearing.ball_diameter]
+        least = sum(sizes) / 2.0
+        if rear.x - front.x < least * (1.0 - BESIDE * rings):
             yield (
                 f"bearings {front.name} and {rear.name} overlap: their stations are "
-                f"{(rear.x - front.x) * 1e3:.4g} mm apart, their balls alone need "
-                f"{least * 1e3:.4g} mm"
+                f"{(rear.x - front.x) * 1e3:.4g} mm apart, their "
+                f"{'rings' if rings else 'balls alone'} need {least * 1e3:.4g} mm"
             )
+
+
+def _width(seat: BearingSeat) -> float:
+    """Of its rings [m]; 0 where it is not known."""
+    given = [body.width for body in (seat.fits, seat.flexible_rings) if body is not None]
+    return next((width for width in given if width), seat.sizes.get("width", 0.0))
 
 
 def _arrangement(spindle: Spindle) -> Iterator[str]:

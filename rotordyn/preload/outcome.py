@@ -84,6 +84,17 @@ def _pushed(network: Network) -> float:
     return float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
 
 
+def _light(spindle: Spindle, pushed: float, rpm: float) -> str:
+    """That hardly anything presses the bearings."""
+    if not spindle.sleeves and not pushed:
+        return (
+            f"no bearing is preloaded at {rpm:.0f} rpm, and no sleeve presses any: put one on a "
+            "sleeve with a spring, give an arrangement with its preload, or an axial force"
+        )
+    given = f" of {LEAST_PRELOAD:g} N or more: given {pushed:.3g} N" if pushed else ""
+    return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
+
+
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
     """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
@@ -96,8 +107,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
     light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):
-        given = f" of {LEAST_PRELOAD:g} N or more: given {pushed:.3g} N" if pushed else ""
-        return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
+        return _light(spindle, pushed, rpm)
     lost = np.flatnonzero(~np.isfinite(load))
     if lost.size:
         return (

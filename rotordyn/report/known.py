@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.results.display import MILLIMETRE, RPM, Shown, shown
@@ -12,18 +12,11 @@ from rotordyn.results.text import INDENT, unbroken, wrapped
 _IN_MILLIMETRES = ("required_diameter",)
 
 
-def known_lines(matched: Sequence[Match], room: int) -> list[str]:
-    """Known value against ours, then its remark, as many as fit whole into ``room`` lines."""
-    lines: list[str] = []
-    for index, each in enumerate(matched):
-        head = f"{each.reference.kind:10s} {known_beside_ours(each)}"
-        block = [*wrapped(head), *wrapped(INDENT + each.reference.remark)]
-        if len(lines) + len(block) + 1 > room:
-            left = len(matched) - index
-            lines.append(f"… and {left} more published or measured values")
-            break
-        lines += block
-    return lines
+def known_lines(matched: Sequence[Match]) -> Iterator[str]:
+    """Known value against ours, then its remark."""
+    for each in matched:
+        yield from wrapped(f"{each.reference.kind:10s} {known_beside_ours(each)}")
+        yield from wrapped(INDENT + each.reference.remark)
 
 
 def known_beside_ours(match: Match) -> str:

@@ -1,4 +1,4 @@
-"""One screen of plain text about variants: a table for every question, a line per variant."""
+"""Variants as plain text: a table for every question, a line per variant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One screen of plain text about a run: at most 40 lines of 100 columns."""
+"""A run as plain text: all that its analyses say, in lines of 100 columns."""
 
 from __future__ import annotations
 
@@ -18,8 +18,6 @@ from rotordyn.machine.support import SPINDLE
 from rotordyn.report.known import known_lines
 from rotordyn.results.described import Described
 from rotordyn.results.text import opening, unbroken, wrapped
-
-HEIGHT = 40
 
 
 def called(case: Described) -> str:
@@ -42,15 +40,7 @@ def summary(
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     matched = matches(case.known, results, case.spindle)
-    return "\n".join(_screen(text + known_lines(matched, HEIGHT - len(text))))
-
-
-def _screen(lines: list[str]) -> list[str]:
-    """At most ``HEIGHT`` lines; where some are left out, the last one says how many."""
-    if len(lines) <= HEIGHT:
-        return lines
-    kept = lines[: HEIGHT - 1]
-    return [*kept, f"… and {len(lines) - len(kept)} more lines: see the tables and results.nc"]
+    return "\n".join([*text, *known_lines(matched)])
 
 
 def _machine(spindle: Spindle) -> list[str]:

@@ -45,16 +45,16 @@ def shown(unit: str) -> Shown:
 
 
 def number(value: float, digits: int = 1) -> str:
-    """Printed with ``digits`` decimals, with three digits where these would leave hardly any;
-    "none" where there is no value.
+    """Printed with ``digits`` decimals, with three digits where these would leave fewer; "none"
+    where there is no value.
 
-    >>> [number(each) for each in (903.04, 0.0347, 1e-12, math.nan)], number(5.28, 0)
-    (['903.0', '0.0347', '0.0', 'none'], '5.28')
+    >>> [number(each) for each in (903.04, 2.459, 0.0347, 1e-12, math.nan)], number(95.28, 0)
+    (['903.0', '2.46', '0.0347', '0.0', 'none'], '95.3')
     """
     if not math.isfinite(value):
         return "none"
     value = value if abs(value) > ROUNDING else 0.0  # of no sign
-    small = 0.0 < abs(value) < 10.0 ** (1 - digits)
+    small = 0.0 < abs(value) < 10.0 ** (2 - digits)
     return f"{value:.3g}" if small else f"{value:.{digits}f}"
 
 

@@ -1,4 +1,4 @@
-"""Lines of plain text for a screen: their width, their numbers, what stands at the head."""
+"""Lines of plain text: their width, their numbers, what stands at the head."""
 
 from __future__ import annotations
 
@@ -12,16 +12,14 @@ from rotordyn.results.display import number
 
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
-MOST_WARNINGS = 6
 MOST_ENTRIES = 6  # of a list in a line
+WARNING = "WARNING: "
 _NO_BREAK = "\u00a0"
 
 
 def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[str]:
     """Warnings first, then the title and what the user chose that changes how results read."""
-    shown = [f"WARNING: {sentence}" for sentence in warnings[:MOST_WARNINGS]]
-    if len(warnings) > MOST_WARNINGS:
-        shown.append(f"WARNING: {len(warnings) - MOST_WARNINGS} more, listed in run.json")
+    shown = [f"{WARNING}{sentence}" for sentence in warnings]
     shown += [title, *(f"note       {sentence}" for sentence in notes)]
     return [part for line in shown for part in wrapped(line)]
 

@@ -9,6 +9,7 @@ from bearings.bearing import BallBearing
 from rotordyn.description import Faults, Path
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.history import Past
+from rotordyn.machine.housing import Housing, ReducedHousing
 from rotordyn.machine.matrix import acts, entry_name
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
@@ -250,13 +251,21 @@ def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
             "allowed: inertial",
         )
     loaded = abs(conditions.axial_force) > 0.0 or bool(conditions.pull[0])
-    along = any("x" in housing.directions for housing in spindle.housings)
-    if along and (spindle.seats or loaded):
-        what = "of bearings" if spindle.seats else "of axial force and weight"
-        yield (
-            ("spindle",),
-            f"a housing moves along x, and the static state {what} is that on ground: leave x out",
-        )
+    for index, housing in enumerate(spindle.housings):
+        if "x" in housing.directions and (spindle.seats or loaded):
+            what = "of bearings" if spindle.seats else "of axial force and weight"
+            yield (
+                ("spindle", "housings", index, *_along(housing)),
+                f"housing {housing.name} moves along x, and the static state {what} is that on "
+                "ground: leave x out",
+            )
+
+
+def _along(housing: Housing) -> Path:
+    """Where a housing is given its motion along the axis."""
+    if isinstance(housing, ReducedHousing):
+        return ("model",)
+    return ("stiffness", *[entry_name(*pair) for pair in housing.stiffness if "x" in pair][:1])
 
 
 def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:

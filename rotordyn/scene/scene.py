@@ -68,6 +68,7 @@ class Scene(Statics):
         self.checks = checks or Checks()
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
         self.top_speed = float(np.abs(speed).max(initial=0.0))
+        self.own_speeds = len(speed)
         self.coarse: Structure | None = None
         self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
@@ -108,7 +109,7 @@ class Scene(Statics):
         other = Scene(*same, finer, self.memo, self.clock, self.checks)
         # a model serves other speeds, but is as fine as the highest speed of the case asks
         other.top_speed, other.bodies = self.top_speed, self.bodies
-        other.coarse = self.coarse
+        other.coarse, other.own_speeds = self.coarse, self.own_speeds
         return other
 
     @property
@@ -271,7 +272,7 @@ class Scene(Statics):
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
         size = sum(component.size for component in self.subsystems[k])
-        require_matrices(f"{self.name_of(k)} system", len(state.speed), size)
+        require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.own_speeds)
         solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 

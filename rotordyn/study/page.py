@@ -141,9 +141,7 @@ def _blocks(held: StudyFolder) -> Iterator[tuple[str, Block]]:
 
 def _counted(cells: Sequence[str]) -> Iterator[str]:
     """Each kind of sentence once, with how many points have it."""
-    found = alike(each for cell in cells for each in cell.split(" | ") if each)
-    for each in found[:MOST_REASONS]:
-        points = f"{len(each)} point{'s' if len(each) > 1 else ''}"
-        yield f"{points}{', such as' if len(set(each)) > 1 else ''}: {each[0]}"
+    found = alike(cell.split(" | ") if cell else () for cell in cells)
+    yield from (f"{points}: {sentence}" for points, sentence in found[:MOST_REASONS])
     if len(found) > MOST_REASONS:
         yield f"{len(found) - MOST_REASONS} more kinds, listed in {TABLE}"

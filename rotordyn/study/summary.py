@@ -61,20 +61,31 @@ def _sentences(outcomes: Outcomes) -> Iterator[str]:
 
 def _warnings(outcomes: Outcomes) -> Iterator[str]:
     """The most frequent ones."""
-    found = alike(sentence for row in outcomes.values() for sentence in row.warnings)
-    for each in found[:MOST_SENTENCES]:
-        more = ", such as" if len(set(each)) > 1 else ""
-        yield f"WARNING ({len(each)} points{more}): {each[0]}"
+    found = alike(row.warnings for row in outcomes.values())
+    for points, sentence in found[:MOST_SENTENCES]:
+        yield f"WARNING ({points}): {sentence}"
     if len(found) > MOST_SENTENCES:
         yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in {TABLE}"
 
 
-def alike(sentences: Iterable[str]) -> list[list[str]]:
-    """Sentences that differ by numbers alone together, the most frequent kind first."""
-    kinds: dict[str, list[str]] = {}
-    for sentence in sentences:
-        kinds.setdefault(NUMBER.sub("", sentence), []).append(sentence)
-    return sorted(kinds.values(), key=len, reverse=True)
+def alike(said: Iterable[Iterable[str]]) -> list[tuple[str, str]]:
+    """Of what is ``said`` of every point, sentences that differ by numbers alone taken together:
+    how many points have such, and the first of them, the most frequent kind first.
+
+    >>> alike([["1 N is low", "2 N is low"], ["1 N is low"], []])
+    [('2 points, such as', '1 N is low')]
+    """
+    kinds: dict[str, list[tuple[int, str]]] = {}
+    for point, sentences in enumerate(said):
+        for sentence in sentences:
+            kinds.setdefault(NUMBER.sub("", sentence), []).append((point, sentence))
+    found = []
+    for each in kinds.values():
+        points, words = len({point for point, _ in each}), {sentence for _, sentence in each}
+        such = ", such as" if len(words) > 1 else ""
+        found.append((points, f"{points} point{'s' * (points > 1)}{such}", each[0][1]))
+    found.sort(key=lambda each: -each[0])
+    return [(counted, first) for _, counted, first in found]
 
 
 def _errors(outcomes: Outcomes) -> Iterator[str]:

@@ -196,6 +196,45 @@ def test_check_says_what_the_case_asks(capsys: pytest.CaptureFixture[str]) -> No
     assert "fine (49 speeds; preload, campbell, frf, stiffness)" in out
 
 
+def test_check_warns_of_what_the_description_alone_makes_unlikely(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {preload: {}}\n"
+        "override: {shaft.sections.nose.length: 18 m}\n"
+    )
+    assert main(["check", str(path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert any(line.startswith("WARNING: section ") for line in lines[:-1])
+    assert f"{path}: fine, with {len(lines) - 1} warning" in lines[-1]
+
+
+def test_check_warns_of_thrust_that_nothing_opposes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "case.yaml"
+    text = "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {preload: {}}\n"
+    path.write_text(f'{text}override: {{"bearings.*.thrust": +x}}\n')
+    assert main(["check", str(path)]) == 0
+    assert "WARNING: all bearings carry thrust towards +x only" in capsys.readouterr().out
+
+
+def test_lobes_of_a_machine_without_any_damping_are_refused_at_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: mfw2310\nspeeds: [9000 rpm]\noverride: {damping: {}}\nanalyses:\n"
+        "  stability_lobes: {point: nose, teeth: 2, diameter: 20 mm, tangential: 700 MPa,\n"
+        "    radial: 100 MPa}\n"
+    )
+    assert main(["check", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "case.yaml:5:" in said
+    assert "nothing in the machine is damped, so that no cut is stable: give damping.rotor" in said
+
+
 def test_shipped_case_is_found_by_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -14,6 +14,10 @@ from rotordyn.errors import InvalidInput
 READ = [
     ("24000 rpm", "speed", 24000 * math.pi / 30),
     ("24000 1/min", "speed", 24000 * math.pi / 30),
+    ("24 000 rpm", "speed", 24000 * math.pi / 30),
+    ("24\u2009000 rpm", "speed", 24000 * math.pi / 30),  # thin space
+    ("-1\u202f234\u202f567.5 N", "force", -1234567.5),  # narrow no-break space
+    ("32 cSt", "kinematic viscosity", 32e-6),
     ("24000 min^-1", "speed", 24000 * math.pi / 30),
     ("24000 min⁻¹", "speed", 24000 * math.pi / 30),
     ("5 rad/s", "speed", 5.0),
@@ -75,7 +79,7 @@ REFUSED = [
     ("24000 RPM", "speed", "did you mean rpm?"),
     ("3 N/m", "tilt stiffness", "not a unit of tilt stiffness"),
     ("6,2 N/um", "stiffness", "not a finite number"),
-    ("24 000 rpm", "speed", "unknown unit '000 rpm'"),
+    ("24 00 rpm", "speed", "unknown unit '00 rpm'"),
     ("nan mm", "length", "not a finite number"),
     (math.inf, "number", "not a finite number"),
     (math.nan, "ratio", "not a finite number"),
@@ -161,3 +165,17 @@ def test_near_quantities_are_read_or_refused(number: str, unit: str, kind: str) 
 )
 def test_format(value: float, unit: str, text: str) -> None:
     assert units.format_quantity(value, unit) == text
+
+
+@pytest.mark.parametrize("text", ["24 00 rpm", "2400 000 rpm", "24 0000 rpm", "24  000 rpm"])
+def test_only_groups_of_three_digits_are_one_number(text: str) -> None:
+    with pytest.raises(InvalidInput, match="unknown unit"):
+        units.parse(text, "speed")
+
+
+@pytest.mark.parametrize(
+    ("kind", "unit"), [("temperature", "degC"), ("temperature difference", "K")]
+)
+def test_degrees_that_are_meant(kind: str, unit: str) -> None:
+    with pytest.raises(InvalidInput, match=rf"unknown unit 'C'.*\(did you mean {unit}\?\)"):
+        units.parse("40 C", kind)

@@ -56,6 +56,19 @@ def assert_same(state: Any, index: int, want: Found, unit: Array, tolerance: flo
         assert found[inner] == pytest.approx(there[inner], abs=1e3 * tolerance * most)
 
 
+@DRAWN
+def test_angle_and_axial_play_of_a_drawing_are_refused_with_the_shims_they_mean(
+    drawing: Drawing,
+) -> None:
+    bearing = four_point(drawing)
+    angle, axial, _ = bearing.plays
+    shims = (bearing.inner_shim + bearing.outer_shim) * 1e3
+    with pytest.raises(
+        InvalidBearing, match=rf"inner_shim and outer_shim, {shims:.4g} mm together"
+    ):
+        replace(bearing, contact_angle=angle, axial_play=axial, radial_play=None)
+
+
 def test_balls_pressed_too_far_at_rest_are_told_by_how_much() -> None:
     """A play of −Qr · t presses either arch of every ball by Qr: with an even number t is 2."""
     usual = four_point(R24_14)

@@ -145,7 +145,7 @@ def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
         yield (
             f"frf: the highest peak of {_highest(result, pair)}{others} is set by "
             f"{result.light_mode[pair]}, which {has}, so that its height means nothing: give "
-            "damping of the bearings or supports in which that mode moves, or rotor_damping"
+            "damping of the bearings or supports in which that mode moves, or damping.rotor"
         )
 
 

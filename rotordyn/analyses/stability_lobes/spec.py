@@ -14,6 +14,7 @@ from rotordyn.analyses.stability_lobes.workpiece import (
 )
 from rotordyn.description import Description, Faults, ascending, within
 from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.plausibility import undamped
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
@@ -172,6 +173,12 @@ class StabilityLobesSpec(Spec):
                 yield from self._measured(self.measured_spindle, setting.spindle)
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
+        if undamped(setting.spindle):
+            yield (
+                (),
+                "nothing in the machine is damped, so that no cut is stable: give damping.rotor, "
+                "damping.bearings, or damping of supports",
+            )
         known = [speed for speed in setting.speeds if speed == speed]
         for index, speed in enumerate(self.speeds):
             if known and speed > max(known) * (1.0 + 1e-9):

@@ -174,7 +174,7 @@ class TimeResponseSpec(Spec):
             yield (
                 (),
                 "a loss factor is defined for steady vibration and has no response over time: give "
-                "rotor_damping, or damping of bearings and supports, instead",
+                "damping.rotor, or damping of bearings and supports, instead",
             )
         if not misnamed(spindle):
             yield from self._places(spindle)

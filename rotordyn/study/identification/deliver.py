@@ -64,12 +64,12 @@ def write(
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with whole_files(folder) as place:
-            _write(found, place, formats if draw else ())
+            _write(found, place, formats if draw else (), folder)
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-def _write(found: Identification, folder: Path, formats: Sequence[str]) -> None:
+def _write(found: Identification, folder: Path, formats: Sequence[str], home: Path) -> None:
     (folder / SUMMARY).write_text(summary(found) + "\n", encoding="utf-8")
     found.dataset().to_netcdf(folder / DATASET, engine="h5netcdf")
     write_tables(folder, found)
@@ -83,7 +83,7 @@ def _write(found: Identification, folder: Path, formats: Sequence[str]) -> None:
         }
         title = f"{found.title or found.name}: as identified"
         changes |= best.held
-        write_changed(best.problem.case, changes, folder / BEST, title=title)
+        write_changed(best.problem.case, changes, folder / BEST, title=title, home=home)
     if formats:
         from rotordyn.figures.draw import draw_one
         from rotordyn.study.identification.figures import figures

@@ -46,7 +46,7 @@ def deliver(
     try:
         with whole_files(folder) as place:
             if found.best is not None:
-                text += _write_best(problem, found.best, place / BEST)
+                text += _write_best(problem, found.best, place / BEST, folder)
             (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
             write_trials(place, found)
             write_about(place, found)
@@ -61,11 +61,12 @@ def deliver(
     return found, text
 
 
-def _write_best(problem: Problem, best: Trial, path: Path) -> str:
+def _write_best(problem: Problem, best: Trial, path: Path, home: Path) -> str:
     """Write the best as a case; a line that says so where a file cannot say what it is.
 
     What the file of the case says of its models holds for those that were tried only if written
-    again: the file is read, and what differs of it is written beside the choices.
+    again: the file is read, and what differs of it is written beside the choices. ``home``: the
+    folder that it is for.
     """
     wanted = changed(problem.case, problem.values(best.number))
     title = f"{problem.case.title or problem.case.name}: the best"
@@ -75,6 +76,7 @@ def _write_best(problem: Problem, best: Trial, path: Path) -> str:
             write_changed(problem.case, changes, path, title=title)
             left = unlike(load(path), wanted)
             if not left:
+                write_changed(problem.case, changes, path, title=title, home=home)
                 return ""
             changes |= {way: _in_file(value, of) for way, (value, of) in left.items()}
         why = f"it would differ in {', '.join(list(left)[:3])}"

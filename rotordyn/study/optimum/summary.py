@@ -43,7 +43,10 @@ def _lines(found: Optimum) -> Iterator[str]:
         yield from wrapped(f"warning: {sentence}")
     if len(found.front) > 1:
         yield ""
-        yield f"trade-off: {len(found.front)} machines, none better in both goals"
+        yield from wrapped(
+            f"trade-off: {len(found.front)} machines, none better in both goals; the best above, "
+            f"and best.yaml, is that of the first goal, {problem.goals[0].words}"
+        )
         for each in (found.front[0], found.front[len(found.front) // 2], found.front[-1]):
             goals = zip(problem.goals, each.goals, found.units, strict=False)
             ways = (f"{g.words} {value:.4g} {unit}" for g, value, unit in goals)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -49,6 +50,52 @@ def test_missing_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Path("mfw2310.yaml").write_text("title: x\n")
     (fault,) = faults_of("mfw231.yaml")
     assert str(fault) == "mfw231.yaml:1:1: no such file (did you mean mfw2310.yaml?)"
+
+
+def test_a_file_of_another_name_is_not_suggested(tmp_path: Path, monkeypatch: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("optimum.yaml").write_text("title: x\n")
+    (fault,) = faults_of("nothere.yaml")
+    assert str(fault) == "nothere.yaml:1:1: no such file"
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "key"),
+    [
+        ("analyses:\n  preload:{}\n  campbell: {}\n", "2:10", "preload"),
+        ("analyses: {preload:{}}\n", "1:19", "preload"),
+        ("speeds:[0 rpm]\nanalyses: {preload: {}}\n", "1:7", "speeds"),
+        ("spindle: mfw2310\nspeeds: [0 rpm]\nanalyses:\n  preload:{}\n", "4:3", "preload"),
+    ],
+)
+def test_a_space_that_lacks_after_a_colon(text: str, place: str, key: str, tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(text)
+    (fault,) = faults_of(path)
+    assert f":{place}: " in str(fault)
+    assert f"put a space after the colon of '{key}:'" in fault.message
+
+
+def test_materials_by_other_words(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {preload: {}}\n"
+        "override: {bearing_override.ball_material: ceramic}\n"
+    )
+    assert all("did you mean silicon_nitride?" in each.message for each in faults_of(path))
+
+
+def test_a_housing_along_the_axis_is_named_at_its_stiffness(tmp_path: Path) -> None:
+    spindle = rotordyn.models("spindles")[0].name
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        f"spindle: {spindle}\nspeeds: [0 rpm]\nanalyses: {{preload: {{}}}}\noverride:\n"
+        "  housings:\n"
+        "    - {name: body, carries: [a], x: 0 mm, mass: 9 kg,\n"
+        "       stiffness: {yy: 1 N/um, xx: 1 N/um}}\n"
+    )
+    found = [each for each in faults_of(path) if "leave x out" in each.message]
+    assert [(each.line, each.path.rpartition(".")[2]) for each in found] == [(7, "xx")]
 
 
 def test_directory(tmp_path: Path) -> None:

@@ -42,7 +42,7 @@ WARM, PAST = "sleeves: []\nconditions:\n  temperatures: ", "sleeves: []\nconditi
             "turn bearings, or give sleeves in the place of a set",
         ),
         (pair("DB", "{class: extra}"), "preload.class", "given 'extra'; allowed: light, medium"),
-        (pair("DB", "{class: light}", model="qj218"), "preload.class", "prints no preloads"),
+        (pair("DB", "{class: light}", model="qj218"), "preload.class", "give class_force: FORCE"),
         (pair("DB", "{force: 1 N, class: light}"), "preload", "allowed: one of force, class"),
         (pair("DB", "{force: .nan N}"), "preload.force", "not a finite number"),
         ("fits: {shaft: k5}\n  bearings.*.model: kh6014e", "fits", "beside a given growth"),

@@ -39,6 +39,29 @@ def test_item_of_a_list_by_name(overridden: Override) -> None:
     assert [sleeve.spring.stiffness for sleeve in spindle.sleeves] == [8e6, 5.49e6]
 
 
+def test_the_path_of_the_case_names_the_same(overridden: Override) -> None:
+    """As ``vary``, studies and ``uncertain`` write it."""
+    spindle = overridden("spindle.sleeves.front.spring.stiffness: 8 N/um")
+    assert spindle.sleeves[0].spring.stiffness == 8e6
+    with pytest.raises(InvalidInput, match=r"given twice: 'sleeves.front.mass', with and without"):
+        overridden("spindle.sleeves.front.mass: 1 kg", "sleeves.front.mass: 2 kg")
+
+
+def test_a_variant_names_it_either_way(tmp_path: Path) -> None:
+    """What it says comes last, whichever way the case names it."""
+    path = tmp_path / "case.yaml"
+    text = CASE.format(override="  sleeves.front.mass: 1 kg")
+    path.write_text(f"{text}compare: {{a: {{override: {{spindle.sleeves.front.mass: 2 kg}}}}}}\n")
+    case = rotordyn.load(path)
+    assert case.spindle.sleeves[0].mass == 1.0
+    assert case.variants["a"].spindle.sleeves[0].mass == 2.0
+
+
+def test_a_key_of_the_model_is_pointed_at(overridden: Override) -> None:
+    with pytest.raises(InvalidInput, match=r"did you mean model\.contact_angle\?"):
+        overridden("bearings.a.contact_angle: 20 deg")
+
+
 def test_words_in_place_of_values(overridden: Override) -> None:
     spindle = overridden("sleeves.rear.spring.stiffness: rigid", "sleeves.front.stop_travel: none")
     assert spindle.sleeves[1].spring.stiffness == math.inf

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from hypothesis import strategies as st
 import rotordyn
 from bearings import STEEL
 from rotordyn.analyses import CampbellSpec, PreloadSpec
+from rotordyn.errors import InvalidInput
 from rotordyn.machine import RingGrowth, Spring
 from tests.oracles.spindles import case, mfw2310, with_sleeve
 
@@ -328,3 +330,24 @@ def test_varied_cases_can_be_run() -> None:
     assert loads[0].sel(bearing="c")[0] == pytest.approx(300.0)
     assert (loads[1] > loads[0]).all()
     assert replace(lean, title="x").vary({}).title == "x"
+
+
+@pytest.mark.parametrize(
+    ("path", "meant"),
+    [
+        ("sleeves.front.stop_travel", "spindle.sleeves"),
+        ("growth.static", "spindle.growth"),
+        ("kinematics", "conditions.kinematics"),
+        ("spindle.bearings.a.contact_angle", "model.contact_angle"),
+    ],
+)
+def test_a_key_that_stands_further_down_is_pointed_at(path, meant):
+    case = rotordyn.load("mfw2310")
+    with pytest.raises(InvalidInput, match=re.escape(f"did you mean {meant}?")):
+        case.vary({path: 1.0})
+
+
+def test_a_range_of_files_is_given_one_by_one():
+    case = rotordyn.load("mfw2310")
+    with pytest.raises(InvalidInput, match=r"speeds: .*allowed: values one by one, as a list"):
+        case.vary({"speeds": {"from": "0 rpm", "to": "9000 rpm", "step": "1000 rpm"}})

@@ -47,6 +47,7 @@ def test_a_section_of_metres() -> None:
     shaft = replace(machine.shaft, sections=(*machine.shaft.sections, long))
     said = _said(replace(machine, shaft=shaft))
     assert "(rear end) of the shaft is 25 m long, 500 times its diameter" in said
+    assert f"section from {machine.shaft.end * 1e3:.4g} mm on (rear end)" in said
     assert "check the units" in said
 
 
@@ -78,6 +79,19 @@ def test_bearings_that_overlap() -> None:
     first, second, *others = machine.seats
     near = replace(second, x=first.x + 0.5 * first.bearing.ball_diameter)
     assert "overlap" in _said(replace(machine, seats=(first, near, *others)))
+
+
+def test_bearings_overlap_by_the_width_of_their_rings_where_it_is_known() -> None:
+    """Balls alone take half of it."""
+    machine = mfw2310()
+    first, second, *others = machine.seats
+    width = 2.0 * first.bearing.ball_diameter
+    sized = [replace(each, sizes={"width": width}) for each in (first, second)]
+    for distance, words in ((0.9, f"their rings need {width * 1e3:.4g} mm"), (1.0, "")):
+        near = replace(sized[1], x=first.x + distance * width)
+        said = _said(replace(machine, seats=(sized[0], near, *others)))
+        assert words in said
+        assert bool(words) == ("overlap" in said)
 
 
 def test_face_to_face_is_named_only_where_no_pair_is_back_to_back() -> None:

@@ -270,6 +270,12 @@ def test_no_preload_at_all_is_an_outcome() -> None:
     assert "no bearing is preloaded at 0 rpm" in found.outcome[0]
 
 
+def test_without_a_sleeve_nothing_presses_bearings() -> None:
+    found = state(mfw2310(sleeves=()), [0])
+    assert "and no sleeve presses any: put one on a sleeve" in found.outcome[0]
+    assert "springs a preload" not in found.outcome[0]
+
+
 def test_bearings_between_shaft_and_housing_only() -> None:
     """Without sleeves nothing preloads; a force loads one direction, rotation both."""
     found = state(mfw2310(sleeves=()), [0, 12000], 500.0)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from rotordyn.case.read import load
+from rotordyn.cli.screen import HEIGHT, on_screen
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
 from rotordyn.report.side_by_side import comparison_summary
-from rotordyn.report.summary import HEIGHT, summary
+from rotordyn.report.summary import summary
 from rotordyn.report.warnings import result_warnings
+from rotordyn.results.display import number
 from rotordyn.results.text import WIDTH
 from tests.oracles.spindles import CASES
 from tests.rotordyn.figures import samples
@@ -103,17 +106,16 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     assert "critical " not in nothing
 
 
-def test_what_one_screen_does_not_hold_is_counted(case, results):
+def test_what_one_screen_does_not_hold_is_counted_and_stands_in_the_summary(case, results):
     modes = results["campbell"]
-    many = replace(modes, engine_order=np.linspace(0.1, 5.0, 50))
-    lines = summary(case, results | {"campbell": many}).splitlines()
-    assert len(lines) == HEIGHT
-    assert lines[-1].startswith("… and ")
-    assert lines[-1].endswith(" more lines: see the tables and results.nc")
-    left = int(lines[-1].split()[2])
-    few = replace(modes, engine_order=np.linspace(0.1, 5.0, 49))
-    other = summary(case, results | {"campbell": few}).splitlines()[-1]
-    assert left - int(other.split()[2]) == 1
+    many = replace(modes, engine_order=np.linspace(0.1, 5.0, 70))
+    text = summary(case, results | {"campbell": many})
+    lines, shown = text.splitlines(), on_screen(text, Path("out/summary.txt")).splitlines()
+    assert sum("margin to top speed" in line for line in lines) == 70
+    assert not any(line.startswith("… and ") for line in lines)
+    assert len(shown) == HEIGHT
+    assert shown[:-1] == lines[: HEIGHT - 1]
+    assert shown[-1] == f"… and {len(lines) - HEIGHT + 1} more lines in out/summary.txt"
 
 
 def test_slow_modes_are_told_with_their_digits(case, results):
@@ -124,6 +126,13 @@ def test_slow_modes_are_told_with_their_digits(case, results):
     assert "axial 0.477 rpm" in said
     rows = comparison_summary(case, [(case, {"campbell": slow})]).splitlines()
     assert any("0.00903 → " in row for row in rows)
+
+
+def test_numbers_have_three_digits_at_least():
+    """Springs of small spindles are told apart."""
+    assert [number(each) for each in (2.416, 2.459, 2.529)] == ["2.42", "2.46", "2.53"]
+    assert [number(each) for each in (12.34, 903.04, 0.0)] == ["12.3", "903.0", "0.0"]
+    assert [number(each, 0) for each in (95.28, 952.8)] == ["95.3", "953"]
 
 
 def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
@@ -147,9 +156,15 @@ def test_notes_stand_below_the_title(case, results):
     assert max(map(len, lines)) <= WIDTH
 
 
-def test_warnings_left_out_are_counted(case, results):
-    lines = summary(case, results, [f"number {k}" for k in range(9)]).splitlines()
-    assert lines[5:7] == ["WARNING: number 5", "WARNING: 3 more, listed in run.json"]
+def test_warnings_that_a_screen_leaves_out_are_counted(case, results):
+    said = [f"number {k}" for k in range(8)]
+    text = summary(case, results, [*said, "a long one " * 20])
+    shown = on_screen(text, Path("summary.txt")).splitlines()
+    assert shown[5:7] == ["WARNING: number 5", "WARNING: 3 more in summary.txt"]
+    assert shown[7].startswith(case.name)
+    assert text.count("WARNING: ") == 9
+    few = summary(case, results, said[:6])
+    assert on_screen(few, Path("summary.txt")) == few
 
 
 def test_published_frequencies_meet_the_modes_in_order(text):
@@ -171,16 +186,15 @@ def test_instability_is_named(case, results):
     assert "more of the speeds (damping ratio down to -3.4 %)" in text
 
 
-def test_many_references_do_not_overflow(case, results):
+def test_many_references_are_all_said(case, results):
     many = tuple(
         Reference("preload_sum", "measured", f"source {k}", (0.0,), (1000.0 + k,), remark="x" * 150)
         for k in range(40)
     )
     left = ("section_forces", "unbalance")
     own = {name: result for name, result in results.items() if name not in left}
-    lines = summary(replace(case, references=many), own, ["first"] * 9).splitlines()
-    assert len(lines) <= HEIGHT
-    assert "more published or measured values" in lines[-1]
+    text = summary(replace(case, references=many), own)
+    assert all(f"source {k}" in text or f"{1000 + k} |" in text for k in range(40))
 
 
 def test_without_spindle_and_with_missing_modes(results):

@@ -21,6 +21,7 @@ from rotordyn.study.optimum.criterion import Reading, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
+from rotordyn.study.optimum.summary import summary
 from rotordyn.study.parameter import parameters
 
 SPRING = "spindle.sleeves.rear.spring.preload"
@@ -149,6 +150,10 @@ def test_trade_off(case: Case) -> None:
     found = optimise(case, choices, goals, trials=60, workers=1)
     front = np.array([each.goals for each in found.front])
     assert len(front) > 8
+    assert found.best is found.front[0]
+    assert f"that of the first goal, {found.problem.goals[0].words}" in " ".join(
+        summary(found).split()
+    )
     assert (np.diff(front[:, 0]) < 0.0).all()
     assert (np.diff(front[:, 1]) < 0.0).all()
     rest = np.array([each.goals for each in found.trials])
@@ -217,6 +222,7 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         "trials.csv",
         "trials.jsonl",
     }
+    assert str(tmp_path) not in (folder / "best.yaml").read_text(encoding="utf-8")
     best = rotordyn.run(rotordyn.load(folder / "best.yaml"))["preload"]
     rows = (folder / "trials.csv").read_text(encoding="utf-8-sig").splitlines()
     kept = [row.split(",") for row in rows[1:] if ",yes," in row]
@@ -283,7 +289,7 @@ def test_the_best_as_a_case_is_the_machine_that_was_tried(
     case = rotordyn.load(tmp_path / "case.yaml")
     problem = Problem(case, tuple(parameters(case, choices)), ())
     last = tuple(len(values) - 1.0 for values in choices.values())
-    assert _write_best(problem, Trial(last), tmp_path / "best.yaml") == ""
+    assert _write_best(problem, Trial(last), tmp_path / "best.yaml", tmp_path) == ""
     found, wanted = rotordyn.load(tmp_path / "best.yaml"), vary(case, problem.values(last))
     assert unlike(found, wanted) == {}
     assert found.speeds == wanted.speeds

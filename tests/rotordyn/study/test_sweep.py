@@ -134,6 +134,16 @@ def test_some_points_are_checked_and_all_where_errors_are_large(
     assert f"errors by refinement, at {len(checked)} points: at most" in said
 
 
+def test_warnings_are_counted_by_points(case: Case) -> None:
+    """A point may have several of one kind."""
+    study = study_of(case, {SPRING: [800.0, 1200.0]}, analyses=["preload"])
+    both = ("bearing a: 1 GPa is much", "bearing a: 2 GPa is much")
+    found = {k: Outcome(k, {"sum": (1.0, "N")}, warnings=both) for k in range(2)}
+    assert "WARNING (2 points, such as): bearing a: 1 GPa is much" in summary(study, found)
+    found[1] = Outcome(1, {"sum": (1.0, "N")})
+    assert "WARNING (1 point, such as): bearing a: 1 GPa is much" in summary(study, found)
+
+
 def test_several_processes_give_the_same(case: Case, whole: Any) -> None:
     same(whole, _study(case, workers=2))
 

@@ -1,0 +1,21 @@
+"""Forced responses of a machine that nothing damps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from rotordyn.analyses.registry import analysis
+from rotordyn.machine.plausibility import undamped
+from rotordyn.machine.spindle import Spindle
+
+
+def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
+    """A sentence where ``analyses`` ask for forced responses without any damping."""
+    forced = [name for name in analyses if analysis(name).forced]
+    if forced and undamped(spindle):
+        yield (
+            f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
+            "limit at its modes and their peaks mean nothing: give damping.rotor, "
+            "damping.bearings, or damping of supports"
+        )

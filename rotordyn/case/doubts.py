@@ -1,0 +1,36 @@
+"""What is rarely meant in a case, as far as its description tells: nothing is solved for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotordyn.analyses.unlimited import unlimited
+from rotordyn.case.case import Case
+from rotordyn.machine.plausibility import estimates, implausible, unopposed
+
+
+def doubts(case: Case) -> Iterator[str]:
+    """Sentences that a run will warn of, or end with, led by the variant where there are any."""
+    for name, each in (case.variants or {"": case}).items():
+        for sentence in _of_one(each):
+            yield f"{name}: {sentence}" if name else sentence
+
+
+def _of_one(case: Case) -> Iterator[str]:
+    if case.bearing is not None:
+        yield from estimates({"": case.bearing})
+    if case.spindle is None:
+        return
+    turning = case.conditions.bearings != "static"
+    yield from implausible(case.spindle, case.speeds[-1] if turning else 0.0)
+    if not _pushed(case) and (alone := unopposed(case.spindle)):
+        yield alone
+    yield from unlimited(case.spindle, case.analyses)
+
+
+def _pushed(case: Case) -> bool:
+    """Something besides bearings may carry the thrust."""
+    given, spindle = case.conditions, case.spindle
+    assert spindle is not None
+    along = given.axial_force or given.loads or given.gravity[1:] == "x"
+    return bool(along or given.history or spindle.supports or spindle.rotors)
