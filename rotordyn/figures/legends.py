@@ -50,7 +50,7 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
         entries.values(),
         entries.keys(),
         loc="upper center",
-        ncols=_columns([_wide(figure, name) for name in entries], width),
+        ncols=_columns([_wide(name) for name in entries], width),
         frameon=False,
         fontsize=SIZE,
         borderaxespad=EDGE,
@@ -82,6 +82,21 @@ def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
     )
 
 
+def rows_of(handles: Sequence[Any], width: float) -> list[list[Any]]:
+    """Named ``handles`` in as few rows as fit into ``width`` [mm], in their order."""
+    rows: list[list[Any]] = []
+    used = math.inf
+    for handle in handles:
+        wide = text_width(handle.get_label(), SIZE)
+        wide += (HANDLE + BEFORE_TEXT + BETWEEN) * EM
+        if used + wide > width:
+            rows.append([])
+            used = 0.0
+        rows[-1].append(handle)
+        used += wide
+    return rows
+
+
 def shortened(title: str, longest: int = 48) -> str:
     """A title cut to what fits above a panel of half the figure's width."""
     return title if len(title) <= longest else title[: longest - 1].rstrip() + "…"
@@ -98,9 +113,9 @@ def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
     return entries
 
 
-def _wide(figure: Figure, name: str) -> float:
+def _wide(name: str) -> float:
     """Width of an entry, line and text [mm]."""
-    text = max(text_width(figure, line, SIZE) for line in name.split("\n"))
+    text = max(text_width(line, SIZE) for line in name.split("\n"))
     return text + (HANDLE + BEFORE_TEXT) * EM
 
 

@@ -285,7 +285,7 @@ def finish(figure: Figure) -> Figure:
 def head(figure: Figure, words: str) -> Figure:
     """Put ``words``, what machine and case it is about, at the top of ``figure``, which grows."""
     width = figure.get_size_inches()[0] * 25.4
-    room = (width - 2.0 * HEAD_SIDE) / max(text_width(figure, words, FONT_SIZE - 0.5), 1.0)
+    room = (width - 2.0 * HEAD_SIDE) / max(text_width(words, FONT_SIZE - 0.5), 1.0)
     lines = [words] if room >= 1.0 else textwrap.wrap(words, int(0.94 * room * len(words)))
     grow(figure, 2.0 + HEAD_LINE * len(lines))
     height = figure.get_size_inches()[1] * 25.4
@@ -302,12 +302,12 @@ def head(figure: Figure, words: str) -> Figure:
     return figure
 
 
-def text_width(figure: Figure, words: str, size: float) -> float:
+def text_width(words: str, size: float) -> float:
     """Width of a line of text [mm]."""
     from matplotlib.font_manager import FontProperties
 
-    measure, font = measuring(figure.dpi).get_text_width_height_descent, FontProperties(size=size)
-    return float(measure(words, font, ismath=False)[0] * 25.4 / figure.dpi)
+    measure, font = measuring(DPI).get_text_width_height_descent, FontProperties(size=size)
+    return float(measure(words, font, ismath=False)[0] * 25.4 / DPI)
 
 
 @cache
