@@ -46,11 +46,13 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
     if not entries:
         return
     width = figure.get_size_inches()[0] * 25.4
+    columns = _columns([_wide(name) for name in entries], width)
+    read = [name for k in range(columns) for name in [*entries][k::columns]]  # row by row
     placed = figure.legend(
-        entries.values(),
-        entries.keys(),
+        [entries[name] for name in read],
+        read,
         loc="upper center",
-        ncols=_columns([_wide(name) for name in entries], width),
+        ncols=columns,
         frameon=False,
         fontsize=SIZE,
         borderaxespad=EDGE,
@@ -120,15 +122,12 @@ def _wide(name: str) -> float:
 
 
 def _columns(wide: Sequence[float], width: float) -> int:
-    """How many columns of entries, filled one after the other, fit into ``width`` [mm]."""
+    """How many columns of entries, filled row by row, fit into ``width`` [mm]."""
     return next((n for n in range(len(wide), 1, -1) if _needed(wide, n) <= width), 1)
 
 
 def _needed(wide: Sequence[float], columns: int) -> float:
-    rows, longer = divmod(len(wide), columns)
-    heights = [rows + 1] * longer + [rows] * (columns - longer)
-    starts = [sum(heights[:k]) for k in range(columns)]
-    total = sum(max(wide[a : a + n]) for a, n in zip(starts, heights, strict=True))
+    total = sum(max(wide[k::columns]) for k in range(columns))
     return total + ((columns - 1) * BETWEEN + 4.0 * EDGE) * EM
 
 

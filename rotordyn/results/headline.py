@@ -57,6 +57,7 @@ class Curve(NamedTuple):
     same, by default the series. ``breaks``: steps between points over which no line is drawn.
     ``known``: references shown beside it; ``limits`` of the ordinate, None where it has none;
     ``places`` along the abscissa, named above the panel. ``backdrop``: alike in all variants.
+    ``end``: its name at the right edge, of several that share a series.
     """
 
     figure: str
@@ -75,6 +76,7 @@ class Curve(NamedTuple):
     log: bool = False
     backdrop: bool = False
     places: Sequence[Place] = ()
+    end: str = ""
 
     @property
     def drawn(self) -> tuple[Array, Array]:

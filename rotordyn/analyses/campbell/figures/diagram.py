@@ -68,7 +68,7 @@ def campbell_figure(
 def draw_variant(teeth: Sequence[int], axes: Axes, variant: Shown, top: float) -> None:
     """The diagram of a variant up to ``top`` [Hz] onto axes, modes with short names."""
     axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
-    _diagram(axes, variant.result, teeth, variant.known, top, 3, short=True)
+    _diagram(axes, variant.result, teeth, variant.known, top, 3, brief=True)
 
 
 def highest_of(max_frequency: float, variants: Sequence[Shown]) -> float:
@@ -90,7 +90,7 @@ def _diagram(
     top: float,
     most: int,
     *,
-    short: bool = False,
+    brief: bool = False,
 ) -> None:
     """Lines, their names, and what is known; ``most`` ticks of speed."""
     rpm = float(result.speed[-1] * RPM.factor)
@@ -105,7 +105,7 @@ def _diagram(
     defects = draw_passing(axes, result)
     excitation = draw_orders(axes, orders(result, teeth), rpm, top, defects)
     draw_known(axes, () if turning(result) else references)
-    _name_modes(axes, result, excitation, top, short=short)
+    _name_modes(axes, result, excitation, top, brief=brief)
 
 
 def draw_unstable(axes: Axes, result: CampbellResult) -> None:
@@ -288,21 +288,21 @@ def _name_modes(
     excitation: Sequence[tuple[float, str]],
     top: float,
     *,
-    short: bool,
+    brief: bool,
 ) -> None:
-    """Names at the right edge, moved apart where modes are close, joined to their curves; ``short``
+    """Names at the right edge, moved apart where modes are close, joined to their curves; ``brief``
     without their frequencies."""
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), short)) for k in shown]
+    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), brief)) for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)
     heights = [y for y, _ in labels]
-    size = FONT_SIZE - (1.5 if short else 1.0)
+    size = FONT_SIZE - (1.5 if brief else 1.0)
     line = 1.35 * size / 72.0 * axes.figure.dpi / axes.bbox.height
     placed = spread(heights, [top * line] * len(labels), 0.0, top)
     edge, frame = float(axes.get_xlim()[1]), axes.get_xlim()[1]
@@ -317,7 +317,10 @@ def _name_modes(
         axes.text(edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=size)
 
 
-def _called(mode: str, hertz: float, short: bool) -> str:
-    if short:
-        return mode.replace("backward", "bw").replace("forward", "fw")
-    return f"{mode}  {number(hertz, 0)} Hz"
+def _called(mode: str, hertz: float, brief: bool) -> str:
+    return short(mode) if brief else f"{mode}  {number(hertz, 0)} Hz"
+
+
+def short(mode: str) -> str:
+    """The name of a mode with its whirl in two letters."""
+    return mode.replace("backward", "bw").replace("forward", "fw")
