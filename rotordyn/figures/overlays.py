@@ -24,8 +24,8 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     GREY,
-    LEAST_POINTS,
     add_axes,
+    axis_start,
     colour_scale,
     marked,
     new_figure,
@@ -225,10 +225,12 @@ def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
 
 def _plot(axes: Axes, curve: Curve, look: dict[str, Any]) -> None:
     """A line; marks alone where points are too few for one."""
-    if 1 < len(curve.x) < LEAST_POINTS:
-        marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-        look |= {"clip_on": False, **marks}
-    axes.plot(*curve.drawn, **look)
+    axes.plot(*curve.drawn, **(look | (_dots(look) if curve.dotted else {})))
+
+
+def _dots(look: dict[str, Any]) -> dict[str, Any]:
+    marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
+    return {"clip_on": False, **marks}
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
@@ -240,7 +242,7 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         stations.name(axes, curve.places, wide, stations.upright(curve.places, wide, low, high))
         axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     else:
-        start, high = min(low, 0.0), max(high, 1.0)
+        start, high = axis_start(low, high), max(high, 1.0)
         left, right = axes.get_xlim()
         beyond = right > high * (1.0 + 1e-9)  # marks of references at the end
         axes.set_xlim(min(left, start) if beyond else start, right if beyond else high)
@@ -284,10 +286,13 @@ def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks:
     """An entry of the legend for every variant, unless they are many, and for every series."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {place for place, curve in layers if np.isfinite(curve.y).any()}
+    dotted = all(curve.dotted for _, curve in layers)
     for place, variant in enumerate(variants if looks.named else ()):
         look = looks.of(place, looks.series[0]) | {"markevery": None}
         if len(looks.series) > 1:
             look["ls"] = "-"
+        elif dotted:
+            look |= _dots(look)
         title = variant.title if place in solved else f"{variant.title}: none"
         axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():

@@ -267,6 +267,22 @@ def test_curves_of_variants_are_drawn_from_their_least_abscissa():
         assert axes.get_xlim()[1] >= 1500.0
 
 
+def test_curves_that_need_more_points_for_a_line_are_marks_in_panels_and_legend():
+    rpm = np.linspace(20e3, 60e3, 41)
+
+    def curves(variant):
+        yield Curve("lobes", "depth", "mm", rpm, rpm * len(variant.title), least=100)
+
+    figure = overlay_figure("lobes", curves, [Shown(n, None, (), None) for n in ("a", "bb")], None)
+    for axes in figure.axes:
+        assert axes.get_xlim() == (20e3, 60e3)  # no third of it empty
+        lines = [line for line in axes.get_lines() if len(line.get_xdata()) == 41]
+        assert {line.get_linestyle() for line in lines} == {"None"}
+        assert all(line.get_markevery() is None for line in lines)
+    (legend,) = figure.legends
+    assert {line.get_linestyle() for line in legend.get_lines()} == {"None"}
+
+
 def test_differences_are_drawn_only_where_variants_differ():
     shown = [Shown(name, None, (), None) for name in ("a", "bb")]
     x = np.linspace(0.0, 9000.0, 9)
