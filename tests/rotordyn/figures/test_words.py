@@ -1,0 +1,67 @@
+"""Words on figures: which way loads count, of what a sum is, numbers that curves leave free."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
+from rotordyn.analyses.preload.figures.over_speed import preload_figure
+from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
+from rotordyn.analyses.time_response.figures.histories import bearing_figure
+from tests.rotordyn.figures import samples
+
+
+def inside(axes):
+    """Whether the labels of both axes are no longer than these."""
+    axes.figure.canvas.draw()
+    across, up = (each.label.get_window_extent() for each in (axes.xaxis, axes.yaxis))
+    frame = axes.bbox
+    return across.width <= 1.02 * frame.width and up.height <= 1.02 * frame.height
+
+
+def test_preload_says_which_way_loads_count_and_what_is_summed():
+    axes = preload_figure(samples.preload(5), samples.spindle()).axes
+    assert axes[0].get_ylabel() == "axial load along thrust [N]"
+    assert axes[1].get_ylabel() == "sum of preloads on sleeves [N]"
+    assert all(inside(each) for each in axes)
+
+
+def test_loads_over_time_count_along_the_axis():
+    load = np.zeros((1, 5, 2, 3))
+    result = SimpleNamespace(
+        ended=np.ones(1), speed=np.zeros(1), bearing=("a", "b"), bearing_load=load,
+        peak_load=np.ones((1, 2)), time=np.linspace(0.0, 0.1, 5),
+    )  # fmt: skip
+    labels = [axes.get_ylabel() for axes in bearing_figure(result).axes]
+    assert labels == ["radial load [N]", "axial load towards +x [N]"]
+
+
+def test_a_difference_of_temperature_says_to_what_it_is_added():
+    result = SimpleNamespace(
+        speed=np.array([0.0, 100.0, 200.0]), difference=np.linspace(-10.0, 20.0, 4),
+        axial_load=np.ones((3, 4, 2)), bearing=("a", "b"),
+    )  # fmt: skip
+    for axes in load_figure(result).axes:
+        assert axes.get_xlabel() == "temperature added to shaft,\ninner rings and balls [K]"
+        assert inside(axes)
+
+
+@pytest.mark.parametrize("towards", [0.0, 60.0, 180.0])
+def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
+    azimuth = np.linspace(0.0, 2.0 * math.pi, 20, endpoint=False)
+    load = 200.0 * (1.1 + np.cos(azimuth - math.radians(towards)))
+    result = SimpleNamespace(
+        axial_load=np.ones((1, 1)), bearing=("a",), ball_azimuth=azimuth[None],
+        ball_inner_load=load[None, None], speed=np.zeros(1),
+    )  # fmt: skip
+    axes = rose_figure(result).axes[0]
+    rays = {text.get_position()[0] for text in axes.texts}
+    (ray,) = rays
+    assert math.cos(ray - math.radians(towards)) < -0.9
+    over = max(line.get_zorder() for line in axes.lines)
+    assert all(text.get_zorder() > over for text in axes.texts)
+    assert len(axes.texts) > 1
