@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
+from rotordyn.analyses.campbell.figures.diagram import campbell_figure
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
@@ -48,6 +50,24 @@ def test_a_difference_of_temperature_says_to_what_it_is_added():
     for axes in load_figure(result).axes:
         assert axes.get_xlabel() == "temperature added to shaft,\ninner rings and balls [K]"
         assert inside(axes)
+
+
+def test_lines_of_defects_are_named_along_them_those_side_by_side_once():
+    base, turns = samples.campbell(9), samples.speeds(9) / (2.0 * math.pi)
+    orders = np.array([3.02, 3.0, 2.4, 90.0])
+    names = ("inner b", "inner a", "outer a", "ball a")
+    result = replace(base, passing=names, passing_frequency=turns[:, None] * orders)
+    axes = campbell_figure(result, max_frequency=3000.0).axes[0]
+    texts = {t.get_text().strip(): t for t in axes.texts}
+    assert {"inner a, b", "outer a", "ball a"} <= set(texts)
+    assert not set(texts) & {"inner a", "inner b"}
+    for name, order in (("inner a, b", 3.01), ("outer a", 2.4), ("ball a", 90.0)):
+        x, y = texts[name].get_position()
+        assert y == pytest.approx(order * x / 60.0)
+        assert 0.0 < x < axes.get_xlim()[1]
+        assert 0.0 < y < 3000.0
+    beside = [t for t in axes.texts if t.get_position()[0] > axes.get_xlim()[1]]
+    assert not any("inner" in t.get_text() for t in beside)
 
 
 @pytest.mark.parametrize("towards", [0.0, 60.0, 180.0])

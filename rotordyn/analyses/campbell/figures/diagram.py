@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.analyses.campbell.figures.defects import draw_passing
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.labels import axis_label, spread
 from rotordyn.figures.legends import top_legend
@@ -102,8 +103,8 @@ def _diagram(
     draw_modes(axes, result)
     draw_stops(axes, result)
     draw_unstable(axes, result)
-    defects = draw_passing(axes, result)
-    excitation = draw_orders(axes, orders(result, teeth), rpm, top, defects)
+    draw_passing(axes, result, top)
+    excitation = draw_orders(axes, orders(result, teeth), rpm, top)
     draw_known(axes, () if turning(result) else references)
     _name_modes(axes, result, excitation, top, brief=brief)
 
@@ -150,34 +151,13 @@ def _ratios(result: CampbellResult) -> dict[str, float]:
     return dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
 
 
-def draw_passing(axes: Axes, result: CampbellResult) -> dict[float, str]:
-    """Defect frequencies of bearings as dotted curves; their orders at the last speed, and names.
-
-    In the turning frame nothing is drawn: what they excite depends on where it acts.
-    """
-    if turning(result) or not result.passing:
-        return {}
-    rpm = result.speed * RPM.factor
-    axes.plot(rpm, result.passing_frequency, color=GREY, lw=0.8, ls=":", zorder=2)
-    last = result.passing_frequency[-1] * 60.0 / rpm[-1] if rpm[-1] > 0.0 else np.full(1, np.nan)
-    return {k: name for k, name in zip(last.tolist(), result.passing, strict=False) if k == k}
-
-
 def draw_orders(
-    axes: Axes,
-    orders: Mapping[float, str],
-    rpm: float,
-    top: float,
-    defects: Mapping[float, str] | None = None,
+    axes: Axes, orders: Mapping[float, str], rpm: float, top: float
 ) -> list[tuple[float, str]]:
-    """Lines f = k n; returns height [Hz] and name of those that leave on the right.
-
-    ``defects``: orders that are named with them, and drawn elsewhere.
-    """
+    """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
 
     lines = [[(0.0, 0.0), (rpm, order * rpm / 60.0)] for order in orders]
-    orders = {**(defects or {}), **orders}
     end = {order: order * rpm / 60.0 for order in orders}
     axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
     _name_at_the_top(axes, {k: name for k, name in orders.items() if end[k] > top}, rpm, top)
