@@ -46,6 +46,7 @@ def load(path: str | Path) -> Case:
         raise InvalidInput(f"load takes the path of a case file, or a name: got {shown(path)}")
     file = find_case(path if isinstance(path, str) else Path(path))
     root, reader = expand.opened(file)
+    of_tools = "tools" in root.entries()
     root = unprefixed(tools_compared(root, reader.faults), reader.faults)
     whole = _case(root, file.stem, reader)
     made: dict[str, Case] = {}
@@ -55,10 +56,13 @@ def load(path: str | Path) -> Case:
     if not reader.faults:
         for name, tree in variant_trees(root).items():
             reader.faults.variant = name
-            title = root.child("compare", name, "title")
+            tool = expand.tool(root.at("compare", name, "tool"), reader) if of_tools else None
+            title = root.child("compare", name, "title") if tool is None else tool.child("title")
             variant = _case(tree, name, reader)
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
+                if of_tools and written in (other.title for other in made.values()):
+                    written = f"{written}, {name}"
                 made[name] = _with(variant, title=written or name.replace("_", " "))
         reader.faults.variant = ""
     if whole is not None and not reader.faults:

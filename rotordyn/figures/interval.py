@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.figures.curve_groups import limit_ordinate
+from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     BLUE,
@@ -36,7 +37,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PANELS, BARS = 6, 8  # numbers in a figure, sources of each
-BAR, ROOM = 4.6, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
+BAR, ROOM = 5.2, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
+LONGEST = 24  # characters of a line beside a bar
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 
 
@@ -74,22 +76,22 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     size = np.nan_to_num(np.abs(effects).max(axis=1, initial=0.0))
     seen, several = SEEN * size.max(initial=0.0), len(held.combination) > 1
     sources = [int(s) for s in np.argsort(-size, kind="stable")[:BARS] if size[s] > seen]
-    names = [*(["hypotheses"] if several else []), *(short_path(held.source[s]) for s in sources)]
+    names = ["hypotheses"] * several
+    names += [broken(short_path(held.source[s]), LONGEST) for s in sources]
     if several:
         axes.barh(0, high - low, left=low, height=0.7, color=GREY, label=OVER_HYPOTHESES)
     for place, s in enumerate(sources, start=int(several)):
         for end, colour, words in zip(effects[s], (BLUE, RED), held.end, strict=True):
             axes.barh(place, end, height=0.7, color=colour, label=f"at its {words} value")
     axes.axvline(0.0, color="black", lw=0.7)
-    axes.set_yticks(range(len(names)), names, fontsize=FONT_SIZE - 1.5)
+    axes.set_yticks(range(len(names)), names, fontsize=FONT_SIZE - 1.5, linespacing=0.95)
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
     left, right = axes.get_xlim()
     room = 0.05 * (right - left)
     axes.set_xlim(left - room, right + room)
     axes.set_xticks(round_ticks(left - room, right + room, 4))
-    words = held.number[k].partition(": ")[2]
-    axes.set_title(shortened(words, 48), fontsize=FONT_SIZE - 0.5, pad=3.0)
+    axes.set_title(shortened(held.number[k]), fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 
 def slopes_figure(held: Interval) -> Figure:
@@ -106,7 +108,10 @@ def slopes_figure(held: Interval) -> Figure:
     top = float(np.abs(values[rows]).max())
     axes.imshow(values[rows], cmap="RdBu_r", vmin=-top, vmax=top, aspect="auto")
     axes.set_xticks(
-        range(len(held.path)), [short_path(p, 34) for p in held.path], rotation=20, ha="right"
+        range(len(held.path)),
+        [broken(short_path(p), 34) for p in held.path],
+        rotation=20,
+        ha="right",
     )
     axes.set_yticks(range(len(rows)), [shortened(held.number[k], 44) for k in rows])
     axes.tick_params(labelsize=FONT_SIZE - 1.5)

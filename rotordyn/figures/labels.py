@@ -17,6 +17,21 @@ def axis_label(result: Any, name: str) -> str:
     return f"{info['label']} [{info['printed'].unit}]"
 
 
+def broken(path: str, longest: int) -> str:
+    """A dotted path in lines of at most ``longest`` characters, where a step is not longer itself.
+
+    >>> print(broken("sleeves.rear.spring.preload", 24))
+    sleeves.rear.spring.
+    preload
+    """
+    lines = [""]
+    for step in path.replace(".", ".\0").split("\0"):
+        if lines[-1] and len(lines[-1]) + len(step) > longest:
+            lines.append("")
+        lines[-1] += step
+    return "\n".join(lines)
+
+
 def spread(
     wanted: Sequence[float], sizes: Sequence[float], low: float, high: float
 ) -> NDArray[np.float64]:

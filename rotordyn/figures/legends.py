@@ -46,11 +46,13 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
     if not entries:
         return
     width = figure.get_size_inches()[0] * 25.4
+    columns = _columns([_wide(name) for name in entries], width)
+    read = [name for k in range(columns) for name in [*entries][k::columns]]  # row by row
     placed = figure.legend(
-        entries.values(),
-        entries.keys(),
+        [entries[name] for name in read],
+        read,
         loc="upper center",
-        ncols=_columns([_wide(figure, name) for name in entries], width),
+        ncols=columns,
         frameon=False,
         fontsize=SIZE,
         borderaxespad=EDGE,
@@ -82,6 +84,21 @@ def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
     )
 
 
+def rows_of(handles: Sequence[Any], width: float) -> list[list[Any]]:
+    """Named ``handles`` in as few rows as fit into ``width`` [mm], in their order."""
+    rows: list[list[Any]] = []
+    used = math.inf
+    for handle in handles:
+        wide = text_width(handle.get_label(), SIZE)
+        wide += (HANDLE + BEFORE_TEXT + BETWEEN) * EM
+        if used + wide > width:
+            rows.append([])
+            used = 0.0
+        rows[-1].append(handle)
+        used += wide
+    return rows
+
+
 def shortened(title: str, longest: int = 48) -> str:
     """A title cut to what fits above a panel of half the figure's width."""
     return title if len(title) <= longest else title[: longest - 1].rstrip() + "…"
@@ -98,22 +115,19 @@ def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
     return entries
 
 
-def _wide(figure: Figure, name: str) -> float:
+def _wide(name: str) -> float:
     """Width of an entry, line and text [mm]."""
-    text = max(text_width(figure, line, SIZE) for line in name.split("\n"))
+    text = max(text_width(line, SIZE) for line in name.split("\n"))
     return text + (HANDLE + BEFORE_TEXT) * EM
 
 
 def _columns(wide: Sequence[float], width: float) -> int:
-    """How many columns of entries, filled one after the other, fit into ``width`` [mm]."""
+    """How many columns of entries, filled row by row, fit into ``width`` [mm]."""
     return next((n for n in range(len(wide), 1, -1) if _needed(wide, n) <= width), 1)
 
 
 def _needed(wide: Sequence[float], columns: int) -> float:
-    rows, longer = divmod(len(wide), columns)
-    heights = [rows + 1] * longer + [rows] * (columns - longer)
-    starts = [sum(heights[:k]) for k in range(columns)]
-    total = sum(max(wide[a : a + n]) for a, n in zip(starts, heights, strict=True))
+    total = sum(max(wide[k::columns]) for k in range(columns))
     return total + ((columns - 1) * BETWEEN + 4.0 * EDGE) * EM
 
 

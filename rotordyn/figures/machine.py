@@ -7,23 +7,36 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from rotordyn.figures.holders import draw_holders, foot, gap, held_radius, housed, housings_above
 from rotordyn.figures.labels import spread
+from rotordyn.figures.legends import rows_of
 from rotordyn.figures.sketch import Sketch
-from rotordyn.figures.style import BLACK, BLUE, FONT_SIZE, RED, add_axes, new_figure, round_ticks
+from rotordyn.figures.static_loads import draw_load, height
+from rotordyn.figures.style import (
+    BLACK,
+    BLUE,
+    FONT_SIZE,
+    GREEN,
+    RED,
+    SKY,
+    add_axes,
+    new_figure,
+    round_ticks,
+)
 from rotordyn.figures.symbols import (
-    SLEEVE,
     draw_bearing,
     draw_drawbar,
     draw_ground,
     draw_sleeve,
-    spring,
+    outside_of,
 )
-from rotordyn.machine.housing import Housing
+from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
+from rotordyn.machine.support import GROUND, SPINDLE
+from rotordyn.scene.loads import PointLoad
 from rotordyn.surface.rotor import bearing_width
 
 if TYPE_CHECKING:
@@ -32,25 +45,34 @@ if TYPE_CHECKING:
 
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
+_LINE, _LEGEND_LINE = 2.8, 4.2  # [mm of paper] of the words below, of the legend
+Mark = tuple[float, float, str]  # start of a leader [mm], and its words
 OUTSIDE = 2  # zorder of what is seen from outside, thicker rotors in front
 
 
-def machine_figure(spindle: Spindle) -> Figure:
-    """All rotors cut above their axis, with all that they carry and all that holds them [mm]."""
+def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
+    """All rotors cut above their axis, with all that they carry, all that holds them [mm], and the
+    static ``loads`` on them."""
     left, right = _extent(spindle)
-    reach = _reach(spindle)
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
-    above, below = reach + 13.0 / scale, reach + 21.0 / scale
-    height = (above + below) * scale
-    figure = new_figure(_WIDTH, height + 15.0)
-    axes = add_axes(figure, (_SIDE, 13.0, _WIDTH - 2.0 * _SIDE, height), "axial position x [mm]")
+    reach = max(_reach(spindle), *(height(spindle, load, 9.0 / scale) for load in loads), 0.0)
+    sketch = Sketch()
+    marks = _marks(sketch, spindle, 1.6 / scale)
+    marks += _load_marks(sketch, spindle, loads, 9.0 / scale)
+    lines = max((text.count("\n") + 1 for _, _, text in marks), default=1)
+    words = 11.8 + _LINE * max(lines, 2)  # from the reach to below the words [mm of paper]
+    rows = _legend_rows(spindle, loads)
+    above = reach + 13.0 / scale
+    below = reach + (words + _LEGEND_LINE * len(rows)) / scale
+    tall = (above + below) * scale
+    figure = new_figure(_WIDTH, tall + 15.0)
+    axes = add_axes(figure, (_SIDE, 13.0, _WIDTH - 2.0 * _SIDE, tall), "axial position x [mm]")
     axes.set(xlim=(left, right), ylim=(-below, above), aspect="equal")
     axes.set_xticks(round_ticks(left, right, 12))
     axes.set_yticks([])
     axes.grid(visible=False)
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
-    sketch = Sketch()
     thickest_last = sorted(spindle.parts.values(), key=lambda part: part.shaft.largest_diameter)
     for rank, part in enumerate(thickest_last):  # it covers the others
         _draw_shaft(sketch, part, _shades(spindle), rank)
@@ -62,10 +84,10 @@ def machine_figure(spindle: Spindle) -> Figure:
         radius = spindle.shaft.diameters_at(seat.x)[0] / 2.0
         draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
     _hold(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
-    _supports(sketch, spindle)
-    _name_below(sketch, axes, spindle, reach, scale, (left, right))
+    draw_holders(sketch, spindle)
+    _name_below(sketch, axes, marks, reach, scale, (left, right))
     sketch.draw(axes)
-    _legend(axes, spindle)
+    _legend(figure, axes, rows)
     return figure
 
 
@@ -82,9 +104,10 @@ def _reach(spindle: Spindle) -> float:
     parts = spindle.parts.values()
     radii = [part.shaft.largest_diameter / 2.0 for part in parts]
     radii += [d.outer_diameter / 2.0 for part in parts for d in part.discs]
-    radii += [(s.bearing.pitch_diameter + 2.1 * s.bearing.ball_diameter) / 2 for s in spindle.seats]
+    radii += [outside_of(seat) / 1e3 for seat in spindle.seats]
     sleeves = 9.0 if spindle.sleeves else 0.0
-    return max(radii) * 1e3 + max(sleeves, 1.2 * _foot(spindle) if spindle.supports else 2.0)
+    room = max(sleeves, 1.2 * foot(spindle) if spindle.supports else 2.0)
+    return max(max(radii) * 1e3 + room, held_radius(spindle))
 
 
 def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
@@ -139,13 +162,14 @@ def _hold(
 ) -> None:
     """Housing or sleeve above every bearing, with the names over it."""
     for seat in spindle.seats:
-        if spindle.sleeve_of(seat.name) is None:
-            top = (seat.bearing.pitch_diameter / 2 + 1.05 * seat.bearing.ball_diameter) * 1e3
+        if spindle.sleeve_of(seat.name) is None and not housed(spindle, seat.name):
             half = bearing_width(seat, spindle.seats) * 500.0
-            draw_ground(sketch, seat.x * 1e3, top, half, upright=False, side=1.0)
+            draw_ground(sketch, seat.x * 1e3, outside_of(seat), half, upright=False, side=1.0)
     named = [(seat.x * 1e3, seat.name) for seat in spindle.seats]
     _words_in_a_row(axes, named, lane, limits, scale, weight="bold")
     said = [(_hold_sleeve(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
+    for name, (a, b, _) in housings_above(spindle).items():
+        said.append(((a + b) / 2.0, _housing_words(spindle, name)))
     for r in spindle.rotors:
         middle = (r.shaft.start + r.shaft.end) * 500.0
         said.append((middle, f"{r.name}: {r.speed_ratio:g} × the speed"))
@@ -172,102 +196,41 @@ def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
     widths = [bearing_width(s, spindle.seats) / 2 for s in seats]
     left = min(s.x - w for s, w in zip(seats, widths, strict=True)) * 1e3
     right = max(s.x + w for s, w in zip(seats, widths, strict=True)) * 1e3
-    base = max(s.bearing.pitch_diameter / 2 + 1.05 * s.bearing.ball_diameter for s in seats) * 1e3
-    draw_sleeve(sketch, left, right, base, seats[0].thrust, stop=math.isfinite(sleeve.stop_travel))
+    draw_sleeve(
+        sketch,
+        left,
+        right,
+        max(outside_of(s) for s in seats),
+        seats[0].thrust,
+        stop=math.isfinite(sleeve.stop_travel),
+        rigid=math.isinf(sleeve.spring.stiffness),
+        grounded=not any(housed(spindle, s.name) for s in seats),
+    )
     return sum(s.x for s in seats) / len(seats) * 1e3
 
 
 def _sleeve_words(sleeve: Sleeve) -> str:
-    parts = [sleeve.spring.words]
-    if math.isfinite(sleeve.spring.stiffness):
-        parts.append(sleeve.spring.rate)
+    parts = [sleeve.spring.words, sleeve.spring.rate]
     if math.isfinite(sleeve.stop_travel):
         parts.append(f"stop after {sleeve.stop_travel * 1e6:g} µm")
     return f"{sleeve.name}: {', '.join(parts)}"
 
 
-def _foot(spindle: Spindle) -> float:
-    """How far the ground is below the shaft [mm]."""
-    return 0.02 * (spindle.shaft.end - spindle.shaft.start) * 1e3
-
-
-def _supports(sketch: Sketch, spindle: Spindle) -> None:
-    """Linear supports as a spring from a rotor down to the ground, rigid ones as a wedge."""
-    foot = _foot(spindle)
-    for support in spindle.supports:
-        x = support.x * 1e3
-        if support.against != GROUND:
-            _between(sketch, spindle, support)
-            continue
-        radius, ground = _outside(spindle, support), _ground(spindle, support)
-        if support.rigid:
-            left, right = (x - 0.4 * foot, ground), (x + 0.4 * foot, ground)
-            sketch.polygon([(x, -radius), left, right], "#FFFFFF", edge=BLUE)
-        else:
-            sketch.line(spring((x, -radius), (x, ground), 0.2 * foot), BLUE, 1.0)
-        if support.name not in {name for each in spindle.housings for name in each.carries}:
-            unit = 0.1 * foot
-            draw_ground(sketch, x, ground, 4.0 * unit, upright=False, side=-1.0, unit=unit)
-    for housing in spindle.housings:
-        _housing(sketch, spindle, housing)
-
-
-def _outside(spindle: Spindle, support: LinearSupport) -> float:
-    """Radius of what a support holds [mm]."""
-    shaft = spindle.part(support.holds).shaft
-    return shaft.diameters_at(support.x)[0] * 500.0
-
-
-def _ground(spindle: Spindle, support: LinearSupport) -> float:
-    """Where a support stands on ground [mm]: below every rotor there."""
-    there = [
-        part.shaft.diameters_at(support.x)[0] * 500.0
-        for part in spindle.parts.values()
-        if part.shaft.start <= support.x <= part.shaft.end
-    ]
-    return -max(_outside(spindle, support), *there, 0.0) - _foot(spindle)
-
-
-def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
-    """A crossed box between two rotors, in the gap from the thinner to the wall of the thicker."""
-    low, high = _gap(spindle, support)
-    half, x = 0.5 * max(high - low, 5.0), support.x * 1e3
-    sketch.box(x - half, x + half, low, high, "#FFFFFF", edge=BLUE, z=5)
-    sketch.cross(x - half, x + half, low, high, colour=BLUE, width=0.7, z=6)
-
-
-def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
-    """Radii between which a support joins two rotors [mm]."""
-    ends = [spindle.part(end).shaft.diameters_at(support.x) for end in support.ends]
-    (thin, _), (_, bore) = sorted(ends)
-    low, high = thin * 500.0, bore * 500.0
-    if high > low:
-        return low, high
-    return low - 2.0, low + 2.0  # side by side, or one on the other
-
-
-def _housing(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
-    """A block under the supports that it carries."""
-    foot = _foot(spindle)
-    feet = [(s.x * 1e3, _ground(spindle, s)) for s in spindle.supports if s.name in housing.carries]
-    if feet:
-        left, right = min(x for x, _ in feet) - 0.4 * foot, max(x for x, _ in feet) + 0.4 * foot
-        low = min(y for _, y in feet) - 0.3 * foot
-        sketch.box(left, right, low, low + 0.3 * foot, SLEEVE, z=4)
-        for x, y in feet:
-            sketch.line([(x, y), (x, low + 0.3 * foot)], BLUE, 1.0)
+def _housing_words(spindle: Spindle, name: str) -> str:
+    housing = next(each for each in spindle.housings if each.name == name)
+    weight = f"{housing.mass:.4g} kg" if isinstance(housing, RigidHousing) else "reduced model"
+    return f"{name}: housing, {weight}"
 
 
 def _name_below(
     sketch: Sketch,
     axes: Axes,
-    spindle: Spindle,
+    marks: Sequence[Mark],
     reach: float,
     scale: float,
     limits: tuple[float, float],
 ) -> None:
-    """Masses, supports, points, discs and the drawbar under the shaft, joined by leaders."""
-    marks = _marks(sketch, spindle, 1.6 / scale)
+    """Masses, supports, points, loads, discs and the drawbar under the shaft, joined by leaders."""
     sizes = [max(_text(line, scale) for line in text.split("\n")) for _, _, text in marks]
     places = spread([x for x, _, _ in marks], sizes, *limits)
     upper, lower = -reach - 2.0 / scale, -reach - 8.5 / scale
@@ -284,9 +247,9 @@ def _name_below(
         )
 
 
-def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, float, str]]:
+def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
     """What is to be named: place of the leader's start [mm] and the words."""
-    marks = []
+    marks: list[Mark] = []
     for rotor, part in spindle.parts.items():
         for mass in part.masses:
             height = _height(part, mass.x, rotor)
@@ -298,19 +261,31 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
         height = _height(spindle.part(rotor), x, rotor)
         sketch.circle(x * 1e3, height, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, height, f"{name}\n{x * 1e3:.1f}"))
-    foot = -_reach(spindle)
+    lowest = -_reach(spindle)
     for support in spindle.supports:
-        low = foot if support.against == GROUND else _gap(spindle, support)[0]
+        low = lowest if support.against == GROUND else gap(spindle, support)[0]
         marks.append((support.x * 1e3, low, support.name))
     for housing in spindle.housings:
         carried = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
         if carried:
-            marks.append(((min(carried) + max(carried)) / 2.0, foot - 3.0, housing.name))
+            marks.append(((min(carried) + max(carried)) / 2.0, lowest - 3.0, housing.name))
     discs = [disc for part in spindle.parts.values() for disc in part.discs]
-    marks += [(disc.x * 1e3, foot, disc.name) for disc in discs]
+    marks += [(disc.x * 1e3, lowest, disc.name) for disc in discs]
+    marks += [(film.x * 1e3, -film.radius * 1e3, film.name) for film in spindle.dampers]
     if bar := spindle.drawbar:
         marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
     return marks
+
+
+def _load_marks(
+    sketch: Sketch, spindle: Spindle, loads: Sequence[PointLoad], long: float
+) -> list[Mark]:
+    """The loads drawn; stations and words of all at one place together."""
+    words: dict[float, list[str]] = {}
+    for load in loads:
+        x, said = draw_load(sketch, spindle, load, long)
+        words.setdefault(x, []).append(said)
+    return [(x, 0.0, "\n".join(said)) for x, said in words.items()]
 
 
 def _height(part: Spindle, x: float, rotor: str) -> float:
@@ -334,8 +309,8 @@ def _text(words: str, scale: float) -> float:
     return (len(words) * 0.56 * (FONT_SIZE - 1.0) * 25.4 / 72.0 + 2.5) / scale
 
 
-def _legend(axes: Axes, spindle: Spindle) -> None:
-    """Materials where there are several, and the symbols that are drawn."""
+def _legend_rows(spindle: Spindle, loads: Sequence[PointLoad]) -> list[list[Any]]:
+    """Materials where there are several, and the symbols that are drawn, in rows that fit."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -350,18 +325,28 @@ def _legend(axes: Axes, spindle: Spindle) -> None:
         (spindle.places, "point", dict(marker="o", **circle)),
         ([m for p in parts for m in p.masses], "mass", dict(marker="o", **{**circle, **halves})),
         ([j for p in parts for j in p.joints], "joint", dict(color=RED, lw=1.4)),
+        (spindle.dampers, "squeeze film", dict(color=SKY, lw=3.0)),
+        (loads, "static load", dict(color=GREEN, lw=1.8, marker=">", ms=4.0)),
     ]
     handles += [Line2D([], [], label=name, **look) for there, name, look in symbols if there]
-    if not handles:
-        return
-    axes.legend(
-        handles=handles,
-        loc="lower right",
-        bbox_to_anchor=(1.0, 0.0),
-        frameon=False,
-        fontsize=FONT_SIZE - 1.0,
-        ncols=len(handles),
-        handlelength=1.6,
-        columnspacing=1.2,
-        borderaxespad=0.0,
-    )
+    return rows_of(handles, _WIDTH - 2.0 * _SIDE)
+
+
+def _legend(figure: Figure, axes: Axes, rows: Sequence[Sequence[Any]]) -> None:
+    """The rows one over the other above the axis of positions, each ending at the right."""
+    tall = axes.get_position().height * figure.get_size_inches()[1] * 25.4
+    for place, row in enumerate(reversed(rows)):
+        legend = axes.legend(
+            handles=list(row),
+            loc="lower right",
+            bbox_to_anchor=(1.0, (0.8 + place * _LEGEND_LINE) / tall),
+            frameon=False,
+            fontsize=FONT_SIZE - 1.0,
+            ncols=len(row),
+            handlelength=1.6,
+            columnspacing=1.2,
+            borderaxespad=0.0,
+            borderpad=0.2,
+        )
+        if place < len(rows) - 1:
+            axes.add_artist(legend)

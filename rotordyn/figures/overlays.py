@@ -15,6 +15,7 @@ import numpy as np
 from rotordyn.figures import stations
 from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
+from rotordyn.figures.end_names import End, name_ends
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box
 from rotordyn.figures.style import (
@@ -23,8 +24,8 @@ from rotordyn.figures.style import (
     DASHES,
     FONT_SIZE,
     GREY,
-    LEAST_POINTS,
     add_axes,
+    axis_start,
     colour_scale,
     marked,
     new_figure,
@@ -43,6 +44,7 @@ THICK, THIN = 2.4, 1.0  # the first variant, still seen below the last
 MAP, DARK = "viridis", "#444444"
 LEFT, RIGHT, BELOW, GAP = 17.0, 6.0, 12.0, 5.0  # [mm]
 STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
+NAMED_STRIP, NAMES = 48.0, 24.0  # the same where curves bear names at their ends, and their room
 BAR = 16.0  # room of a bar of colours [mm]
 MOST_STRIPS = 4
 
@@ -101,7 +103,8 @@ def overlay_figure(
     groups = groups_of([[c for c in curves(v) if c.figure == name] for v in variants])
     looks = _looks(groups, len(variants), scale)
     strips = len(groups) <= MOST_STRIPS
-    figure, boxes, columns = _layout(groups, strips=strips, bar=not looks.named)
+    names = looks.named and len(groups) == 1 and any(c.end for _, c in groups[0].layers)
+    figure, boxes, columns = _layout(groups, strips=strips, bar=not looks.named, names=names)
     several = len({group.first.label for group in groups}) > 1 or groups[0].first.panel != ""
     for place, (group, (above, below)) in enumerate(zip(groups, boxes, strict=True)):
         first, strip = group.first, strips and bool(group.changes)
@@ -114,6 +117,8 @@ def overlay_figure(
         _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
         _finish(axes, first, above[2], labelled=bool(words) and not strip)
+        if names:
+            name_ends(axes, _ends(group.layers, looks), above[3])
         if strip:
             beneath = add_axes(figure, below, words, f"difference [{first.unit}]")
             _draw_changes(beneath, group.changes, looks)
@@ -121,11 +126,22 @@ def overlay_figure(
             beneath.set_xlim(axes.get_xlim())
             beneath.set_xticks(axes.get_xticks())
             beneath.set_xlim(axes.get_xlim())
+            if names:
+                name_ends(beneath, _ends(group.changes, looks), below[3])
     if not looks.named:
         order = Scale("variant, in the order of the case", range(1, len(variants) + 1))
         _bar(figure, scale or order, boxes)
     top_legend(figure, *figure.axes, above=_room(groups[0].first, boxes[0][0][2]))
     return figure
+
+
+def _ends(layers: Sequence[Layer], looks: Looks) -> list[End]:
+    """Names of the curves that reach the right edge."""
+    return [
+        End(float(curve.y[-1]), curve.end, looks.colours[place], place)
+        for place, curve in layers
+        if curve.end and np.isfinite(curve.y[-1])
+    ]
 
 
 def _ordinate(curve: Curve, *, several: bool) -> str:
@@ -146,7 +162,7 @@ def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
 
 
 def _layout(
-    groups: Sequence[Group], *, strips: bool, bar: bool
+    groups: Sequence[Group], *, strips: bool, bar: bool, names: bool
 ) -> tuple[Figure, list[tuple[Box, Box]], int]:
     """A figure, for each panel its box and that of its differences [mm], and how many columns.
 
@@ -156,7 +172,8 @@ def _layout(
     resonances = all(group.first.log for group in groups)
     columns = 1 if resonances else 2 if count == 4 else min(count, 3)
     rows = [groups[k : k + columns] for k in range(0, count, columns)]
-    right = RIGHT + (BAR if bar else 0.0)
+    right = RIGHT + (BAR if bar else 0.0) + (NAMES if names else 0.0)
+    changes = NAMED_STRIP if names else STRIP
     gap = 17.0 if columns > 1 else 0.0
     wide = (168.0 - LEFT - right - gap * (columns - 1)) / columns
     tall = 50.0 if resonances else 84.0 if count == 1 else 62.0 if len(rows) == 1 else 39.0
@@ -165,7 +182,7 @@ def _layout(
     between = (9.0 if curve.title else GAP) + (6.0 if mixed else 0.0)
     between += 1.0 if curve.places else 0.0
     under = [
-        STRIP + OVER_STRIP if strips and any(group.changes for group in row) else 0.0
+        changes + OVER_STRIP if strips and any(group.changes for group in row) else 0.0
         for row in rows
     ]
     height = sum(under) + len(rows) * tall + (len(rows) - 1) * between
@@ -176,7 +193,7 @@ def _layout(
         for column, group in enumerate(row):
             left, below = LEFT + column * (wide + gap), room if group.changes else 0.0
             panel = (left, foot + below, wide, tall + room - below)
-            boxes.append((panel, (left, foot, wide, STRIP)))
+            boxes.append((panel, (left, foot, wide, changes)))
         foot -= between
     return figure, boxes, columns
 
@@ -208,10 +225,12 @@ def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
 
 def _plot(axes: Axes, curve: Curve, look: dict[str, Any]) -> None:
     """A line; marks alone where points are too few for one."""
-    if 1 < len(curve.x) < LEAST_POINTS:
-        marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-        look |= {"clip_on": False, **marks}
-    axes.plot(*curve.drawn, **look)
+    axes.plot(*curve.drawn, **(look | (_dots(look) if curve.dotted else {})))
+
+
+def _dots(look: dict[str, Any]) -> dict[str, Any]:
+    marks = {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
+    return {"clip_on": False, **marks}
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
@@ -223,7 +242,7 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         stations.name(axes, curve.places, wide, stations.upright(curve.places, wide, low, high))
         axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     else:
-        start, high = min(low, 0.0), max(high, 1.0)
+        start, high = axis_start(low, high), max(high, 1.0)
         left, right = axes.get_xlim()
         beyond = right > high * (1.0 + 1e-9)  # marks of references at the end
         axes.set_xlim(min(left, start) if beyond else start, right if beyond else high)
@@ -267,10 +286,13 @@ def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks:
     """An entry of the legend for every variant, unless they are many, and for every series."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {place for place, curve in layers if np.isfinite(curve.y).any()}
+    dotted = all(curve.dotted for _, curve in layers)
     for place, variant in enumerate(variants if looks.named else ()):
         look = looks.of(place, looks.series[0]) | {"markevery": None}
         if len(looks.series) > 1:
             look["ls"] = "-"
+        elif dotted:
+            look |= _dots(look)
         title = variant.title if place in solved else f"{variant.title}: none"
         axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.results.display import rounded_up
+from rotordyn.results.headline import LEAST_POINTS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,9 +30,9 @@ CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
 POINTS = ("o", "s", "^", "D", "v", "P", "X")
-LEAST_POINTS = 4  # for a line; fewer are marks
 FONT_SIZE = 8.0
 HEAD_SIDE, HEAD_LINE, HEAD_COLOUR = 4.0, 3.4, "#555555"  # of the title at the top [mm]
+EMPTY = 0.25  # of an axis from zero, before its values begin
 LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
 _RC: Any = {
     "font.size": FONT_SIZE,
@@ -225,10 +226,20 @@ def note_error(axes: Axes, error: float) -> None:
         )
 
 
-def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:
-    """Speed axis from 0 to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
-    axes.set_xlim(0.0, max(top, 1.0))
-    axes.set_xticks(round_ticks(0.0, max(top, 1.0), most))
+def speed_ticks(axes: Axes, top: float, most: int = 6, low: float = 0.0) -> None:
+    """Speed axis from ``low`` to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
+    axes.set_xlim(low, max(top, 1.0))
+    axes.set_xticks(round_ticks(low, max(top, 1.0), most))
+
+
+def axis_start(low: float, high: float) -> float:
+    """Where an axis of values from ``low`` to ``high`` begins: at zero, unless more than a quarter
+    of it were empty.
+
+    >>> axis_start(3000.0, 24000.0), axis_start(20000.0, 60000.0)
+    (0.0, 20000.0)
+    """
+    return low if low > EMPTY * high else min(low, 0.0)
 
 
 _STEPS = ((1,), (1, 2, 5), (1, 2, 3, 4, 6, 8))  # of a decade that bear ticks
@@ -285,7 +296,7 @@ def finish(figure: Figure) -> Figure:
 def head(figure: Figure, words: str) -> Figure:
     """Put ``words``, what machine and case it is about, at the top of ``figure``, which grows."""
     width = figure.get_size_inches()[0] * 25.4
-    room = (width - 2.0 * HEAD_SIDE) / max(text_width(figure, words, FONT_SIZE - 0.5), 1.0)
+    room = (width - 2.0 * HEAD_SIDE) / max(text_width(words, FONT_SIZE - 0.5), 1.0)
     lines = [words] if room >= 1.0 else textwrap.wrap(words, int(0.94 * room * len(words)))
     grow(figure, 2.0 + HEAD_LINE * len(lines))
     height = figure.get_size_inches()[1] * 25.4
@@ -302,12 +313,12 @@ def head(figure: Figure, words: str) -> Figure:
     return figure
 
 
-def text_width(figure: Figure, words: str, size: float) -> float:
+def text_width(words: str, size: float) -> float:
     """Width of a line of text [mm]."""
     from matplotlib.font_manager import FontProperties
 
-    measure, font = measuring(figure.dpi).get_text_width_height_descent, FontProperties(size=size)
-    return float(measure(words, font, ismath=False)[0] * 25.4 / figure.dpi)
+    measure, font = measuring(DPI).get_text_width_height_descent, FontProperties(size=size)
+    return float(measure(words, font, ismath=False)[0] * 25.4 / DPI)
 
 
 @cache

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -16,6 +17,8 @@ RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#
 Line = list[tuple[float, float]]
 FLATTEST = math.radians(60.0)  # contact lines leaning further do not reach the axis
 ON_AXIS = 1e-9  # m
+MISFIT = 0.02  # of the shaft's diameter: a bore that differs more does not belong on it
+SLEEVE_WALL = 9.0
 
 
 def contact_lines(seat: BearingSeat) -> list[Line]:
@@ -34,12 +37,28 @@ def contact_lines(seat: BearingSeat) -> list[Line]:
     return lines
 
 
+def outside_of(seat: BearingSeat) -> float:
+    """Radius of its outer ring as it is drawn [mm]."""
+    return (seat.bearing.pitch_diameter / 2.0 + 1.05 * seat.bearing.ball_diameter) * 1e3
+
+
+def bore_of(seat: BearingSeat, shaft_radius: float) -> float:
+    """Radius of the bore of its inner ring as it is drawn [mm].
+
+    That of the shaft [m], unless its model gives one which the shaft does not fit: this is shown.
+    """
+    known = seat.sizes.get("bore_diameter", 2.0 * shaft_radius) / 2.0
+    if abs(known - shaft_radius) > MISFIT * shaft_radius:
+        return known * 1e3
+    least = seat.bearing.pitch_diameter / 2.0 - 0.35 * seat.bearing.ball_diameter
+    return min(shaft_radius, least) * 1e3
+
+
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
     """Upper half cut with ball and contact lines, lower half as a crossed box; [m] in, [mm] out."""
     ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
     left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
-    bore = min(shaft_radius * 1e3, pitch - 0.35 * ball)
-    outside = pitch + 1.05 * ball
+    bore, outside = bore_of(seat, shaft_radius), outside_of(seat)
     sketch.box(left, right, bore, pitch - 0.18 * ball, RING, z=4)
     sketch.box(left, right, pitch + 0.18 * ball, outside, RING, z=4)
     sketch.circle(x, pitch, ball / 2.0, BALL, z=5)
@@ -85,15 +104,33 @@ def draw_ground(
         sketch.line([at(start, 0.0), at(start + step, side * depth)], GROUND, 0.5)
 
 
+def sleeve_top(carried: Iterable[BearingSeat]) -> float:
+    """Radius of the outside of the sleeve over its bearings [mm]."""
+    return max(outside_of(seat) for seat in carried) + SLEEVE_WALL
+
+
 def draw_sleeve(
-    sketch: Sketch, left: float, right: float, base: float, thrust: int, *, stop: bool
+    sketch: Sketch,
+    left: float,
+    right: float,
+    base: float,
+    thrust: int,
+    *,
+    stop: bool,
+    rigid: bool,
+    grounded: bool,
 ) -> None:
-    """A sleeve over its bearings, its spring, and its stop.
+    """A sleeve over its bearings, its spring, and its stop; one of a ``rigid`` preload is held.
 
     The spring pushes against ``thrust``, so it stands on the ``thrust`` side; the stop waits there.
     """
-    top = base + 9.0
+    top = base + SLEEVE_WALL
     sketch.box(left, right, base, top, SLEEVE, z=4)
+    if rigid:
+        if grounded:
+            half = (right - left) / 2.0
+            draw_ground(sketch, left + half, top, half, upright=False, side=1.0)
+        return
     face = right if thrust > 0 else left
     wall = face + thrust * 13.0
     sketch.line(spring((face, base + 2.8), (wall, base + 2.8), 1.7), BLUE, 1.0)

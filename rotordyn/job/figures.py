@@ -27,7 +27,8 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
     """
     jobs: list[Job] = []
     if case.spindle is not None:
-        jobs.append(("machine", partial(code("machine:machine_figure"), case.spindle)))
+        loads = case.conditions.loads if case.conditions is not None else ()
+        jobs.append(("machine", partial(code("machine:machine_figure"), case.spindle, loads)))
     costs: dict[str, int] = {}
     for name, result in results.items():
         jobs += analysis(name).figures(case, result, results)

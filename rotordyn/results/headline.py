@@ -16,6 +16,7 @@ from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM, number
 from rotordyn.results.kinds import Array, Flags
 
+LEAST_POINTS = 4  # for a line; fewer are marks
 CHANGE = 6  # decimals of a change [%]: less is rounding
 Known = tuple[str, str]  # quantity and subject of a reference
 Place = tuple[float, str]
@@ -57,6 +58,8 @@ class Curve(NamedTuple):
     same, by default the series. ``breaks``: steps between points over which no line is drawn.
     ``known``: references shown beside it; ``limits`` of the ordinate, None where it has none;
     ``places`` along the abscissa, named above the panel. ``backdrop``: alike in all variants.
+    ``end``: its name at the right edge, of several that share a series. ``least``: points that a
+    line needs; fewer are marks.
     """
 
     figure: str
@@ -75,6 +78,13 @@ class Curve(NamedTuple):
     log: bool = False
     backdrop: bool = False
     places: Sequence[Place] = ()
+    end: str = ""
+    least: int = LEAST_POINTS
+
+    @property
+    def dotted(self) -> bool:
+        """Its points are too few for a line."""
+        return 1 < len(self.x) < self.least
 
     @property
     def drawn(self) -> tuple[Array, Array]:

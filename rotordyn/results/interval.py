@@ -110,7 +110,6 @@ class Interval:
         return [(self.source[k], float(widths[k] / total)) for k in order if total and widths[k]]
 
 
-def short_path(path: str, longest: int = 24) -> str:
-    """The end of a dotted path, by which it is known."""
-    words = ".".join(step for step in path.split(".") if step not in COMMON)
-    return words if len(words) <= longest else "…" + words[1 - longest :]
+def short_path(path: str) -> str:
+    """A dotted path without the steps that tell little."""
+    return ".".join(step for step in path.split(".") if step not in COMMON)

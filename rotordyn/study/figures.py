@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,8 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rotordyn.analyses.registry import analysis
+from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.style import (
+    BLACK,
     BLUE,
     CYCLE,
     DASHES,
@@ -35,7 +38,9 @@ if TYPE_CHECKING:
 PANELS, COLUMNS = 9, 3
 ROW = 48.0  # mm
 ROOM = (0.05, 0.1)  # share of an axis beside its points
-FEW = 7  # values of the second parameter that have a colour and a word in the legend each
+FEW = 7  # values of the second parameter, or combinations of the others, that the legend names
+LEGEND = 9.0  # mm of its two lines
+LETTER, SHORTEST, WIDEST = 1.25, 11, 22  # mm of a letter; letters of a line that stands level
 ALONG = 5  # numbers beside the parameters of parallel coordinates
 
 
@@ -67,7 +72,11 @@ def figures(
     for of, found in by_analysis.items():
         yield f"study_{of}", partial(_over, study, of, found)
     if len(study.design.parameters) > 2 and by_analysis:
-        chosen = [each for found in by_analysis.values() for each in found[:2]][:ALONG]
+        chosen = [
+            each._replace(words=f"{of}: {each.words}")
+            for of, found in by_analysis.items()
+            for each in found[:2]
+        ][:ALONG]
         yield "study_across", partial(_parallel_coordinates, study, chosen)
 
 
@@ -80,33 +89,71 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
     shown = [each for each in found if each in spread[:PANELS]]
     columns = min(COLUMNS, len(shown))
     rows = -(-len(shown) // columns)
-    first, *others = study.design.parameters
     grid = study.design.sampling == "grid"
-    legend = grid and bool(others) and len(others[0].values) <= FEW
-    high = (26.0 if legend else 18.0) + ROW * rows
+    legends = _legends(study, shown) if grid else []
+    top = 11.0 + LEGEND * len(legends)
+    high = top + 6.0 + ROW * rows
     figure = new_figure(height=high, title=analysis(name).heading)
-    margins = (12.0, 5.0, 12.0, 20.0 if legend else 12.0)
+    margins = (12.0, 5.0, 12.0, top)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(14.0, 12.0 if grid else 16.0))
     for each, box in zip(shown, boxes, strict=False):
         axes = add_axes(figure, box)
         axes.set_title(shortened(each.heading, 40), fontsize=FONT_SIZE - 1.5, loc="left", pad=3.0)
         (_panel if grid else _scattered)(axes, study, each)
-    if legend:
-        handles, labels = figure.axes[0].get_legend_handles_labels()
+    for k, (title, handles) in enumerate(legends):
         figure.legend(
-            handles,
-            labels,
-            title=shortened(others[0].heading, 90),
+            handles=handles,
+            title=shortened(title, 110),
             loc="upper center",
-            bbox_to_anchor=(0.5, 1.0 - 7.0 / high),
-            ncols=len(labels),
+            bbox_to_anchor=(0.5, 1.0 - (6.0 + LEGEND * k) / high),
+            ncols=max(len(handles), 1),
             frameon=False,
             fontsize=FONT_SIZE - 1.0,
             title_fontsize=FONT_SIZE - 1.0,
         )
     if grid:
+        first = study.design.parameters[0]
         figure.text(0.5, 0.012, first.heading, ha="center", va="bottom", fontsize=FONT_SIZE)
     return head(figure, study.case.title or study.case.name)
+
+
+def _legends(study: Study, shown: Sequence[Shown]) -> list[tuple[str, list[Any]]]:
+    """Heading and lines of the colours of the second parameter and of the dashes of the others."""
+    from matplotlib.lines import Line2D
+
+    legends: list[tuple[str, list[Any]]] = []
+    _, *others = study.design.parameters
+    if others and (count := len(others[0].values)) <= FEW:
+        words = [_word(others[0], k) for k in range(count)]
+        plain = {"ls": "-", "marker": ""} if others[1:] else {}
+        looks = [{**_look(k, k), **plain} for k in range(count)]
+        handles = [Line2D([], [], label=w, **look) for w, look in zip(words, looks, strict=True)]
+        legends.append((others[0].heading, handles))
+    if further := others[1:]:
+        shape = [len(each.values) for each in further]
+        heading = ", ".join(each.heading for each in further)
+        if math.prod(shape) > FEW:
+            return [*legends, (f"a line for each value of {heading}", [])]
+        grids = [each.values.reshape(*study.design.shape[:2], -1) for each in shown]
+        handles = []
+        for j, places in enumerate(np.ndindex(*shape)):
+            if any(np.isfinite(grid[:, :, j]).any() for grid in grids):
+                label = ", ".join(_word(p, k) for p, k in zip(further, places, strict=True))
+                look = {**_look(0, j), "color": BLACK}
+                handles.append(Line2D([], [], label=label, **look))
+        legends.append((heading, handles))
+    return legends
+
+
+def _look(colour: int, sign: int) -> dict[str, Any]:
+    """Of a line by the places of its colour and of its dashes and marks."""
+    return {
+        "color": CYCLE[colour % len(CYCLE)],
+        "ls": DASHES[sign % len(DASHES)],
+        "marker": POINTS[sign % len(POINTS)],
+        "ms": 3.0,
+        "lw": 1.0,
+    }
 
 
 def _scattered(axes: Axes, study: Study, each: Shown) -> None:
@@ -125,14 +172,9 @@ def _scattered(axes: Axes, study: Study, each: Shown) -> None:
 
     of = max(design.parameters, key=ranked) if known.sum() > 2 else design.parameters[0]
     axes.plot(abscissa(of, [own[of.path] for own in labels]), each.values, "o", ms=2.5, color=BLUE)
-    axes.set_xlabel(end_of(of.heading, 38), fontsize=FONT_SIZE - 1.5)
+    axes.set_xlabel(broken(of.heading, 32), fontsize=FONT_SIZE - 1.5)
     word_ticks(axes, of)
     axes.margins(*ROOM)
-
-
-def end_of(path: str, longest: int) -> str:
-    """The last letters of a path, which tell most."""
-    return path if len(path) <= longest else "…" + path[1 - longest :]
 
 
 def word_ticks(axes: Axes, of: Parameter) -> None:
@@ -143,7 +185,7 @@ def word_ticks(axes: Axes, of: Parameter) -> None:
 
 
 def _panel(axes: Axes, study: Study, each: Shown) -> None:
-    """A number of a grid over the first parameter: a colour for each value of the second, a line
+    """A number of a grid over the first parameter: a colour for each value of the second, dashes
     for each combination of the others."""
     design = study.design
     first, *others = design.parameters
@@ -151,20 +193,10 @@ def _panel(axes: Axes, study: Study, each: Shown) -> None:
     grid = each.values.reshape(*design.shape[:2], -1) if others else each.values[:, None, None]
     along = x.reshape(*design.shape[:2], -1)[:, 0, 0] if others else x
     count = grid.shape[1]
-    for k in range(count):
-        colour = CYCLE[k % len(CYCLE)] if count <= FEW else BLUE
-        label = _word(others[0], k) if others and count <= FEW else ""
-        for j in range(grid.shape[2]):
-            axes.plot(
-                along,
-                grid[:, k, j],
-                marker=POINTS[k % len(POINTS)],
-                ms=3.0,
-                lw=1.0,
-                ls=DASHES[k % len(DASHES)] if first.numeric else "none",
-                color=colour,
-                label=label if j == 0 else "",
-            )
+    for k, j in np.ndindex(grid.shape[1:]):
+        sign = k if len(others) < 2 else j * (grid.shape[2] <= FEW)
+        look = _look(k if count <= FEW else 0, sign)
+        axes.plot(along, grid[:, k, j], **(look if first.numeric else {**look, "ls": "none"}))
     word_ticks(axes, first)
     axes.margins(*ROOM)
 
@@ -191,8 +223,9 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
         k: [*dict.fromkeys(p.labels)] for k, p in enumerate(design.parameters) if not p.numeric
     }
     axes_of += [(each.heading, each.values) for each in shown]
-    figure = new_figure(height=100.0, title="points across what was varied and what came of it")
-    axes = add_axes(figure, (32.0, 34.0, 126.0, 52.0))
+    title = "points across what was varied and what came of it, coloured by the last axis"
+    figure = new_figure(height=100.0, title=title)
+    axes = add_axes(figure, (16.0, 34.0, 136.0, 52.0))
     from matplotlib import colormaps
 
     rule = axes_of[-1][1]
@@ -201,21 +234,28 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
         known = np.isfinite(share)
         colour = colormaps["viridis"](share) if known else GREY
         axes.plot(range(len(axes_of)), row, lw=0.7, alpha=0.7, color=colour)
-    axes.set_xticks(
-        range(len(axes_of)),
-        [end_of(heading, 30) for heading, _ in axes_of],
-        rotation=20,
-        ha="right",
-    )
+    room = min(int(136.0 / max(len(axes_of) - 1, 1) / LETTER) - 1, WIDEST)
+    level = room >= SHORTEST
+    names = [_lines(heading, room if level else 30) for heading, _ in axes_of]
+    axes.set_xticks(range(len(axes_of)), names, rotation=0 if level else 90)
+    axes.tick_params(axis="x", labelsize=FONT_SIZE - 1.5, pad=10.0, length=0.0)
     axes.set_yticks([])
-    axes.set_ylim(-0.06, 1.06)
+    axes.set_ylim(-0.04, 1.04)
     for k, (_, values) in enumerate(axes_of):
         known = values[np.isfinite(values)]
-        for y, end, side in ((-0.05, known.min(), "top"), (1.05, known.max(), "bottom")):
+        for y, end, side in ((-0.06, known.min(), "top"), (1.06, known.max(), "bottom")):
             text = str(words[k][int(end)]) if k in words else f"{end:.4g}"
             axes.text(k, y, text, ha="center", va=side, fontsize=FONT_SIZE - 1.5)
         axes.axvline(k, color=GREY, lw=0.6)
     return head(figure, study.case.title or study.case.name)
+
+
+def _lines(heading: str, longest: int) -> str:
+    """A heading in lines, broken between words and behind the dots of a path."""
+    return "\n".join(
+        broken(line, longest)
+        for line in textwrap.wrap(heading, longest, break_long_words=False, break_on_hyphens=False)
+    )
 
 
 def _share(values: Array) -> Array:

@@ -23,6 +23,11 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
     return np.asarray(result.axial_load[:, chosen].sum(axis=1))
 
 
+def sum_words(spindle: Spindle) -> str:
+    """What ``preload_sum`` is of, in a few words."""
+    return "sum of preloads " + ("on sleeves" if spindle.sleeves else "either way")
+
+
 def known(reference: Reference, result: PreloadResult, spindle: Spindle | None) -> Array | None:
     """Values beside a reference at its speeds, NaN without one; None for other quantities."""
     speeds = np.asarray(reference.speeds, float)

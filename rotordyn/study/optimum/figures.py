@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.style import (
     BLUE,
@@ -20,7 +21,7 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.results.kinds import Array, Flags
-from rotordyn.study.figures import abscissa, end_of, word_ticks
+from rotordyn.study.figures import abscissa, word_ticks
 from rotordyn.study.optimum.problem import Trial
 from rotordyn.study.optimum.solve import Optimum
 
@@ -59,7 +60,7 @@ def _over_choices(found: Optimum) -> Figure:
             p = problem.parameters[k - 1]
             labels = [problem.labels(each.number)[p.path] for each in found.trials]
             _points(axes, found, abscissa(p, labels), np.array(cost), good)
-            axes.set_xlabel(end_of(p.heading, LONGEST), fontsize=FONT_SIZE - 1.0)
+            axes.set_xlabel(broken(p.heading, LONGEST), fontsize=FONT_SIZE - 1.0)
             word_ticks(axes, p)
         else:
             _points(axes, found, number, np.array(cost), good)

@@ -157,6 +157,17 @@ def test_tools_are_variants_that_share_the_bearings(tmp_path: Path) -> None:
         np.testing.assert_allclose(answers.results["frf"].response, alone.response, rtol=1e-9)
 
 
+def test_tools_bear_their_titles(tmp_path: Path) -> None:
+    path = tmp_path / "tools.yaml"
+    flutes = "sections: [{length: 50 mm, outer_diameter: 16 mm, material: tool_steel}]"
+    for name, title in (("a", "title: Short\n"), ("b", "title: Short\n"), ("c_d", "")):
+        own = title + flutes + "\npoints: {tip: -50 mm}\n"
+        (tmp_path / f"{name}.yaml").write_text(own, encoding="utf-8")
+    path.write_text(TOOLS.format(tools="[./a.yaml, ./b.yaml, ./c_d.yaml]"), encoding="utf-8")
+    titles = [variant.title for variant in rotordyn.load(path).variants.values()]
+    assert titles == ["Short", "Short, b", "c d"]
+
+
 @pytest.mark.parametrize(
     ("tools", "sentence"),
     [

@@ -61,6 +61,7 @@ class SampleCase:
     title: str = "Fischer MFW 2310, reconstructed"
     spindle: Spindle | None = None
     bearing: AngularContactBallBearing | None = None
+    conditions: Any = None
     references: tuple[Reference, ...] = ()
     analyses: dict[str, Any] = field(default_factory=dict)
 

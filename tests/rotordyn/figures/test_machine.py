@@ -11,15 +11,29 @@ import numpy as np
 import pytest
 
 from bearings import FourPointBallBearing
+from rotordyn.figures.holders import draw_holders
 from rotordyn.figures.labels import spread
 from rotordyn.figures.machine import _draw_section, machine_figure
 from rotordyn.figures.sketch import Sketch
-from rotordyn.figures.symbols import contact_lines, draw_drawbar
+from rotordyn.figures.static_loads import draw_load
+from rotordyn.figures.style import BLUE, GREEN, SKY
+from rotordyn.figures.symbols import (
+    RING,
+    SLEEVE,
+    bore_of,
+    contact_lines,
+    draw_bearing,
+    draw_drawbar,
+    draw_sleeve,
+)
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.sleeve import Sleeve, Spring
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper
+from rotordyn.scene.loads import PointLoad
 from tests.oracles.rotors import STEPPED, support
 from tests.rotordyn.figures import samples
 
@@ -159,3 +173,92 @@ def test_a_cone_is_drawn_whole_its_joints_and_housing_named() -> None:
     assert wall == [(0.0, 0.0), (100.0, 5.0), (100.0, 30.0), (0.0, 15.0)]
     words = {text.get_text() for text in machine_figure(machine).axes[0].texts}
     assert {"flange", "box", "left", "right"} <= words
+
+
+def _words(figure):
+    return [text.get_text() for text in figure.axes[0].texts]
+
+
+def test_a_rigid_preload_is_said_and_has_no_spring():
+    plain = samples.spindle()
+    locked = replace(plain, sleeves=(Sleeve("set", ("d", "e"), Spring(528.0)),))
+    assert "set: 528 N, rigid" in _words(machine_figure(locked))
+    for rigid in (False, True):
+        sketch = Sketch()
+        draw_sleeve(sketch, 0.0, 20.0, 50.0, 1, stop=False, rigid=rigid, grounded=True)
+        assert any(colour == BLUE for colour, *_ in sketch.lines) != rigid
+
+
+def test_a_ring_is_drawn_at_the_bore_of_its_model_where_the_shaft_does_not_fit():
+    seat = replace(_seat(1), sizes={"bore_diameter": 0.07})
+    assert bore_of(seat, 0.0352) == pytest.approx(35.2)
+    assert bore_of(seat, 0.030) == pytest.approx(35.0)
+    assert bore_of(seat, 0.040) == pytest.approx(35.0)
+    assert bore_of(_seat(1), 0.030) == pytest.approx(30.0)
+    sketch = Sketch()
+    draw_bearing(sketch, seat, 0.016, 0.030)
+    radii = [
+        r for look, rings in sketch.polygons.items() if look[0] == RING for p in rings for _, r in p
+    ]
+    assert min(abs(r) for r in radii) == pytest.approx(35.0)
+
+
+def test_a_housing_under_bearings_is_a_block_on_springs_and_named():
+    plain = samples.spindle()
+    stiffness = {("y", "y"): 1e8, ("z", "z"): 1e8}
+    box = RigidHousing("quill", ("a", "b", "d"), 0.2, 9.0, stiffness)
+    housed = replace(plain, housings=(box,))
+    assert "quill: housing, 9 kg" in _words(machine_figure(housed))
+    sketch = Sketch()
+    draw_holders(sketch, housed)
+    blocks = [p for look, shapes in sketch.polygons.items() if look[0] == SLEEVE for p in shapes]
+    widest = max(blocks, key=lambda p: p[1][0] - p[0][0])
+    assert widest[0][0] < 28.6 < 380.9 < widest[1][0]
+    assert widest[0][1] >= plain.shaft.largest_diameter * 500.0
+    assert any(colour == BLUE for colour, *_ in sketch.lines)
+    sketch = Sketch()
+    draw_holders(sketch, plain)
+    assert not sketch.polygons
+
+
+def test_a_squeeze_film_is_drawn_about_its_journal_and_named():
+    film = SqueezeFilmDamper("film", 0.2, 0.02, 0.03, 0.06, 1e-4)
+    machine = replace(samples.spindle(), dampers=(film,))
+    figure = machine_figure(machine)
+    assert "film" in _words(figure)
+    assert "squeeze film" in [t.get_text() for t in figure.axes[0].get_legend().get_texts()]
+    sketch = Sketch()
+    draw_holders(sketch, machine)
+    (shapes,) = (shapes for look, shapes in sketch.polygons.items() if look[0] == SKY)
+    assert sorted({abs(r) for shape in shapes for _, r in shape})[0] == pytest.approx(60.0)
+
+
+@pytest.mark.parametrize("Fy", [500.0, -500.0])
+def test_a_static_load_is_an_arrow_the_way_it_acts_and_said(Fy):
+    machine, load = samples.spindle(), PointLoad("nose", "cut", Fx=100.0, Fy=Fy, Mx=5.0)
+    assert f"cut\nFx 100 N\nFy {Fy:g} N\nMx 5 N·m" in _words(machine_figure(machine, (load,)))
+    sketch = Sketch()
+    draw_load(sketch, machine, replace(load, Fx=0.0), 10.0)
+    (((tail, neck),),) = sketch.lines.values()
+    assert (neck[1] - tail[1]) * Fy > 0.0
+    assert tail[1] * Fy < 0.0
+    assert {colour for colour, *_ in sketch.lines} == {GREEN}
+
+
+def test_a_legend_with_long_names_stays_inside():
+    steel = samples.spindle().shaft.sections[0].material
+    names = [f"{word} with a long name of its own" for word in ("carbide", "steel", "bronze")]
+    sections = samples.spindle().shaft.sections
+    longer = tuple(
+        replace(s, material=replace(steel, name=names[k % 3])) for k, s in enumerate(sections)
+    )
+    machine = replace(samples.spindle(), shaft=Shaft(-0.0918, longer))
+    figure = machine_figure(machine)
+    renderer = figure.canvas.get_renderer()
+    axes = figure.axes[0]
+    legends = [a for a in axes.get_children() if type(a).__name__ == "Legend"]
+    boxes = [legend.get_window_extent(renderer) for legend in legends]
+    assert len(boxes) > 1
+    assert all(box.x0 >= figure.bbox.x0 and box.x1 <= figure.bbox.x1 for box in boxes)
+    boxes += [text.get_window_extent(renderer) for text in axes.texts]
+    assert not any(p.overlaps(q) for p, q in itertools.combinations(boxes, 2))

@@ -16,8 +16,9 @@ from rotordyn.analyses.frf.result import TurningFrfResult
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
+from rotordyn.figures.legends import top_legend
 from rotordyn.figures.overlays import Scale, colour, dash, overlay_figure
-from rotordyn.figures.style import mark_lone_points
+from rotordyn.figures.style import add_axes, mark_lone_points, new_figure
 from rotordyn.job.figures import comparison_figures, figures
 from rotordyn.machine.reference import Reference
 from rotordyn.results.described import Shown
@@ -221,6 +222,39 @@ def test_variants_are_told_apart_by_marks_and_none_hides_another():
     assert len(set(widths)) == 3
 
 
+def test_modes_of_variants_bear_their_names_at_both_panels():
+    own, base = samples.case(), samples.campbell(9)
+    base = replace(
+        base, mode=tuple(f"bending {k // 2 + 1} {'bw' if k % 2 else 'fw'}" for k in range(10))
+    )
+    other = replace(base, frequency=1.2 * base.frequency)
+    variants = [(replace(own, title=t), {"campbell": r}) for t, r in (("a", base), ("b", other))]
+    figure = dict(comparison_figures(variants))["campbell_overlay"]()
+    renderer = figure.canvas.get_renderer()
+    for axes, colours in zip(figure.axes, ({colour(0), colour(1)}, {colour(1)}), strict=True):
+        names = [t for t in axes.texts if t.get_text().startswith("bending")]
+        assert {t.get_color() for t in names} == colours
+        assert len({t.get_text()[:9] for t in names}) == 5
+        boxes = sorted((t.get_window_extent(renderer) for t in names), key=lambda box: box.y0)
+        assert all(box.x1 <= figure.bbox.x1 for box in boxes)
+        assert all(a.y1 <= b.y0 + 1.0 for a, b in itertools.pairwise(boxes))
+
+
+def test_a_legend_of_several_rows_is_read_by_rows():
+    figure = new_figure()
+    axes = add_axes(figure, (15.0, 15.0, 140.0, 60.0))
+    names = [f"{k}, a name that takes some room" for k in range(5)]
+    for name in names:
+        axes.plot([0.0, 1.0], [0.0, 1.0], label=name)
+    top_legend(figure, axes)
+    (legend,) = figure.legends
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    at = {t.get_text(): t.get_window_extent(renderer) for t in legend.get_texts()}
+    assert len({round(box.y0) for box in at.values()}) > 1
+    assert sorted(at, key=lambda name: (-round(at[name].y0), at[name].x0)) == names
+
+
 def test_curves_of_variants_are_drawn_from_their_least_abscissa():
     force = np.linspace(-2000.0, 1500.0, 8)
     shown = [Shown(name, None, (), None) for name in ("a", "bb")]
@@ -231,6 +265,22 @@ def test_curves_of_variants_are_drawn_from_their_least_abscissa():
     for axes in overlay_figure("cycle", curves, shown, None).axes:
         assert axes.get_xlim()[0] <= -2000.0
         assert axes.get_xlim()[1] >= 1500.0
+
+
+def test_curves_that_need_more_points_for_a_line_are_marks_in_panels_and_legend():
+    rpm = np.linspace(20e3, 60e3, 41)
+
+    def curves(variant):
+        yield Curve("lobes", "depth", "mm", rpm, rpm * len(variant.title), least=100)
+
+    figure = overlay_figure("lobes", curves, [Shown(n, None, (), None) for n in ("a", "bb")], None)
+    for axes in figure.axes:
+        assert axes.get_xlim() == (20e3, 60e3)  # no third of it empty
+        lines = [line for line in axes.get_lines() if len(line.get_xdata()) == 41]
+        assert {line.get_linestyle() for line in lines} == {"None"}
+        assert all(line.get_markevery() is None for line in lines)
+    (legend,) = figure.legends
+    assert {line.get_linestyle() for line in legend.get_lines()} == {"None"}
 
 
 def test_differences_are_drawn_only_where_variants_differ():

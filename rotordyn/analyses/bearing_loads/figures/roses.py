@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 ACROSS = 3
 SIDE = 52.0  # mm
+MOST_NAMED = 4  # circles; of more, every other
 LEGEND = 4.0  # mm, above the line of words
 
 
@@ -53,7 +54,7 @@ def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) ->
         axes.set_title(f"bearing {name}", fontsize=FONT_SIZE, pad=6.0)
         axes.tick_params(labelsize=FONT_SIZE - 1.5, pad=1.0)
         axes.set_ylim(bottom=min(0.0, np.nanmin(values[picked, k], initial=0.0)))
-        axes.set_rlabel_position(67.5)
+        _name_circles(axes, result.ball_azimuth[k], values[picked, k])
     words = f"{what}; y at 0°, z at 90°, seen along +x"
     figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
     lines, labels = axes.get_legend_handles_labels()
@@ -67,6 +68,22 @@ def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) ->
         ncols=3,
     )
     return figure
+
+
+def _name_circles(axes: Any, azimuth: Array, values: Array) -> None:
+    """Values of the circles over the curves, along the ray between two angles that these reach
+    least."""
+    rays = np.radians(np.arange(22.5, 360.0, 45.0))
+    near = np.cos(azimuth[:, None] - rays) > np.cos(np.radians(25.0))  # (balls, rays)
+    size = np.nan_to_num(values).max(axis=0)
+    ray = rays[np.argmin([size[each].max(initial=0.0) for each in near.T])]
+    low, high = axes.get_ylim()
+    circles = [float(each) for each in axes.get_yticks() if low < each <= high and each != 0.0]
+    axes.set_yticks(circles, labels=[""] * len(circles))
+    paper: Any = {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.75}
+    look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": FONT_SIZE - 2.0}
+    for each in circles if len(circles) <= MOST_NAMED else circles[1::2]:
+        axes.text(ray, each, f"{each:g}", zorder=5, bbox=paper, **look)
 
 
 def _rose(

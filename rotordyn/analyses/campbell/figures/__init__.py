@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analyses.campbell.figures.diagram import highest_of, orders
+from rotordyn.analyses.campbell.figures.diagram import highest_of, orders, short
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.mode_lines import LOOKS, jumps, look_of
@@ -55,7 +55,8 @@ def headline_curves(spec: Any, variant: Shown) -> Iterator[Curve]:
     for k in sorted(
         np.flatnonzero(~result.mostly_overdamped), key=lambda k: [*LOOKS].index(looks[k])
     ):
-        yield modes[k]._replace(series=LOOKS[looks[k]][2], breaks=breaks[:, k])
+        look = LOOKS[looks[k]][2]
+        yield modes[k]._replace(series=look, breaks=breaks[:, k], end=short(result.mode[k]))
     rpm = np.array([0.0, result.speed[-1] * RPM.factor])
     for order, name in orders(result, getattr(spec, "teeth", ())).items() if modes else ():
         yield modes[0]._replace(x=rpm, y=order * rpm / 60.0, series=name, backdrop=True)

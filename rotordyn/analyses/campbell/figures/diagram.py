@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.analyses.campbell.figures.defects import draw_passing
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.labels import axis_label, spread
 from rotordyn.figures.legends import top_legend
@@ -68,7 +69,7 @@ def campbell_figure(
 def draw_variant(teeth: Sequence[int], axes: Axes, variant: Shown, top: float) -> None:
     """The diagram of a variant up to ``top`` [Hz] onto axes, modes with short names."""
     axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
-    _diagram(axes, variant.result, teeth, variant.known, top, 3, short=True)
+    _diagram(axes, variant.result, teeth, variant.known, top, 3, brief=True)
 
 
 def highest_of(max_frequency: float, variants: Sequence[Shown]) -> float:
@@ -90,7 +91,7 @@ def _diagram(
     top: float,
     most: int,
     *,
-    short: bool = False,
+    brief: bool = False,
 ) -> None:
     """Lines, their names, and what is known; ``most`` ticks of speed."""
     rpm = float(result.speed[-1] * RPM.factor)
@@ -102,10 +103,10 @@ def _diagram(
     draw_modes(axes, result)
     draw_stops(axes, result)
     draw_unstable(axes, result)
-    defects = draw_passing(axes, result)
-    excitation = draw_orders(axes, orders(result, teeth), rpm, top, defects)
+    draw_passing(axes, result, top)
+    excitation = draw_orders(axes, orders(result, teeth), rpm, top)
     draw_known(axes, () if turning(result) else references)
-    _name_modes(axes, result, excitation, top, short=short)
+    _name_modes(axes, result, excitation, top, brief=brief)
 
 
 def draw_unstable(axes: Axes, result: CampbellResult) -> None:
@@ -150,34 +151,13 @@ def _ratios(result: CampbellResult) -> dict[str, float]:
     return dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
 
 
-def draw_passing(axes: Axes, result: CampbellResult) -> dict[float, str]:
-    """Defect frequencies of bearings as dotted curves; their orders at the last speed, and names.
-
-    In the turning frame nothing is drawn: what they excite depends on where it acts.
-    """
-    if turning(result) or not result.passing:
-        return {}
-    rpm = result.speed * RPM.factor
-    axes.plot(rpm, result.passing_frequency, color=GREY, lw=0.8, ls=":", zorder=2)
-    last = result.passing_frequency[-1] * 60.0 / rpm[-1] if rpm[-1] > 0.0 else np.full(1, np.nan)
-    return {k: name for k, name in zip(last.tolist(), result.passing, strict=False) if k == k}
-
-
 def draw_orders(
-    axes: Axes,
-    orders: Mapping[float, str],
-    rpm: float,
-    top: float,
-    defects: Mapping[float, str] | None = None,
+    axes: Axes, orders: Mapping[float, str], rpm: float, top: float
 ) -> list[tuple[float, str]]:
-    """Lines f = k n; returns height [Hz] and name of those that leave on the right.
-
-    ``defects``: orders that are named with them, and drawn elsewhere.
-    """
+    """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
 
     lines = [[(0.0, 0.0), (rpm, order * rpm / 60.0)] for order in orders]
-    orders = {**(defects or {}), **orders}
     end = {order: order * rpm / 60.0 for order in orders}
     axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
     _name_at_the_top(axes, {k: name for k, name in orders.items() if end[k] > top}, rpm, top)
@@ -288,21 +268,21 @@ def _name_modes(
     excitation: Sequence[tuple[float, str]],
     top: float,
     *,
-    short: bool,
+    brief: bool,
 ) -> None:
-    """Names at the right edge, moved apart where modes are close, joined to their curves; ``short``
+    """Names at the right edge, moved apart where modes are close, joined to their curves; ``brief``
     without their frequencies."""
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), short)) for k in shown]
+    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), brief)) for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)
     heights = [y for y, _ in labels]
-    size = FONT_SIZE - (1.5 if short else 1.0)
+    size = FONT_SIZE - (1.5 if brief else 1.0)
     line = 1.35 * size / 72.0 * axes.figure.dpi / axes.bbox.height
     placed = spread(heights, [top * line] * len(labels), 0.0, top)
     edge, frame = float(axes.get_xlim()[1]), axes.get_xlim()[1]
@@ -317,7 +297,10 @@ def _name_modes(
         axes.text(edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=size)
 
 
-def _called(mode: str, hertz: float, short: bool) -> str:
-    if short:
-        return mode.replace("backward", "bw").replace("forward", "fw")
-    return f"{mode}  {number(hertz, 0)} Hz"
+def _called(mode: str, hertz: float, brief: bool) -> str:
+    return short(mode) if brief else f"{mode}  {number(hertz, 0)} Hz"
+
+
+def short(mode: str) -> str:
+    """The name of a mode with its whirl in two letters."""
+    return mode.replace("backward", "bw").replace("forward", "fw")

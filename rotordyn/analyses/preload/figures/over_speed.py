@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.preload.known import preload_sum, sum_words
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.figures.curves import draw_columns, draw_references, merged
 from rotordyn.figures.legends import legend, top_legend
@@ -37,10 +37,9 @@ def preload_figure(
     result: PreloadResult, spindle: Spindle, references: Sequence[Reference] = ()
 ) -> Figure:
     """Load per bearing, sum of preloads, axial shifts, forces of springs and stops."""
-    figure, axes = four_over_speed(
-        ("axial load [N]", "sum of preloads [N]", "axial shift [µm]", "spring and stop force [N]"),
-        result.speed,
-    )
+    total = f"{sum_words(spindle)} [N]"
+    labels = "axial load along thrust [N]", total, "axial shift [µm]", "spring and stop force [N]"
+    figure, axes = four_over_speed(labels, result.speed)
     rpm = result.speed * RPM.factor
     draw_columns(axes[0], rpm, result.axial_load, result.bearing)
     axes[1].plot(rpm, preload_sum(result, spindle), color=BLUE, label="computed")

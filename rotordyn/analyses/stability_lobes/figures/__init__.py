@@ -14,6 +14,7 @@ from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import MILLIMETRE, RPM
 from rotordyn.results.headline import Curve
 
+LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
 HIGH = 4.0  # times the median limit: pockets are cut off there
 
 code = partial(Code, __name__)
@@ -36,4 +37,5 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     top = HIGH * float(np.median(known)) if known.size else 1.0
     depth = np.where(depth < top, depth, np.nan)
     rpm = result.cutting_speed * RPM.factor
-    yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, limits=(0.0, None))
+    how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS}
+    yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **how)

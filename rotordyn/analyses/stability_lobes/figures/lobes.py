@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS
 from rotordyn.analyses.stability_lobes.pockets import KEPT
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import FLIP, StabilityLobesSpec
-from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
     BLUE,
@@ -19,6 +20,7 @@ from rotordyn.figures.style import (
     GREY,
     RED,
     add_axes,
+    axis_start,
     new_figure,
     speed_ticks,
 )
@@ -33,22 +35,23 @@ ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 APART = 0.11  # of the axis, between marks of pockets
 ABOVE = 9.0  # [mm] of the second axis
-LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
-HIGH = 4.0  # times the median limit: above that pockets are cut off
+ROW = 3.6  # [mm] of a line below the figure
 
 
 def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figure:
     """Limit over speed with that at rest; removal rate and the frequency at which teeth pass as
-    second axes; below the chatter frequency and the mode next to it."""
-    figure = new_figure(168.0, 128.0)
-    upper = add_axes(figure, (15.0, 47.0, 135.0, 66.0), "", "depth of cut [mm]")
-    lower = add_axes(figure, (15.0, 11.0, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
+    second axes; below the chatter frequency and the mode next to it, and a list of pockets."""
     rpm = result.cutting_speed * RPM.factor
+    lines = len(rpm) >= LEAST_SPEEDS
+    marked = _marked(result) if lines else []
+    foot = ROW * (1 + (len(marked) + 1) // 2) if marked else 0.0
+    figure = new_figure(168.0, 128.0 + foot)
+    upper = add_axes(figure, (15.0, 47.0 + foot, 135.0, 66.0), "", "depth of cut [mm]")
+    lower = add_axes(figure, (15.0, 11.0 + foot, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
     tested = result.measured * MILLIMETRE.factor
     top = _height([depth, rest, tested])
     drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
-    lines = len(rpm) >= LEAST_SPEEDS
     if lines:
         _band(upper, result, rpm, top)
         upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
@@ -67,17 +70,16 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         upper.plot(rpm, shown, color=RED, lw=2.0, label="period doubling")
     upper.set_ylim(0.0, top)
     upper.tick_params(labelbottom=False)
-    if lines:
-        _pockets(upper, result, top)
+    _pockets(upper, result, marked, top)
+    _list(figure, result, marked)
     _removal(upper, result, float(rpm[-1]))
     _passing(upper, spec)
     lower.plot(rpm, result.chatter, ".", ms=2.5, color=BLUE, label="chatter")
     lower.plot(rpm, result.mode_frequency, "_", ms=2.5, color=GREY, label="nearest mode")
     lower.set_ylim(0.0, float(np.nanmax(result.chatter, initial=1.0)) * ROOM)
-    legend(lower, loc="lower left")
-    top_legend(figure, upper, above=ABOVE)
+    top_legend(figure, upper, lower, above=ABOVE)
     for axes in (upper, lower):
-        speed_ticks(axes, float(rpm[-1]))
+        speed_ticks(axes, float(rpm[-1]), low=axis_start(float(rpm[0]), float(rpm[-1])))
     return figure
 
 
@@ -92,28 +94,61 @@ def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float) -> N
     axes.fill_between(rpm, low, high, color=GREY, alpha=0.25, lw=0.0, label="band of the intervals")
 
 
-def _pockets(axes: Axes, result: StabilityLobesResult, top: float) -> None:
-    """The deepest pockets with what they remove, over the speeds that hold 80 % of them."""
-    span, marked = float(result.cutting_speed[-1]), list[float]()
+def _marked(result: StabilityLobesResult) -> list[int]:
+    """The deepest pockets, some way from one another, by their speed."""
+    span, marked = float(result.cutting_speed[-1]), list[int]()
+    speed = result.pocket_speed
     for k in range(len(result.pocket)):
-        own = float(result.pocket_speed[k])
-        if len(marked) == MARKED or any(abs(own - other) < APART * span for other in marked):
-            continue
-        marked.append(own)
+        near = any(abs(speed[k] - speed[other]) < APART * span for other in marked)
+        if len(marked) < MARKED and not near:
+            marked.append(k)
+    return sorted(marked, key=lambda k: float(speed[k]))
+
+
+def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], top: float) -> None:
+    """The ``marked`` pockets numbered, over the speeds that hold 80 % of them."""
+    for number, k in enumerate(marked, start=1):
         depth = min(result.pocket_depth[k] * MILLIMETRE.factor, 0.97 * top)
         ends = np.array([result.pocket_from[k], result.pocket_to[k]]) * RPM.factor
         axes.plot(ends, [KEPT * depth] * 2, color=BLACK, lw=1.0, marker="|", ms=4.0)
-        rate = result.pocket_removal[k] * REMOVAL.factor
-        rpm = own * RPM.factor
+        look: dict[str, Any] = {
+            "boxstyle": "circle,pad=0.15",
+            "fc": "white",
+            "ec": BLACK,
+            "lw": 0.6,
+        }
+        at = result.pocket_speed[k] * RPM.factor, KEPT * depth
         axes.annotate(
-            f"{rpm:.0f} rpm\n{rate:.0f} {REMOVAL.unit}",
-            (rpm, KEPT * depth),
-            xytext=(0.0, -2.0),
+            str(number),
+            at,
+            (0.0, -7.0),
             textcoords="offset points",
             ha="center",
-            va="top",
+            va="center",
             fontsize=SMALL,
+            bbox=look,
         )
+
+
+def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -> None:
+    """Speed and removal rate of the ``marked`` pockets at the foot of the figure."""
+    if not marked:
+        return
+    width, height = figure.get_size_inches() * 25.4
+    rows = (len(marked) + 1) // 2
+    look: dict[str, Any] = {"ha": "left", "va": "bottom", "fontsize": FONT_SIZE - 1.0}
+    head = f"deepest pockets, over the speeds that hold {KEPT:.0%} of their depth"
+    figure.text(15.0 / width, (1.5 + ROW * rows) / height, head, **look)
+    for number, k in enumerate(marked, start=1):
+        row, column = (number - 1) % rows, (number - 1) // rows
+        low, own, high = (
+            float(each[k]) * RPM.factor
+            for each in (result.pocket_from, result.pocket_speed, result.pocket_to)
+        )
+        rate = result.pocket_removal[k] * REMOVAL.factor
+        words = f"{number}: {own:.0f} rpm, {rate:.0f} {REMOVAL.unit}, from {low:.0f} to {high:.0f}"
+        at = (15.0 + 70.0 * column) / width, (1.5 + ROW * (rows - 1 - row)) / height
+        figure.text(*at, f"{words} rpm", **look)
 
 
 def _height(depths: Sequence[Array]) -> float:

@@ -34,6 +34,6 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
                 result.axial_load[index, :, k],
                 series=name,
                 panel=at,
-                along="temperature difference [K]",
+                along="added to shaft, inner rings and balls [K]",
                 title=at,
             )

@@ -69,7 +69,8 @@ def bearing_figure(result: TimeResponseResult) -> Figure:
             axes.plot(result.time * 1e3, values[:, k], label=name, **style)
         _name(axes, result, picked[column], first=not axial, last=bool(axial))
         if not column:
-            axes.set_ylabel("axial load [N]" if axial else "radial load [N]", fontsize=FONT_SIZE)
+            words = "axial load towards +x" if axial else "radial load"
+            axes.set_ylabel(f"{words} [N]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
     return figure
 

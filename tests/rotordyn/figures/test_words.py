@@ -1,0 +1,87 @@
+"""Words on figures: which way loads count, of what a sum is, numbers that curves leave free."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
+from rotordyn.analyses.campbell.figures.diagram import campbell_figure
+from rotordyn.analyses.preload.figures.over_speed import preload_figure
+from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
+from rotordyn.analyses.time_response.figures.histories import bearing_figure
+from tests.rotordyn.figures import samples
+
+
+def inside(axes):
+    """Whether the labels of both axes are no longer than these."""
+    axes.figure.canvas.draw()
+    across, up = (each.label.get_window_extent() for each in (axes.xaxis, axes.yaxis))
+    frame = axes.bbox
+    return across.width <= 1.02 * frame.width and up.height <= 1.02 * frame.height
+
+
+def test_preload_says_which_way_loads_count_and_what_is_summed():
+    axes = preload_figure(samples.preload(5), samples.spindle()).axes
+    assert axes[0].get_ylabel() == "axial load along thrust [N]"
+    assert axes[1].get_ylabel() == "sum of preloads on sleeves [N]"
+    assert all(inside(each) for each in axes)
+
+
+def test_loads_over_time_count_along_the_axis():
+    load = np.zeros((1, 5, 2, 3))
+    result = SimpleNamespace(
+        ended=np.ones(1), speed=np.zeros(1), bearing=("a", "b"), bearing_load=load,
+        peak_load=np.ones((1, 2)), time=np.linspace(0.0, 0.1, 5),
+    )  # fmt: skip
+    labels = [axes.get_ylabel() for axes in bearing_figure(result).axes]
+    assert labels == ["radial load [N]", "axial load towards +x [N]"]
+
+
+def test_a_difference_of_temperature_says_to_what_it_is_added():
+    result = SimpleNamespace(
+        speed=np.array([0.0, 100.0, 200.0]), difference=np.linspace(-10.0, 20.0, 4),
+        axial_load=np.ones((3, 4, 2)), bearing=("a", "b"),
+    )  # fmt: skip
+    for axes in load_figure(result).axes:
+        assert axes.get_xlabel() == "temperature added to shaft,\ninner rings and balls [K]"
+        assert inside(axes)
+
+
+def test_lines_of_defects_are_named_along_them_those_side_by_side_once():
+    base, turns = samples.campbell(9), samples.speeds(9) / (2.0 * math.pi)
+    orders = np.array([3.02, 3.0, 2.4, 90.0])
+    names = ("inner b", "inner a", "outer a", "ball a")
+    result = replace(base, passing=names, passing_frequency=turns[:, None] * orders)
+    axes = campbell_figure(result, max_frequency=3000.0).axes[0]
+    texts = {t.get_text().strip(): t for t in axes.texts}
+    assert {"inner a, b", "outer a", "ball a"} <= set(texts)
+    assert not set(texts) & {"inner a", "inner b"}
+    for name, order in (("inner a, b", 3.01), ("outer a", 2.4), ("ball a", 90.0)):
+        x, y = texts[name].get_position()
+        assert y == pytest.approx(order * x / 60.0)
+        assert 0.0 < x < axes.get_xlim()[1]
+        assert 0.0 < y < 3000.0
+    beside = [t for t in axes.texts if t.get_position()[0] > axes.get_xlim()[1]]
+    assert not any("inner" in t.get_text() for t in beside)
+
+
+@pytest.mark.parametrize("towards", [0.0, 60.0, 180.0])
+def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
+    azimuth = np.linspace(0.0, 2.0 * math.pi, 20, endpoint=False)
+    load = 200.0 * (1.1 + np.cos(azimuth - math.radians(towards)))
+    result = SimpleNamespace(
+        axial_load=np.ones((1, 1)), bearing=("a",), ball_azimuth=azimuth[None],
+        ball_inner_load=load[None, None], speed=np.zeros(1),
+    )  # fmt: skip
+    axes = rose_figure(result).axes[0]
+    rays = {text.get_position()[0] for text in axes.texts}
+    (ray,) = rays
+    assert math.cos(ray - math.radians(towards)) < -0.9
+    over = max(line.get_zorder() for line in axes.lines)
+    assert all(text.get_zorder() > over for text in axes.texts)
+    assert len(axes.texts) > 1

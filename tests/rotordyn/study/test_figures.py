@@ -1,0 +1,56 @@
+"""Figures of a study: every line is told apart and named, no name is cut."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.study.design import design
+from rotordyn.study.figures import figures
+from rotordyn.study.point import Outcome, Study
+
+PRELOAD = "spindle.sleeves.front.spring.preload"
+STATION = "spindle.bearings.c.x"
+TRAVEL = "spindle.sleeves.front.stop_travel"
+TRAVELS = ("40 um", "50 um", "60 um")
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str, Any]:
+    """Three paths; the first travel has no solution, as a machine that a point does not take."""
+    asked = {PRELOAD: ["300 N", "400 N", "450 N"], STATION: ["82 mm", "84 mm"], TRAVEL: [*TRAVELS]}
+    points = design(rotordyn.load("mfw2310"), asked)
+    numbers = {k: {"preload: sum at 0 rpm": (float(k), "N")} for k in range(points.count) if k % 3}
+    outcomes = {k: Outcome(k, numbers.get(k, {})) for k in range(points.count)}
+    made = figures(Study(rotordyn.load("mfw2310"), points), outcomes)
+    return {name: draw() for name, draw in made}
+
+
+def test_lines_of_a_third_path_are_told_apart_and_named(drawn: dict[str, Any]) -> None:
+    figure = drawn["study_preload"]
+    lines = [each for each in figure.axes[0].lines if np.isfinite(each.get_ydata()).any()]
+    looks = {(each.get_color(), each.get_linestyle(), each.get_marker()) for each in lines}
+    assert len(lines) == len(looks) == 4
+    titles = [legend.get_title().get_text() for legend in figure.legends]
+    assert titles == [f"{STATION} [mm]", f"{TRAVEL} [um]"]
+    words = [[text.get_text() for text in legend.get_texts()] for legend in figure.legends]
+    assert words == [["82", "84"], ["50", "60"]]  # the travels that have a line
+
+
+def test_axes_of_parallel_coordinates_are_named_whole_within_the_figure(
+    drawn: dict[str, Any],
+) -> None:
+    figure = drawn["study_across"]
+    labels = figure.axes[0].get_xticklabels()
+    names = ["".join(label.get_text().split("\n")) for label in labels]
+    assert [n.partition("[")[0].rstrip() for n in names[:3]] == [PRELOAD, STATION, TRAVEL]
+    assert labels[3].get_text().replace("\n", " ") == "preload: sum at 0 rpm [N]"
+    boxes = [label.get_window_extent(figure.canvas.get_renderer()) for label in labels]
+    assert min(box.x0 for box in boxes) >= 0.0
+    assert max(box.x1 for box in boxes) <= figure.bbox.x1
+    assert all(box.y0 >= 0.0 for box in boxes)
+    assert all(a.x1 < b.x0 for a, b in pairwise(boxes))
