@@ -41,9 +41,13 @@ class Converged(NamedTuple):
 
 
 def converged(
-    scene: Scene, limits_of: Callable[[Scene, Rows], Limits], operations: Sequence[Operation]
+    scene: Scene,
+    modelled: Callable[[Scene], float],
+    limits_of: Callable[[Scene, Rows], Limits],
+    operations: Sequence[Operation],
 ) -> Converged:
-    """At every usable speed above 0; ``limits_of`` some rows of a scene."""
+    """At every usable speed above 0; ``limits_of`` some rows of a scene, in which modes up to the
+    frequency ``modelled`` [Hz] take part, and no chatter is above it."""
     error = np.nan
     for doubling in range(DOUBLINGS + 1):
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
@@ -53,7 +57,8 @@ def converged(
             break
         error = _change(scene, limits_of, operations, rows, found)
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
-        if error <= ALLOWED or doubling == DOUBLINGS:
+        chatter = np.nanmax([limit.frequency for each in found for limit in each], initial=0.0)
+        if (error <= ALLOWED and chatter <= modelled(scene)) or doubling == DOUBLINGS:
             break
         scene = scene.refined
     return Converged(scene, limits, found, error)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +48,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     def limits_of(one: Scene, rows: Rows) -> Limits:
         return Limits(_tip(one, spec), rows, one.speed[one.usable[rows]], scene.progress)
 
-    running, limits, every, error = converged(running, limits_of, operations)
+    modelled = partial(_modelled, spec)
+    running, limits, every, error = converged(running, modelled, limits_of, operations)
     own = every[0]
     ends = band(limits, operations, every, spec.interval)
     tip_at_rest = _tip(running.at(np.zeros(1)), spec)
@@ -83,17 +85,17 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         pocket_removal=removal[deepest.place],
         pocket_from=deepest.low,
         pocket_to=deepest.high,
-        modelled=_modelled(running, spec),
+        modelled=_modelled(spec, running),
         error=error,
         error_asked=ALLOWED,
     )
 
 
 def _tip(scene: Scene, spec: StabilityLobesSpec) -> Tip:
-    return Tip(scene, spec.point, _feed(spec), _modelled(scene, spec))
+    return Tip(scene, spec.point, _feed(spec), _modelled(spec, scene))
 
 
-def _modelled(scene: Scene, spec: StabilityLobesSpec) -> float:
+def _modelled(spec: StabilityLobesSpec, scene: Scene) -> float:
     """Frequency up to which modes of the machine take part [Hz]."""
     return float(spec.max_frequency * FINER**scene.finer)
 
