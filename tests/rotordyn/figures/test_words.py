@@ -11,6 +11,7 @@ import pytest
 
 from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
+from rotordyn.analyses.frf.figures.map import map_figure
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
@@ -50,6 +51,15 @@ def test_a_difference_of_temperature_says_to_what_it_is_added():
     for axes in load_figure(result).axes:
         assert axes.get_xlabel() == "temperature added to shaft,\ninner rings and balls [K]"
         assert inside(axes)
+
+
+@pytest.mark.parametrize(("speeds", "shown"), [(2, 0.05), (3, 0.1), (7, 0.3), (8, 1.0)])
+def test_a_map_of_few_speeds_has_colours_beside_these_alone(speeds, shown):
+    image = map_figure(samples.frf(speeds, 100), [0]).axes[0].images[0]
+    known = np.isfinite(np.ma.filled(image.get_array(), np.nan)).any(axis=0)
+    assert known.mean() == pytest.approx(shown, abs=0.01)
+    assert known[0]
+    assert known[-1]
 
 
 def test_lines_of_defects_are_named_along_them_those_side_by_side_once():
