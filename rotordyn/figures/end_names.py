@@ -13,6 +13,7 @@ from rotordyn.figures.style import FONT_SIZE
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+NAMES = 24.0  # [mm] of room beside a panel
 SIZE = FONT_SIZE - 1.5
 LINE = 1.25 * SIZE * 25.4 / 72.0  # [mm] of a name
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.figures.curve_groups import limit_ordinate
+from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
@@ -133,7 +134,9 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
     columns = 1 if len(panels) == 1 or any(c.log for c in curves.values()) else 2
     rows = max(math.ceil(len(panels) / columns), 1)
     figure = new_figure(168.0, 16.0 + rows * (96.0 if len(panels) == 1 else 68.0))
-    boxes = grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 9.0), gaps=(18.0, 15.0))
+    named = len(panels) == 1 and any(curve.end for curve in curves.values())
+    margins = 17.0, 5.0 + NAMES * named, 12.0, 9.0
+    boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(18.0, 15.0))
     for box, (panel, shown) in zip(boxes, panels.items(), strict=False):
         first = shown[0][1]
         axes = add_axes(figure, box, first.along, f"{first.label} [{first.unit}]")
@@ -143,6 +146,8 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
         for key, curve in shown:
             _band(axes, held, held.curve.index(key), curve, series)
         _finish(axes, first)
+        if named:
+            name_ends(axes, _ends(held, shown, series), box[3])
     top_legend(figure, *figure.axes)
     return figure
 
@@ -163,6 +168,16 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence
             axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
     look = line_of(series.index(curve.series))
     axes.plot(x, y, label=curve.series or "as in the case", lw=1.0, **look)
+
+
+def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[str]) -> list[End]:
+    """Names of the nominal curves that reach the right edge."""
+    last = [(c, held.curve_nominal[held.rows_of(held.curve.index(key))][-1]) for key, c in shown]
+    return [
+        End(float(y), curve.end, line_of(series.index(curve.series))["color"], 0)
+        for curve, y in last
+        if np.isfinite(y)
+    ]
 
 
 def _finish(axes: Axes, curve: Curve) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from rotordyn.figures import stations
 from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
-from rotordyn.figures.end_names import End, name_ends
+from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box
 from rotordyn.figures.style import (
@@ -44,7 +44,7 @@ THICK, THIN = 2.4, 1.0  # the first variant, still seen below the last
 MAP, DARK = "viridis", "#444444"
 LEFT, RIGHT, BELOW, GAP = 17.0, 6.0, 12.0, 5.0  # [mm]
 STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
-NAMED_STRIP, NAMES = 48.0, 24.0  # the same where curves bear names at their ends, and their room
+NAMED_STRIP = 48.0  # the same where curves bear names at their ends
 BAR = 16.0  # room of a bar of colours [mm]
 MOST_STRIPS = 4
 

@@ -11,9 +11,12 @@ import pytest
 
 from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
+from rotordyn.analyses.frf.figures.map import map_figure
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
+from rotordyn.figures.interval import bands_figure
+from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
 
 
@@ -50,6 +53,32 @@ def test_a_difference_of_temperature_says_to_what_it_is_added():
     for axes in load_figure(result).axes:
         assert axes.get_xlabel() == "temperature added to shaft,\ninner rings and balls [K]"
         assert inside(axes)
+
+
+@pytest.mark.parametrize(("speeds", "shown"), [(2, 0.05), (3, 0.1), (7, 0.3), (8, 1.0)])
+def test_a_map_of_few_speeds_has_colours_beside_these_alone(speeds, shown):
+    image = map_figure(samples.frf(speeds, 100), [0]).axes[0].images[0]
+    known = np.isfinite(np.ma.filled(image.get_array(), np.nan)).any(axis=0)
+    assert known.mean() == pytest.approx(shown, abs=0.01)
+    assert known[0]
+    assert known[-1]
+
+
+def test_modes_in_their_bands_bear_their_names():
+    rpm = np.linspace(0.0, 9000.0, 5)
+    look = {"figure": "modes", "label": "frequency", "unit": "Hz", "x": rpm, "limits": (0.0, 1e3)}
+    modes = {f"bending {k} {w}": 200.0 * k + (w == "fw") for k in (1, 2) for w in ("bw", "fw")}
+    curves = {n: Curve(y=np.full(5, hz), series=n[-2:], end=n, **look) for n, hz in modes.items()}
+    nominal = np.repeat([*modes.values()], 5)
+    held = SimpleNamespace(
+        curve=tuple(modes), rows_of=lambda k: slice(5 * k, 5 * k + 5), x=np.tile(rpm, 4),
+        curve_nominal=nominal, curve_hypotheses=np.column_stack([nominal - 9.0, nominal + 9.0]),
+        curve_tolerances=np.column_stack([nominal - 5.0, nominal + 5.0]),
+    )  # fmt: skip
+    (axes,) = bands_figure(held, curves).axes
+    assert [text.get_text() for text in axes.texts] == ["bending 1 bw/fw", "bending 2 bw/fw"]
+    axes.figure.canvas.draw()
+    assert all(t.get_window_extent().x1 <= axes.figure.bbox.x1 for t in axes.texts)
 
 
 def test_lines_of_defects_are_named_along_them_those_side_by_side_once():

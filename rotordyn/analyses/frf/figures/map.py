@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
-from rotordyn.figures.mode_lines import Modes, draw_known, draw_modes
+from rotordyn.figures.mode_lines import LEAST_SPEEDS, Modes, draw_known, draw_modes
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 _ROWS, _COLUMNS = 420, 480
 FLOOR_DECADES = 4.0
+LEAST_RASTER = 8  # speeds; of fewer each is a band of its own
+BAND, UNKNOWN = 0.025, "#A8A8A8"  # of the axis on both sides of a speed; colour where none is near
 COLOURS = "viridis"
 
 
@@ -52,7 +54,8 @@ def map_figure(
             draw_modes(axes, campbell, colour="white", width=0.3)
         title = f"{result.kind} {result.pair[pair]}"
         if campbell is not None:
-            title += ", thin lines: damped modes" if columns == 1 else ""
+            lines = "marks" if len(campbell.speed) < LEAST_SPEEDS else "thin lines"
+            title += f", {lines}: damped modes" if columns == 1 else ""
         axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
         draw_scale(figure, image, result, pair, box)
     return figure
@@ -99,7 +102,7 @@ def draw_map(
     axes: Axes, result: FrequencyResponse, pair: int, limits: tuple[float, float] | None = None
 ) -> AxesImage:
     """An even raster: nearest speed across, largest amplitude of each row of pixels up, peaks
-    between the frequencies of the case included.
+    between the frequencies of the case included. A few speeds are bands.
 
     ``limits`` of the amplitude [printed unit]; by default its own.
     """
@@ -111,7 +114,12 @@ def draw_map(
     low, high = limits or amplitude_range(values)
     first = float(rpm[0])
     values = np.minimum(values, high)  # without damping a peak has no limit
-    values = nearest(values, rpm, first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS)
+    across = first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS
+    values = nearest(values, rpm, across)
+    if 1 < len(rpm) < LEAST_RASTER:
+        apart = np.abs(across[:, None] - rpm).min(axis=1)
+        values[apart > BAND * (top - first)] = np.nan
+        axes.set_facecolor(UNKNOWN)
     image = axes.imshow(
         np.log10(values.T),
         origin="lower",

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
-from rotordyn.analyses.preload.known import preload_sum, sum_words
+from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import MICROMETRE, RPM
@@ -31,8 +31,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     if not result.bearing or variant.spindle is None:
         return
     total = preload_sum(result, variant.spindle)
-    words, about = sum_words(variant.spindle), ("preload_sum", "")
-    yield Curve("preload", words, "N", rpm, total, known=about)
+    yield Curve("preload", "sum of preloads", "N", rpm, total, known=("preload_sum", ""))
     for name in result.sleeve:
         shift = result.position[:, result.body.index(name)] * MICROMETRE.factor
         known = ("sleeve_displacement", name)
