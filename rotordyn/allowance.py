@@ -99,7 +99,7 @@ def require_free_modes(size: int, count: int | None) -> None:
 
 
 def require_matrices(name: str, speeds: int, size: int, own: int) -> None:
-    """The same of matrices of ``size`` rows at so many speeds, of which the case has its ``own``."""
+    """The same of matrices of ``size`` rows at so many speeds; ``own``: those of the case."""
     more = f" ({own} of the case, others added between them)" if speeds > own else ""
     what = f"{name}: matrices of {size} rows at {speeds} speeds{more}"
     _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)

@@ -142,7 +142,8 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
             named = f" ({section.name})" if section.name else ""
             yield (
                 f"section from {start * 1e3:.4g} mm on{named} of the shaft is "
-                f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of its length"
+                f"{section.length:.4g} m long, {slender:.0f} times its diameter: "
+                "check the unit of its length"
             )
     if spindle.shaft.end - spindle.shaft.start > LONG:
         yield (
