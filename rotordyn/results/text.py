@@ -12,7 +12,6 @@ from rotordyn.results.display import number
 
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
-MOST_ENTRIES = 6  # of a list in a line
 WARNING = "WARNING: "
 _NO_BREAK = "\u00a0"
 
@@ -27,12 +26,6 @@ def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[s
 def unbroken(entry: str) -> str:
     """An entry that is not broken over two lines."""
     return entry.replace(" ", _NO_BREAK)
-
-
-def few(entries: Sequence[str]) -> str:
-    """Entries of a list, and how many more there are than ``MOST_ENTRIES``."""
-    rest = len(entries) - MOST_ENTRIES
-    return ", ".join(entries[:MOST_ENTRIES]) + (f" and {rest} more" if rest > 0 else "")
 
 
 def wrapped(line: str) -> list[str]:

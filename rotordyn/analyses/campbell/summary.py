@@ -131,25 +131,36 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
     at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
     speeds = (result.speed[[0, -1]] * RPM.factor).tolist()
     for k in range(min(MODES, max(map(len, at)))):
-        for modes, rpm in zip(at, speeds, strict=False):
-            for part, value in modes[k] if k < len(modes) else [("", math.nan)]:
-                yield Number(f"bending {k + 1}", "Hz", value, part, rpm)
+        for row, modes, rpm in zip((0, -1), at, speeds, strict=False):
+            for part, value, mode in modes[k] if k < len(modes) else [("", math.nan, None)]:
+                lost = np.isnan(result.frequency[row]).all()
+                there = "none" if lost or mode is None else _there(result, mode)
+                yield Number(f"bending {k + 1}", "Hz", value, part, rpm, absent=there)
 
 
-def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float]]]:
-    """Frequencies of the bending modes at a speed: of each pair backward and forward, or one that
-    has no partner."""
+def _there(result: CampbellResult, mode: int) -> str:
+    """At which speeds there is a mode that some speeds lack."""
+    rpm = result.speed[np.isfinite(result.frequency[:, mode])] * RPM.factor
+    if not rpm.size:
+        return "none"
+    return f"({rpm[0]:.0f} to {rpm[-1]:.0f} rpm)" if rpm.size > 1 else f"({rpm[0]:.0f} rpm)"
+
+
+def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, int]]]:
+    """Frequencies of the bending modes at a speed, and which they are: of each pair backward and
+    forward, or one that has no partner."""
     chosen = [k for k in np.flatnonzero(~result.mostly_overdamped) if result.kind[k] == "bending"]
-    values = result.frequency[row, chosen].tolist()
+    values = list(zip(result.frequency[row, chosen].tolist(), map(int, chosen), strict=True))
     if not chosen:
         return []
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
-    order = np.argsort(values, kind="stable").tolist()
+    order = np.argsort([value for value, _ in values], kind="stable").tolist()
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
-        return [[("", values[k])] for k in order]
-    return [[("backward", b), ("forward", f)] for b, f in zip(backward, forward, strict=False)]
+        return [[("", *values[k])] for k in order]
+    pairs = zip(backward, forward, strict=False)
+    return [[("backward", *one), ("forward", *other)] for one, other in pairs]
 
 
 def warnings(result: CampbellResult) -> list[str]:

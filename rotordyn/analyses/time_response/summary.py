@@ -12,7 +12,7 @@ from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import few, unbroken
+from rotordyn.results.text import unbroken
 
 
 def summary(result: TimeResponseResult) -> Iterator[str]:
@@ -34,9 +34,9 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             )
             for k, name in enumerate(result.bearing)
         ]
-        yield f"over time  {_rpm(result, row)}, largest displacement: {few(moved)}"
+        yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(moved)}"
         if pushed:
-            yield f"           largest load and contact pressure: {few(pushed)}"
+            yield f"           largest load and contact pressure: {', '.join(pushed)}"
 
 
 def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:

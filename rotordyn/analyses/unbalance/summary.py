@@ -11,7 +11,7 @@ from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
 from rotordyn.results.headline import Number
-from rotordyn.results.text import few, unbroken
+from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
@@ -38,9 +38,9 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {few(acting)}{turns}{_graded(result)}",
-        f"           largest half axis of the orbit, zero to peak: {few(moved)}",
-        f"           largest force, zero to peak: {few(pushed)}",
+        f"unbalance  {', '.join(acting)}{turns}{_graded(result)}",
+        f"           largest half axis of the orbit, zero to peak: {', '.join(moved)}",
+        f"           largest force, zero to peak: {', '.join(pushed)}",
         *_backward(result),
     ]
 
@@ -101,7 +101,7 @@ def _backward(result: UnbalanceResult) -> list[str]:
             ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
             many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
             words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
-    return [f"           whirl backward: {few(words)}"] if words else []
+    return [f"           whirl backward: {', '.join(words)}"] if words else []
 
 
 def accuracy(result: UnbalanceResult) -> list[str]:

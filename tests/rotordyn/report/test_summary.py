@@ -10,6 +10,7 @@ import pytest
 
 from rotordyn.case.read import load
 from rotordyn.cli.screen import HEIGHT, on_screen
+from rotordyn.job.side_by_side import write_comparison
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
 from rotordyn.report.side_by_side import comparison_summary
@@ -203,6 +204,21 @@ def test_without_spindle_and_with_missing_modes(results):
     partial = {"campbell": replace(results["campbell"], frequency=frequency)}
     text = summary(samples.SampleCase(), partial)
     assert "1 bw 903.0 → none" in text
+
+
+def test_where_a_mode_exists_that_some_speeds_lack_is_said_of_variants(case, results, tmp_path):
+    """In the table of the summary, and beside the empty cells of ``variants.csv``."""
+    campbell = results["campbell"]
+    frequency = campbell.frequency.copy()
+    bending = [k for k, kind in enumerate(campbell.kind) if kind == "bending"]
+    frequency[3:, bending] = np.nan
+    partial = {"campbell": replace(campbell, frequency=frequency)}
+    last = campbell.speed[2] * 30.0 / np.pi
+    assert f"→ (0 to {last:.0f} rpm)" in comparison_summary(case, [(case, partial)])
+    write_comparison(tmp_path, {"one": (load(CASES / "mfw2310.yaml"), partial)})
+    head, row = (tmp_path / "variants.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert head.endswith(",absent")
+    assert f"(0 to {last:.0f} rpm)" in row
 
 
 def test_a_mode_that_is_not_followed_is_said(results):
