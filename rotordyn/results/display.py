@@ -54,8 +54,9 @@ def number(value: float, digits: int = 1) -> str:
     if not math.isfinite(value):
         return "none"
     value = value if abs(value) > ROUNDING else 0.0  # of no sign
-    small = 0.0 < abs(value) < 10.0 ** (2 - digits)
-    return f"{value:.3g}" if small else f"{value:.{digits}f}"
+    if 0.0 < abs(value) < 10.0 ** (1 - digits):
+        return f"{value:.3g}"
+    return f"{value:.{digits + (0.0 < abs(value) < 10.0 ** (2 - digits))}f}"
 
 
 def rounded_up(error: float) -> str:

@@ -298,3 +298,9 @@ def test_a_stop_within_a_finaliser_is_not_lost(name: str) -> None:
     assert ran.returncode == 130, ran.stderr
     assert ran.stderr.strip() == "interrupted; nothing was written"
     assert time.perf_counter() - begin < 5.0
+
+
+def test_speeds_added_to_those_of_the_case_are_told() -> None:
+    with allowance.within(600.0, 1e6), pytest.raises(TooCostly) as caught:
+        allowance.require_matrices("bending system", 400, 582, 4)
+    assert "582 rows at 400 speeds (4 of the case, others added between them)" in str(caught.value)
