@@ -183,8 +183,9 @@ def _discs(spindle: Spindle) -> Iterator[str]:
 
 def _tip(spindle: Spindle) -> Iterator[str]:
     """A tip that stayed where it was when a section of the tool became longer."""
-    behind = spindle.points.get("tip", spindle.shaft.start) - spindle.shaft.start
-    if behind > NEAR:
+    start, end = spindle.shaft.reach
+    behind = spindle.points.get("tip", start) - start
+    if NEAR < behind < end - start - NEAR:
         yield (
             f"point tip lies {behind * 1e3:.4g} mm behind the front end: give it as `front` in the "
             "points of the tool, which follows its sections, or call it otherwise"

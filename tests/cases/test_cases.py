@@ -13,6 +13,7 @@ import pytest
 import rotordyn
 from docs.site.runs import case_run
 from rotordyn.case.case import Case
+from rotordyn.cli.screen import on_screen
 from rotordyn.job.delivery import write
 from rotordyn.job.results import Results
 from rotordyn.report.datasets import dataset
@@ -118,7 +119,8 @@ def _looked_at(case: Case, folder: Path) -> Results:
     for name, words in record["outcomes"].items():
         odd = {word for word in words if word and ENDED.get(case.name, word + "!") not in word}
         assert not odd, name
-    assert len((folder / "summary.txt").read_text(encoding="utf-8").splitlines()) <= 60
+    text = (folder / "summary.txt").read_text(encoding="utf-8")
+    assert len(on_screen(text, folder / "summary.txt").splitlines()) <= 60
     meant = WARNED.get(case.name, ())
     assert [w for w in record["warnings"] if not any(words in w for words in meant)] == []
     results = rotordyn.open(folder)

@@ -172,7 +172,7 @@ def test_temperatures_are_shown() -> None:
     assert names[0] == "temperature, balls [°C]"
     assert all(axes.lines for axes in drawn.axes)
     line = next(line for line in summary(found) if line.startswith("warm"))
-    assert f"balls {found.ball_temperature[2].min():.0f}" in line
+    assert f"balls {found.ball_temperature[2].min():.1f}" in line
 
 
 def rubbing() -> Spindle:
