@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import zip_longest
 
 import numpy as np
 
@@ -159,8 +160,11 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
         return [[("", *values[k])] for k in order]
-    pairs = zip(backward, forward, strict=False)
-    return [[("backward", *one), ("forward", *other)] for one, other in pairs]
+    ways = ("backward", "forward")
+    return [
+        [(way, *one) for way, one in zip(ways, pair, strict=True) if one is not None]
+        for pair in zip_longest(backward, forward)
+    ]
 
 
 def warnings(result: CampbellResult) -> list[str]:
