@@ -48,20 +48,31 @@ def converged(
 ) -> Converged:
     """At every usable speed above 0; ``limits_of`` some rows of a scene, in which modes up to the
     frequency ``modelled`` [Hz] take part, and no chatter is above it."""
-    error = np.nan
+    best = _at(scene, limits_of, operations)
     for doubling in range(DOUBLINGS + 1):
-        rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
-        limits = limits_of(scene, rows)
-        found = [limits.of(each) for each in operations]
         if not scene.checks.wanted:
             break
-        error = _change(scene, limits_of, operations, rows, found)
+        rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
+        error = _change(scene, limits_of, operations, rows, best.depths)
+        best, every = best._replace(error=error), [one for each in best.depths for one in each]
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
-        chatter = np.nanmax([limit.frequency for each in found for limit in each], initial=0.0)
+        chatter = np.nanmax([limit.frequency for limit in every], initial=0.0)
         if (error <= ALLOWED and chatter <= modelled(scene)) or doubling == DOUBLINGS:
             break
         scene = scene.refined
-    return Converged(scene, limits, found, error)
+        try:
+            best = _at(scene, limits_of, operations)
+        except InvalidInput:  # as in ``_change``, at slow speeds: what there is and its error
+            break
+    return best
+
+
+def _at(
+    scene: Scene, limits_of: Callable[[Scene, Rows], Limits], operations: Sequence[Operation]
+) -> Converged:
+    """Limits of a model, their error not known."""
+    limits = limits_of(scene, np.flatnonzero(scene.speed[scene.usable] > 0.0))
+    return Converged(scene, limits, [limits.of(each) for each in operations], np.nan)
 
 
 def _change(

@@ -129,6 +129,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"modes above {number(result.modelled, 0)} Hz: raise max_frequency, or give damping to "
             "such modes"
         )
+    elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
+        sentences.append(
+            f"stability_lobes: chatter at {number(highest, 0)} Hz is above the "
+            f"{number(result.modelled, 0)} Hz up to which the machine is modelled: raise "
+            "max_frequency"
+        )
     return sentences
 
 

@@ -361,6 +361,19 @@ def test_process_damping_deepens_slow_cuts(case):
     assert (damped > 1.05 * plain).all()
 
 
+def test_a_cut_too_slow_for_the_finer_model_keeps_the_first(tmp_path):
+    """At 150 rpm waves of the tool's own mode are too many; what changes elsewhere is told."""
+    asked = ASKED | {"max_frequency": "900 Hz", "radial": "400 MPa", "milling": "down"}
+    path = tmp_path / "tool.yaml"
+    slow = SLENDER.replace("tip: 0", "tip: -40").replace("[9000 rpm", "[150 rpm, 9000 rpm")
+    path.write_text(slow + f"    {asked}\n")
+    found = rotordyn.run(rotordyn.load(path))
+    lobes = found["stability_lobes"]
+    assert float(lobes["modelled"]) == 900.0
+    assert np.isfinite(lobes["depth"].values).all()
+    assert any("raise max_frequency" in each for each in found.warnings)
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_pockets_are_the_prominent_peaks(seed: int) -> None:
     """Those of scipy.signal, which is not loaded for them; on even tops the middle counts."""
