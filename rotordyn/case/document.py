@@ -29,7 +29,7 @@ MAX_VALUES = 100_000
 _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
 _UNPRINTABLE = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
-_TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space behind it
+TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space behind it
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -259,7 +259,7 @@ def _not_yaml(error: Exception, text: str) -> _Refused:
     if "maximum nesting depth" in problem:  # libyaml's own limit, met before the first event
         return _Refused(_TOO_DEEP, mark.line + 1, mark.column + 1)
     above = text.splitlines()[max(mark.line - 1, 0) : mark.line]
-    if tight := _TIGHT.search(line) or _TIGHT.search("".join(above)):
+    if tight := TIGHT.search(line) or TIGHT.search("".join(above)):
         lacking = f"is not YAML: put a space after the colon of '{tight[1]}:'"
         return _Refused(lacking, mark.line + (line == tight.string), tight.end(1) + 1)
     context = getattr(error, "context", None)

@@ -19,7 +19,7 @@ from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
-from rotordyn.field import Field, declared, kinds_of
+from rotordyn.field import Field, declared
 from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.flexible_rings import RingBodies
@@ -393,17 +393,3 @@ def bearing_class(word: object) -> Any:
 def kinds_with(key: str) -> list[str]:
     """The kinds of bearing that have this key."""
     return [kind for kind in KINDS if key in kind_class(kind).measures()]
-
-
-def deeper(kind: Any, name: str) -> str:
-    """Where a key that ``kind`` lacks stands one level down; empty where it does not.
-
-    >>> deeper(BearingSeat, "contact_angle")
-    'model.contact_angle'
-    """
-    for outer in keys_of(kind):
-        for inner in kinds_of(outer.annotation):
-            of_bearing = issubclass(inner, BallBearing) and kinds_with(name)
-            if of_bearing or name in {each.keys[0] for each in keys_of(inner) if each.keys}:
-                return ".".join((*outer.keys, name))
-    return ""

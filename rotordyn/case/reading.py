@@ -8,15 +8,16 @@ read from a file with faults is good for that and for nothing else.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
 from rotordyn import units
+from rotordyn.case.deeper import deeper
+from rotordyn.case.document import TIGHT
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, deeper, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.retired import RETIRED
@@ -25,7 +26,6 @@ from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, op
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
 
 _LISTED = 24
-_TIGHT = re.compile(r"([\w.*]+):[\[{\w]")  # a key without a space behind it
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 
@@ -78,7 +78,7 @@ class Reading:
     def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
         """Reports a value of another shape than is needed."""
         message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
-        if isinstance(node.value, str) and (tight := _TIGHT.match(node.value)):
+        if isinstance(node.value, str) and (tight := TIGHT.match(node.value)):
             message += f" (put a space after the colon of '{tight[1]}:')"
         self.faults.at(node, message)
         return unknown(annotation)

@@ -13,7 +13,7 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
-from rotordyn.case.keys import deeper
+from rotordyn.case.deeper import deeper
 from rotordyn.case.shared import called, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput

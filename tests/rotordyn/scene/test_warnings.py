@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import rotordyn
 from rotordyn.analyses.frf import summary as frf
 from rotordyn.analyses.stiffness import solve as stiffness
 from rotordyn.analyses.stiffness import summary as stiffness_summary
@@ -14,7 +15,7 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import summary as unbalance
 from rotordyn.results.balls import gripping, pressed, slipping
 from rotordyn.scene.scene import Scene
-from rotordyn.scene.warnings import bearing_warnings
+from rotordyn.scene.warnings import _lost, bearing_warnings
 from tests.oracles.spindles import RPM, conditions, mfw2310
 from tests.rotordyn.figures import samples
 
@@ -85,3 +86,29 @@ def test_accuracy_not_reached_is_a_warning() -> None:
         worse = replace(result, error_asked=1e-9)
         (said,) = (one for one in module.warnings(worse) if "less accurate" in one)
         assert "remains after refinement" in said
+
+
+@pytest.mark.parametrize(("times", "said"), [(1.0, False), (8.0, True)])
+def test_preloads_beyond_all_classes_are_told(times: float, said: bool) -> None:
+    machine = mfw2310()
+    sleeves = tuple(
+        replace(each, spring=replace(each.spring, preload=times * each.spring.preload))
+        for each in machine.sleeves
+    )
+    found = Scene(replace(machine, sleeves=sleeves), conditions(), np.array([0.0]))
+    assert found.outcome == ("",)
+    told = [one for one in found.warnings if "preloaded to less than 2 GPa" in one]
+    assert bool(told) == said
+
+
+def test_a_bearing_within_its_play_is_told() -> None:
+    spindle = rotordyn.load("spindle_deep_groove_rear").spindle
+    deep, angular = spindle.seats[-1], spindle.seats[0]
+    assert (deep.bearing.both_ways, angular.bearing.both_ways) == (True, False)
+    load = np.array([[5.0, 0.0, 2.0], [0.0, 0.0, 0.0]])
+    speed, usable = np.array([0.0, 300.0]), np.array([True, True])
+    (said,) = _lost("rear", speed, usable, load, deep)
+    assert "it stands within its play at 2865 rpm" in said
+    assert not [*_lost("rear", speed[:1], usable[:1], load[:1], deep)]
+    (some,) = _lost("a", speed[:1], usable[:1], load[:1], angular)
+    assert "1 of its 3 balls carry nothing" in some
