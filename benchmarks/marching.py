@@ -17,10 +17,10 @@ import numpy as np
 import rotordyn
 from benchmarks.kept import keep
 from benchmarks.processes import ROOT
-from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import mean_inputs
 from rotordyn.analyses.time_response.march import march
+from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.spec import TimeResponseSpec
 from rotordyn.arrays import Array
 from rotordyn.scene.scene import Scene
@@ -39,12 +39,13 @@ def measure() -> list[dict[str, Any]]:
     ports = tuple({spindle.place(at) for at in spec.places})
     speed = np.array(case.speeds)
     scene = Scene(spindle, case.conditions, speed, spec.max_frequency, ports)
-    equation, bearings = Equation.of(scene, spec), Bearings.of(scene)
+    equation = Equation.of(scene, spec)
+    nonlinear = Nonlinear.of(scene, equation)
     inputs, still = partial(mean_inputs, spec, equation.speed), 0.0 * equation.damping[:, 0]
 
     def displacement(steps: int) -> Array:
         length = spec.duration / steps
-        path = march(equation, inputs, length, steps, (still, still), bearings)
+        path = march(equation, inputs, length, steps, (still, still), nonlinear)
         return path.points[:, :: 2 * steps // SHOWN]
 
     truth = displacement(8 * STEPS[-1])

@@ -296,6 +296,7 @@ Growth = Annotated[float, Quantity("length", at_least="-1 mm", at_most="1 mm")]
 RingOffset = Annotated[float, Quantity("length", above="0 um", at_most="1 mm")]
 Interference = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm")]
 Travel = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
+StopStiffness = Annotated[float, Quantity("stiffness", at_least="1 N/um", at_most="1e5 N/um")]
 StopTravel = Annotated[
     float, Quantity("length", at_least="0 um", at_most="100 mm", infinite="none")
 ]

@@ -57,6 +57,7 @@ WARNED = {  # what the case is there to show
     "friswell_tapered_shaft": ("unstable", "grows by itself", "modes are overdamped"),
     "friswell_cross_coupled": ("frf: nothing in the machine is damped",),
     "grinding_spindle_catalogue": ("estimate from catalogue values",),
+    "grinding_spindle_knock": ("estimate from catalogue values",),
     "grinding_spindle_rings": (
         "cartridge: bearing a: its ball 13, at 180°",
         "has play in its housing by its fit",
@@ -71,6 +72,7 @@ ENDED = {"vex70_warm": "temperatures run away"}  # where states end, as the case
 
 
 SLOW = {  # whose analyses other cases have, too
+    "grinding_spindle_knock",
     "grinding_spindle_touch",
     "mfw2310_interval",
     "mfw2310_lobes",

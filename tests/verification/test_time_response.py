@@ -18,14 +18,14 @@ from rotordyn.analyses.bearing_loads.solve import answer as loads_answer
 from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
 from rotordyn.analyses.frf.solve import answer as frf_answer
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs, values
 from rotordyn.analyses.time_response.march import march
+from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
 from rotordyn.analyses.time_response.solve import answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
-from rotordyn.analyses.time_response.summary import warnings
+from rotordyn.analyses.time_response.summary import summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
@@ -145,12 +145,13 @@ def test_the_error_falls_nearly_with_the_fourth_power_of_the_step(
     lose their contact (3 kN), of which the law has no third derivative."""
     spec = TimeResponseSpec(2e-3, 4000.0, ("nose",), (push(force, frequency=700.0),))
     scene = seen(short(), spec, 20000.0, **CONTROL)
-    equation, bearings = Equation.of(scene, spec), Bearings.of(scene)
+    equation = Equation.of(scene, spec)
+    nonlinear = Nonlinear.of(scene, equation)
 
     def path(count: int) -> Array:
         inputs, still = partial(mean_inputs, spec, equation.speed), 0.0 * equation.damping[:, 0]
         length = spec.duration / count
-        moved = march(equation, inputs, length, count, (still, still), bearings).points[0]
+        moved = march(equation, inputs, length, count, (still, still), nonlinear).points[0]
         return moved[:: 2 * count // 40]
 
     paths = [path(count) for count in (40, 80, 160, 320, 640)]
@@ -286,8 +287,8 @@ def test_a_blow_of_100_kn_is_answered_with_any_step(steps: int) -> None:
     scene = seen(short(), spec, 20000.0, **CONTROL)
     equation = Equation.of(scene, spec)
     inputs, still = partial(mean_inputs, spec, equation.speed), 0.0 * equation.damping[:, 0]
-    begun = still, still
-    path = march(equation, inputs, 1e-3 / steps, steps, begun, Bearings.of(scene))
+    begun, nonlinear = (still, still), Nonlinear.of(scene, equation)
+    path = march(equation, inputs, 1e-3 / steps, steps, begun, nonlinear)
     assert path.ended[0] == 2 * steps + 1
 
 
@@ -399,6 +400,15 @@ def test_what_a_machine_contradicts_is_refused() -> None:
     assert "tip" in said(short(), replace(spec, points=("tip",)))
     assert "tip" in said(short(), replace(spec, forces=(push(1.0, at="tip"),)))
     turning = replace(spec, unbalances=(Unbalance("nose", 1e-6),))
+    closing = replace(spec, stop_stiffness=1e9)
+    assert "no sleeve slides freely" in said(short(), closing)
+    assert "no sleeve slides freely" in said(short(spring=Spring(300.0, 5e6)), closing)
+    stopped = short(spring=Spring(300.0, 5e6), travel=1e-5)
+    assert said(stopped, closing) == ""
+    without = replace(stopped, sleeves=(replace(stopped.sleeves[0], mass=0.0),))
+    assert "sleeve rear has no mass" in said(without, closing)
+    rubbing = replace(stopped, sleeves=(replace(stopped.sleeves[0], friction=10.0),))
+    assert "no sleeve slides freely" in said(rubbing, closing)
     assert "from 2000 Hz" in said(short(), turning, speeds=(0.0, 4000.0 * math.pi))
 
 
@@ -438,3 +448,125 @@ def test_peaks_are_those_between_instants(phase: float) -> None:
     assert when[0] == pytest.approx(fine[known.argmax()], abs=0.004)
     assert (when[1], size[1]) == (2.0, 2.0)
     assert (when[2], size[2]) == (time[3], pytest.approx(ended[3]))
+
+
+# --- end stops ------------------------------------------------------------------------------------
+
+STOP = 3e8  # N/m
+
+
+def along_the_axis(scene: Scene, force: ForceOverTime, time: Array) -> Array:
+    """Displacements of shaft and sleeve along the axis (t, 2), both rigid, by Newton's equations of
+    two bodies: bearings asked for their load where their rings are, a spring, and a stop that only
+    pushes."""
+    spindle, speed, state = scene.spindle, float(scene.speed[0]), scene.preload
+    sleeve, (front, rear) = spindle.sleeves[0], spindle.seats
+    gap = float(state.stop_gaps()[0, 0])
+    gap = gap if not state.stopped[0, 0] else -float(state.stop_force[0, 0]) / STOP
+    begun = np.array([balls.displacement[0, at] for balls, at in state.seat_states()])
+
+    def loads(front: float, rear: float) -> Array:
+        there = begun + np.outer([front, rear], [1.0, 0.0, 0.0, 0.0, 0.0])
+        found = BEARING.equilibrium(displacement=there, speed=speed, **CONTROL)
+        return np.asarray(found.load[:, 0])
+
+    still = loads(0.0, 0.0)
+    masses = np.array([rotor_inertia(spindle).mass, sleeve.mass])
+
+    def rate(t: float, q: Array) -> Array:
+        x, u, v, w = q
+        ahead, back = loads(x, u - x) - still
+        ahead += front.axial_damping * v
+        back += rear.axial_damping * (w - v)
+        # the spring pushes the outer ring of the rear bearing, of thrust -1, towards +x
+        pressed = max(-(gap + u), 0.0) - max(-gap, 0.0)
+        forces = [
+            float(values(force, np.array(t))) - ahead + back,
+            -back - sleeve.spring.stiffness * u + STOP * pressed,
+        ]
+        return np.concatenate([[v, w], np.array(forces) / masses])
+
+    how = dict(method="DOP853", rtol=1e-7, atol=1e-12, max_step=2e-5)
+    found = solve_ivp(rate, (0.0, time[-1]), np.zeros(4), t_eval=time, **how)
+    return np.asarray(found.y[:2].T)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(
+    ("rpm", "force", "travel"),
+    [
+        (30000.0, 2500.0, 2e-6),
+        (0.0, -2500.0, 4e-6),
+        (0.0, -6000.0, 12e-6),
+        (30000.0, -2500.0, 2e-6),
+    ],
+)
+def test_a_stop_closes_and_opens_as_newtons_equations_say(
+    rpm: float, force: float, travel: float
+) -> None:
+    """At rest a blow closes it, and it opens again; at 30 000 rpm it is closed in the preload
+    state, and a blow the other way opens it."""
+    blow = push(force, direction="x", pulse=6e-4)
+    spindle = short(600.0, Spring(300.0, 5e6), travel)
+    spec = TimeResponseSpec(1.5e-3, 8000.0, ("nose",), (blow,), stop_stiffness=STOP)
+    scene = seen(spindle, spec, rpm, rotor="rigid", accuracy=1e-4, **ALONE)
+    found = answer(scene, spec)
+    moved = along_the_axis(scene, blow, found.time)
+    assert (found.gap[0] > 0.0).any()
+    assert (found.gap[0] < 0.0).any()
+    apart = np.abs(found.displacement[0, :, 0, 0] - moved[:, 0])
+    assert apart.max() < 2e-4 * np.abs(moved[:, 0]).max()
+    slid = found.gap[0, :, 0] - found.gap[0, 0, 0]
+    assert np.abs(slid - moved[:, 1]).max() < 5e-4 * np.abs(moved[:, 1]).max()
+    assert found.stop_force[0, 0] == pytest.approx(-STOP * found.gap[0].min(), rel=1e-12)
+
+
+def blown(force: float, travel: float, stiffness: float | None) -> Any:
+    """A short shaft under a blow along its axis, 30 000 rpm."""
+    blow = push(force, direction="x", pulse=6e-4)
+    spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (blow,), stop_stiffness=stiffness)
+    return answer(seen(short(600.0, Spring(300.0, 5e6), travel), spec, 30000.0), spec)
+
+
+def test_stops_that_are_not_reached_or_not_left_change_nothing() -> None:
+    """What the stiffness of one that stays closed changes falls with its inverse."""
+    far, none = blown(500.0, 1e-3, STOP), blown(500.0, 1e-3, None)
+    assert np.abs(far.displacement - none.displacement).max() < 1e-9 * none.largest.max()
+    assert far.stop_force == 0.0
+    rigid = blown(-300.0, 2e-6, None)
+    apart = [
+        np.abs(blown(-300.0, 2e-6, k).displacement - rigid.displacement).max() for k in (3e9, 3e10)
+    ]
+    assert 8.0 < apart[0] / apart[1] < 12.0
+    assert apart[1] < 0.01 * rigid.largest.max()
+
+
+def test_the_error_falls_where_stops_close() -> None:
+    """By three for each halving of the step, on average: the force of a stop has a kink."""
+    blow = push(-2500.0, direction="x", pulse=6e-4)
+    spec = TimeResponseSpec(1.5e-3, 8000.0, ("nose",), (blow,), stop_stiffness=STOP)
+    scene = seen(short(600.0, Spring(300.0, 5e6), 4e-6), spec, 0.0, **CONTROL)
+    equation = Equation.of(scene, spec)
+    nonlinear, still = Nonlinear.of(scene, equation), 0.0 * equation.damping[:, 0]
+    inputs = partial(mean_inputs, spec, equation.speed)
+
+    def path(count: int) -> Array:
+        length = spec.duration / count
+        moved = march(equation, inputs, length, count, (still, still), nonlinear).points[0]
+        return moved[:: 2 * count // 60]
+
+    paths = [path(count) for count in (60, 120, 240, 480, 960, 1920)]
+    errors = [np.abs(one - other).max() for one, other in pairwise(paths)]
+    assert (errors[0] / errors[-1]) ** (1 / 4) > 2.8
+
+
+def test_what_stops_do_is_told() -> None:
+    """With a stiffness the force of a stop, without one that it would close, or open."""
+    knocked = blown(2500.0, 2e-6, STOP)
+    assert not [*warnings(knocked)]
+    assert any("largest force of the end stop: rear" in line for line in summary(knocked))
+    (told,) = warnings(blown(2500.0, 2e-6, None))
+    assert "with a stop_stiffness stops open" in told
+    (told,) = warnings(blown(-2500.0, 9e-6, None))
+    assert "beyond its end stop" in told
+    assert "with a stop_stiffness they close" in told

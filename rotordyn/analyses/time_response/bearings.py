@@ -17,7 +17,7 @@ from rotordyn.scene.scene import Scene
 PLACES = 2  # in time at which bearings are solved together: middle and end of a step
 
 
-class Evaluation(NamedTuple):
+class BearingForces(NamedTuple):
     """Nonlinear forces (s, 2, seats, 5), their slopes (s, 2, seats, 5, 5), speeds at which every
     bearing has a state (s,), and the bearings where they stand now."""
 
@@ -69,7 +69,7 @@ class Bearings:
         one = np.ones_like(self.radius)
         return np.stack([one, one, one, self.radius, self.radius], axis=1).ravel()
 
-    def at(self, moved: Array) -> Evaluation:
+    def at(self, moved: Array) -> BearingForces:
         """With rings displaced by ``moved`` (s, 2, seats, 5) from their states."""
         moved, near = moved.swapaxes(1, 2), []
         force, slope = np.zeros(moved.shape), np.zeros((*moved.shape, 5))
@@ -81,7 +81,7 @@ class Bearings:
             slope[:, seats] = here.stiffness - self.tangent[:, seats, None]
             exists &= np.isfinite(here.error).all(axis=(1, 2))
         force -= np.einsum("skij,sknj->skni", self.tangent, moved)
-        return Evaluation(
+        return BearingForces(
             force.swapaxes(1, 2), slope.swapaxes(1, 2), exists, replace(self, near=near)
         )
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
+from rotordyn.analyses.time_response.stops import Stops
 from rotordyn.arrays import Array, Indices
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
@@ -26,8 +27,8 @@ class Equation:
     the spec. ``speed`` (s, unbalances) [rad/s]: of the rotors of the unbalances. By the
     coordinates: ``points`` (3·points, n), displacements; ``rings`` (5·seats, n), displacement of
     every inner ring against its outer ring in the frame of the bearing; ``sleeves`` (sleeves, n),
-    displacement along the axis, which springs and closed stops resist by ``held`` (s, sleeves)
-    [N/m].
+    displacement along the axis, which springs and stops that stay closed resist by ``held``
+    (s, sleeves) [N/m]. ``stops``: those that close and open, of which K has the closed ones.
     """
 
     stiffness: Array
@@ -38,6 +39,7 @@ class Equation:
     rings: Array
     sleeves: Array
     held: Array
+    stops: Stops
 
     @classmethod
     def of(cls, scene: Scene, spec: TimeResponseSpec, rows: Indices | None = None) -> Equation:
@@ -52,16 +54,26 @@ class Equation:
             at = [(*spindle.place(point), way) for point, way in places]
             return joined(lambda part: np.stack([part.row(*each) for each in at]))
 
+        stiffness = _blocks([part.allowed_stiffness for part in parts])
+        sleeves = joined(lambda part: _sleeves(scene, part))
+        held = np.sum([_held(scene, part) for part in parts], axis=0)
+        stops = Stops.of(scene, spec.stop_stiffness, rows)
+        if stops.act.any():
+            springs = np.array([sleeve.spring.stiffness for sleeve in spindle.sleeves])
+            given = np.where(stops.act, springs + stops.stiffness * stops.closed, held)
+            stiffness += np.einsum("sk,kn,km->snm", given - held, sleeves, sleeves)
+            held = np.where(stops.act, springs, held)
         ratios = [spindle.ratios[spindle.place(each.at).rotor] for each in spec.unbalances]
         return cls(
-            stiffness=_blocks([part.allowed_stiffness for part in parts]),
+            stiffness=stiffness,
             damping=_blocks([part.within(part.damping) for part in parts]),
             inputs=displaced([*spec.ports]).T,
             speed=parts[0].speed[:, None] * np.array(ratios),
             points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
             rings=joined(lambda part: _rings(scene, part)),
-            sleeves=joined(lambda part: _sleeves(scene, part)),
-            held=np.sum([_held(scene, part) for part in parts], axis=0),
+            sleeves=sleeves,
+            held=held,
+            stops=stops,
         )
 
 

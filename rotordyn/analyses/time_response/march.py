@@ -1,8 +1,9 @@
 """Steps of q̈ + C q̇ + K q = L g(t) − Rᵀ r(R q), exact where g and r are quadratics of time.
 
-The nonlinear forces r of the bearings depend on the displacements R q of their rings, which are
-solved for at the middle and the end of a step. Over a step these are linear in r: Newton's method
-has only as many unknowns as rings have motions, however many coordinates the machine has.
+The nonlinear forces r of bearings and stops depend on the displacements R q of rings and sleeves,
+which are solved for at the middle and the end of a step. Over a step these are linear in r:
+Newton's method has only as many unknowns as these have motions, however many coordinates the
+machine has.
 
 Theory: docs/theory/time_response.md.
 """
@@ -15,8 +16,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rotordyn.allowance import require_time
-from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
+from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.arrays import Array, Flags, Indices
 
 NODES = 3  # of a quadratic: start, middle and end of a step
@@ -87,7 +88,7 @@ class Step:
         given = inputs.reshape(len(state), 1, -1, 1)
         return (self.seen_by_state @ state[:, None, :, None] + self.seen_by_input @ given)[..., 0]
 
-    def of_rings(self, count: int) -> Array:
+    def by_force(self, count: int) -> Array:
         """The last ``count`` of what is seen by as many first inputs (s, 2·count, 2·count), both at
         middle and end."""
         s, _, w, _ = self.seen_by_input.shape
@@ -126,17 +127,18 @@ def march(
     length: float,
     steps: int,
     begun: tuple[Array, Array],
-    bearings: Bearings | None = None,
+    nonlinear: Nonlinear | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Path:
     """In ``steps`` of ``length`` [s] from q and q̇ (s, n) as ``begun``.
 
-    ``inputs`` gives means between edges (t + 1,) [s], shape (s, p, t). Without ``bearings`` these
-    are linear. Raises TooCostly where the time of a run is over.
+    ``inputs`` gives means between edges (t + 1,) [s], shape (s, p, t). Without ``nonlinear`` forces
+    bearings are linear, and stops stay as they are. Raises TooCostly where the time of a run is
+    over.
     """
-    rings = equation.rings if bearings is not None else equation.rings[:0]
-    seen, r = np.concatenate([equation.points, equation.sleeves, rings]), len(rings)
-    joined = np.hstack([-rings.T, equation.inputs])
+    rows = equation.rings[:0] if nonlinear is None else nonlinear.rows(equation)
+    seen, r = np.concatenate([equation.points, equation.sleeves, rows]), len(rows)
+    joined = np.hstack([-rows.T, equation.inputs])
     step = Step.of(equation.stiffness, equation.damping, joined, seen, length)
     speeds, instants = len(equation.stiffness), 2 * steps + 1
     moved = np.full((speeds, instants, len(seen)), np.nan)
@@ -144,8 +146,8 @@ def march(
     state = np.concatenate([begun[0], begun[1] / step.scale], axis=1)
     moved[:, 0] = begun[0] @ seen.T
     newton = None
-    if bearings is not None:
-        newton = _Newton(bearings, step.of_rings(r))
+    if nonlinear is not None:
+        newton = _Newton(nonlinear, step.by_force(r))
         force[:, 0] = newton.start(moved[:, 0, len(seen) - r :])
     unbalanced, ended = np.zeros(speeds, dtype=bool), np.full(speeds, instants)
     for k in range(steps):
@@ -185,27 +187,28 @@ def _path(
     gone = np.arange(moved.shape[1]) >= ended[:, None]
     moved[gone], force[gone] = np.nan, np.nan
     points, sleeves = len(equation.points), len(equation.sleeves)
-    parts = np.split(moved, [points, points + sleeves], axis=2)
-    return Path(parts[0], parts[1], parts[2], force, ended, unbalanced)
+    rings = min(len(equation.rings), force.shape[2])
+    parts = np.split(moved, np.cumsum([points, sleeves, rings]), axis=2)
+    return Path(parts[0], parts[1], parts[2], force[..., :rings], ended, unbalanced)
 
 
 class _Newton:
-    """Balance of the bearings over a step, by Newton's method.
+    """Balance of bearings and stops over a step, by Newton's method.
 
-    Displacements δ (s, 10·seats) of the rings at middle and end are linear in the nonlinear forces
-    r alike: ``by_force`` (s, 10·seats, 10·seats).
+    Displacements δ (s, 2r) at middle and end are linear in the nonlinear forces alike:
+    ``by_force`` (s, 2r, 2r).
     """
 
-    def __init__(self, bearings: Bearings, by_force: Array) -> None:
-        self._bearings, self._by_force = bearings, by_force
+    def __init__(self, nonlinear: Nonlinear, by_force: Array) -> None:
+        self._nonlinear, self._by_force = nonlinear, by_force
         speeds, size, _ = by_force.shape
-        self._columns = by_force.reshape(speeds, size, -1, 5).swapaxes(1, 2)
-        self._lever = np.tile(bearings.lever, 2)
+        self._columns = by_force.reshape(speeds, size, 2, -1).swapaxes(1, 2)
+        self._lever = np.tile(nonlinear.lever, 2)
         self._last, self._largest = np.zeros((speeds, size)), np.zeros(speeds)
         self._alive = np.ones(speeds, dtype=bool)
 
     def start(self, moved: Array) -> Array:
-        """Nonlinear forces (s, 5·seats) where rings are at the beginning."""
+        """Nonlinear forces (s, r) at the displacements ``moved`` (s, r) of the beginning."""
         twice = np.repeat(moved[:, None], 2, axis=1)
         force, _, exists = self._evaluate(twice.reshape(self._last.shape))
         self._alive &= exists
@@ -213,8 +216,8 @@ class _Newton:
         return np.where(exists[:, None], force[:, : moved.shape[1]], 0.0)
 
     def balance(self, trial: Array, force: Array) -> tuple[Array, Flags]:
-        """Nonlinear forces r (s, 2, 5·seats) in balance, and speeds at which they are; from
-        ``force``, with which rings would be at ``trial`` (s, 2, 5·seats).
+        """Nonlinear forces (s, 2, r) in balance, and speeds at which they are; from ``force``, with
+        which displacements would be ``trial`` (s, 2, r).
 
         A place without a state of a bearing is one that Newton's method overshot to: the way there
         from where all had one is halved.
@@ -232,7 +235,7 @@ class _Newton:
             gap = base + (self._by_force @ here[..., None])[..., 0] - moved
             turned = (self._columns @ slope).swapaxes(1, 2).reshape(self._by_force.shape)
             change = np.linalg.solve(np.eye(gap.shape[1]) - turned, gap[..., None])[..., 0]
-            more = (slope @ change.reshape(*slope.shape[:2], 5, 1)).reshape(gap.shape)
+            more = (slope @ change.reshape(*slope.shape[:3], 1)).reshape(gap.shape)
             good = np.where(exists[:, None], moved, good)
             good_force = np.where(exists[:, None], here + more, good_force)
             size = np.abs(good * self._lever).max(axis=1)
@@ -249,9 +252,7 @@ class _Newton:
         return np.where(self._alive[:, None], good_force, 0.0).reshape(shape), self._alive.copy()
 
     def _evaluate(self, moved: Array) -> tuple[Array, Array, Flags]:
-        """Nonlinear forces (s, 10·seats), slopes (s, 2·seats, 5, 5), where there are states."""
-        speeds = len(moved)
-        found = self._bearings.at(moved.reshape(speeds, 2, -1, 5))
-        self._bearings = found.bearings
-        force, slope = found.force.reshape(moved.shape), found.slope.reshape(speeds, -1, 5, 5)
-        return force, slope, found.exists & self._alive
+        """Nonlinear forces (s, 2r), slopes (s, 2, r, r), where there are states."""
+        found = self._nonlinear.at(moved.reshape(len(moved), 2, -1))
+        self._nonlinear = found.where
+        return found.force.reshape(moved.shape), found.slope, found.exists & self._alive

@@ -9,6 +9,7 @@ from rotordyn.results.display import Shown
 from rotordyn.results.kinds import Array, Words
 
 MILLISECOND = Shown("ms", 1e3)
+OPEN = Absence("of a sleeve without a stop, or whose stop stays closed", by=("speed", "sleeve"))
 ENDED = Absence("from the time on at which the answer ends", by=("speed", "time"))
 POINT, BEARING, SLEEVE = ("speed", "point"), ("speed", "bearing"), ("speed", "sleeve")
 
@@ -22,10 +23,11 @@ class TimeResponseResult:
     ``bearing_load``: of the shaft on the inner ring, preload included and damping not, in the
     directions of the spindle. ``largest``: greatest magnitude of the displacement.
     ``peak_pressure`` and ``peak_idle``: largest of the instants at which the load peaks.
-    End stops stay as they are in the preload state: where ``stop_gap``, the least gap of an open
-    one, is below zero it would close. ``holding``: largest force over what holds a sleeve that
-    stands at its stop or is held by dry friction; above 1 it would move. ``ended``: time up to
-    which there is an answer, and ``ending`` why it ends.
+    ``gap``: of end stops, below zero where one is pressed together, or, if stops stay as they are
+    in the preload state, where an open one would close; ``stop_gap``: the least of it;
+    ``stop_force``: the largest force of one that closes. ``holding``: largest force over what holds
+    a sleeve that stays at its stop or is held by dry friction; above 1 it would move. ``ended``:
+    time up to which there is an answer, and ``ending`` why it ends.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -75,11 +77,15 @@ class TimeResponseResult:
         *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
     )
     peak_idle: Array = quantity(*BEARING, unit="", label="most balls without inner load")
-    stop_gap: Array = quantity(
+    gap: Array = quantity(
+        "speed", "time", "sleeve", unit="m", label="gap of the end stop", absent=(OPEN, ENDED)
+    )
+    stop_gap: Array = quantity(*SLEEVE, unit="m", label="least gap of the end stop", absent=(OPEN,))
+    stop_force: Array = quantity(
         *SLEEVE,
-        unit="m",
-        label="least gap of the end stop",
-        absent=(Absence("of a sleeve without an open stop", by=("speed", "sleeve")),),
+        unit="N",
+        label="largest force of the end stop",
+        absent=(Absence("of a sleeve without a stop that closes", by=("speed", "sleeve")),),
     )
     holding: Array = quantity(
         *SLEEVE,

@@ -19,6 +19,7 @@ from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import mean_inputs, values
 from rotordyn.analyses.time_response.march import Path, march
+from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import loads_and_peaks, longest
 from rotordyn.analyses.time_response.result import TimeResponseResult
 from rotordyn.analyses.time_response.sleeves import sleeve_margins
@@ -58,10 +59,10 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     equation = Equation.of(scene, spec)
     if not seats:
         return _result(scene, spec, equation, linear, linear.path, None)
-    bearings = Bearings.of(scene)
-    nonlinear = _nonlinear(scene, spec, equation, bearings)
-    both = nonlinear._replace(error=nonlinear.error + linear.error)
-    return _result(scene, spec, equation, both, linear.path, bearings)
+    nonlinear = Nonlinear.of(scene, equation)
+    motion = _nonlinear(scene, spec, equation, nonlinear)
+    both = motion._replace(error=motion.error + linear.error)
+    return _result(scene, spec, equation, both, linear.path, nonlinear.bearings)
 
 
 def _require(equation: Equation, steps: int, seats: int) -> None:
@@ -89,18 +90,19 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
 
 
 def _nonlinear(
-    scene: Scene, spec: TimeResponseSpec, equation: Equation, bearings: Bearings
+    scene: Scene, spec: TimeResponseSpec, equation: Equation, nonlinear: Nonlinear
 ) -> Motion:
-    """With the law of the bearings; its error is the change by the last halving of the steps."""
+    """With the law of the bearings, and stops; its error is the change by the last halving of the
+    steps."""
     count = spec.samples // 4
     if not scene.checks.wanted:
-        path = _path(scene, spec, equation, 2 * count, bearings)
+        path = _path(scene, spec, equation, 2 * count, nonlinear)
         return Motion(path, np.full(len(spec.points), np.nan))
-    path, wanted = _path(scene, spec, equation, count, bearings), HALF * response_accuracy(scene)
+    path, wanted = _path(scene, spec, equation, count, nonlinear), HALF * response_accuracy(scene)
     for halving in range(HALVINGS):
         if halving:
-            _require(equation, 2 ** (halving + 1) * count, len(bearings.radius))
-        before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, bearings)
+            _require(equation, 2 ** (halving + 1) * count, len(scene.spindle.seats))
+        before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, nonlinear)
         here, there = _displacement(path.every(2)), _displacement(before)
         error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2)
         ended = len(path.points[0])
@@ -114,13 +116,13 @@ def _path(
     spec: TimeResponseSpec,
     equation: Equation,
     count: int,
-    bearings: Bearings | None = None,
+    nonlinear: Nonlinear | None = None,
 ) -> Path:
     """In so many steps."""
     inputs = partial(mean_inputs, spec, equation.speed)
     begun = _on_orbit(spec, equation)
     step = spec.duration / count
-    return march(equation, inputs, step, count, begun, bearings, scene.progress)
+    return march(equation, inputs, step, count, begun, nonlinear, scene.progress)
 
 
 def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
@@ -164,7 +166,7 @@ def _result(
         if path.ended[row] < spec.samples:
             ending[one] = ENDINGS[bool(path.unbalanced[row])]
     loads = loads_and_peaks(scene, path, time, bearings)
-    margins = sleeve_margins(scene, equation.held, path.sleeves)
+    margins = sleeve_margins(scene, equation, path.sleeves)
     applied = [values(each, time) for each in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from rotordyn.description import Description, Faults, ascending, known, repeated
 from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
@@ -19,6 +20,7 @@ from rotordyn.quantity import (
     LastInstant,
     OptionalName,
     PointName,
+    StopStiffness,
     TimeSpan,
 )
 from rotordyn.scene.formulation import ROTATING
@@ -106,6 +108,11 @@ class TimeResponseSpec(Spec):
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
     forces: Annotated[tuple[ForceOverTime, ...], "on the shaft"] = ()
     unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
+    stop_stiffness: Annotated[
+        StopStiffness | None,
+        "of the end stops of sleeves, which close and open with it; without it they stay as they "
+        "are in the preload state",
+    ] = None
 
     @property
     def samples(self) -> int:
@@ -176,9 +183,29 @@ class TimeResponseSpec(Spec):
                 "a loss factor is defined for steady vibration and has no response over time: give "
                 "damping.rotor, or damping of bearings and supports, instead",
             )
+        yield from self._of_stops(spindle)
         if not misnamed(spindle):
             yield from self._places(spindle)
             yield from self._turning_slowly(setting)
+
+    def _of_stops(self, spindle: Spindle) -> Faults:
+        """There is a stop to close, and its sleeve strikes it with a mass."""
+        if self.stop_stiffness is None:
+            return
+        sleeves = [sleeve for sleeve in spindle.sleeves if _slides_to_stop(sleeve)]
+        if not sleeves:
+            yield (
+                ("stop_stiffness",),
+                "no sleeve slides freely on its spring up to an end stop: leave it out, or give "
+                "such a sleeve its stop_travel",
+            )
+        for sleeve in sleeves:
+            if not sleeve.mass:
+                yield (
+                    ("stop_stiffness",),
+                    f"sleeve {sleeve.name} has no mass with which it would strike its stop: give "
+                    "its mass, or leave stop_stiffness out",
+                )
 
     def _turning_slowly(self, setting: Setting) -> Faults:
         """Unbalances turn no faster than the machine is modelled."""
@@ -205,3 +232,9 @@ class TimeResponseSpec(Spec):
                 yield from placed(at, spindle, (key, index, "at"), rotors=True)
         for index, each in enumerate(self.unbalances):
             yield from turning(each.at, spindle, ("unbalances", index, "at"))
+
+
+def _slides_to_stop(sleeve: Sleeve) -> bool:
+    """Whether it slides freely on its spring up to an end stop."""
+    slides = math.isfinite(sleeve.spring.stiffness) and not sleeve.friction
+    return slides and math.isfinite(sleeve.stop_travel)

@@ -37,6 +37,13 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
         yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(moved)}"
         if pushed:
             yield f"           largest load and contact pressure: {', '.join(pushed)}"
+        stops = [
+            unbroken(f"{name} {force:.4g} N" if force > 0.0 else f"{name} stays open")
+            for name, force in zip(result.sleeve, result.stop_force[row], strict=True)
+            if np.isfinite(force)
+        ]
+        if stops:
+            yield f"           largest force of the end stop: {', '.join(stops)}"
 
 
 def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
@@ -53,6 +60,9 @@ def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
         yield from ends(result, name, MICROMETRE.unit, largest, digits=2)
     if result.bearing:
         yield from ends(result, "bearing load", "N", result.peak_load.max(axis=1), digits=0)
+    for k, name in enumerate(result.sleeve):
+        if np.isfinite(result.stop_force[:, k]).any():
+            yield from ends(result, f"stop of {name}", "N", result.stop_force[:, k], digits=0)
 
 
 def accuracy(result: TimeResponseResult) -> list[str]:
@@ -94,20 +104,22 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
 def _sleeves(result: TimeResponseResult) -> Iterator[str]:
     """Stops that would close or open, friction that would give way."""
     for k, name in enumerate(result.sleeve):
-        gap, holding = np.nan_to_num(result.stop_gap[:, k]), np.nan_to_num(result.holding[:, k])
+        stays = np.isnan(result.stop_force[:, k])
+        gap = np.where(stays, np.nan_to_num(result.stop_gap[:, k]), 0.0)
+        holding = np.nan_to_num(result.holding[:, k])
         row = int(gap.argmin())
         if gap[row] < 0.0:
             yield (
                 f"time_response: sleeve {name} would go {-gap[row] * MICROMETRE.factor:.3g} µm "
-                f"beyond its end stop at {_rpm(result, row)}; stops do not close in the response, "
-                "which is right only up to there"
+                f"beyond its end stop at {_rpm(result, row)}; stops stay as they are in the "
+                "response, which is right only up to there: with a stop_stiffness they close"
             )
         row = int(holding.argmax())
         if holding[row] > 1.0:
             yield (
                 f"time_response: {holding[row]:.3g} times what holds sleeve {name}, its stop or "
                 f"dry friction, pulls at it at {_rpm(result, row)}; it stays in the response, "
-                "which is right only up to there"
+                "which is right only up to there: with a stop_stiffness stops open"
             )
 
 

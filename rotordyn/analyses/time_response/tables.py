@@ -10,5 +10,6 @@ LAYOUTS = (
     Layout("time_response_forces", ("time", "force")),
     Layout("time_response_largest", ("speed", "point")),
     Layout("time_response_peak_loads", ("speed", "bearing")),
+    Layout("time_response_sleeves", ("speed", "time", "sleeve")),
     Layout("time_response_stops", ("speed", "sleeve")),
 )

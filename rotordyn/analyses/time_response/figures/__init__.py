@@ -29,12 +29,15 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
         yield "time_response_orbits", partial(code("histories:orbit_figure"), result)
     if result.bearing:
         yield "time_response_bearings", partial(code("histories:bearing_figure"), result)
+    if np.isfinite(result.gap).any():
+        yield "time_response_stops", partial(code("histories:stop_figure"), result)
 
 
 def _runs_round(result: Any) -> bool:
     """Whether the path of some point across the axis is more than a line."""
-    across = np.nan_to_num(np.abs(result.displacement[..., 1:])).max(axis=1)
-    return bool((across.min(axis=-1) > LINE * across.max(axis=-1)).any())
+    x, *across = np.moveaxis(np.nan_to_num(np.abs(result.displacement)).max(axis=1), -1, 0)
+    thin, wide = np.sort(across, axis=0)  # beside a way along the shaft, they may be rounding
+    return bool(((thin > LINE * wide) & (wide > 1e-9 * x)).any())
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

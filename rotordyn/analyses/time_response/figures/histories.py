@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SPEEDS, POINTS, BEARINGS = 3, 5, 7
+ROUNDING = 1e-9  # of the largest: loads and ways so small are rounding
 LINEAR: Any = {"color": GREY, "lw": 0.8, "zorder": 1.5}
 ROW, SIDE = 46.0, 50.0  # [mm]
 
@@ -58,19 +59,40 @@ def bearing_figure(result: TimeResponseResult) -> Figure:
     column for each of some speeds."""
     picked = _picked(result)
     chosen = np.sort(np.argsort(-result.peak_load[picked].max(axis=0))[:BEARINGS])
-    figure = new_figure(168.0, ROW * 2 + 22.0)
-    panels = _panels(figure, 2, picked.size)
+    load = result.bearing_load[picked][:, :, chosen]
+    kinds = {"radial load": np.hypot(load[..., 1], load[..., 2])}
+    kinds["axial load towards +x"] = load[..., 0]
+    least = ROUNDING * np.nanmax(np.abs(load))
+    kinds = {words: each for words, each in kinds.items() if np.nanmax(np.abs(each)) >= least}
+    figure = new_figure(168.0, ROW * len(kinds) + 22.0)
+    panels = _panels(figure, len(kinds), picked.size)
     for place, axes in enumerate(panels):
-        axial, column = divmod(place, picked.size)
-        load = result.bearing_load[picked[column]]
-        values = load[..., 0] if axial else np.hypot(load[..., 1], load[..., 2])
+        kind, column = divmod(place, picked.size)
+        words, values = [*kinds.items()][kind]
         for look, k in enumerate(chosen):
             name, style = result.bearing[k], {**line_of(look), "lw": 1.0}
-            axes.plot(result.time * 1e3, values[:, k], label=name, **style)
-        _name(axes, result, picked[column], first=not axial, last=bool(axial))
+            axes.plot(result.time * 1e3, values[column][:, look], label=name, **style)
+        _name(axes, result, picked[column], first=not kind, last=kind == len(kinds) - 1)
         if not column:
-            words = "axial load towards +x" if axial else "radial load"
             axes.set_ylabel(f"{words} [N]", fontsize=FONT_SIZE)
+    top_legend(figure, *panels)
+    return figure
+
+
+def stop_figure(result: TimeResponseResult) -> Figure:
+    """Gaps of end stops over time, in a column for each of some speeds; below zero a stop is
+    pressed together."""
+    picked = _picked(result)
+    figure = new_figure(168.0, ROW + 22.0)
+    panels = _panels(figure, 1, picked.size)
+    for row, axes in zip(picked, panels, strict=True):
+        for look, name in enumerate(result.sleeve):
+            gap = result.gap[row, :, look] * MICROMETRE.factor
+            if np.isfinite(gap).any():
+                axes.plot(result.time * 1e3, gap, label=name, **{**line_of(look), "lw": 1.0})
+        axes.axhline(0.0, color=GREY, lw=0.8, label="stop closed below")
+        _name(axes, result, row, first=True, last=True)
+    panels[0].set_ylabel("gap of the end stop [µm]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
     return figure
 
