@@ -51,10 +51,11 @@ class Nonlinear:
         rings = 5 * len(self.bearings.radius)
         of_rings, of_sleeves = np.split(moved, [rings], axis=-1)
         balls = self.bearings.at(of_rings.reshape(*moved.shape[:2], -1, 5))
-        pushed, rise = self.stops.forces(of_sleeves)
         slope = np.zeros((*moved.shape, moved.shape[-1]))
         own, last = np.arange(rings).reshape(-1, 5), np.arange(rings, moved.shape[-1])
         slope[:, :, own[:, :, None], own[:, None]] = balls.slope
-        slope[:, :, last, last] = rise
-        force = np.concatenate([balls.force.reshape(of_rings.shape), pushed], axis=-1)
+        force = balls.force.reshape(of_rings.shape)
+        if last.size:
+            pushed, slope[:, :, last, last] = self.stops.forces(of_sleeves)
+            force = np.concatenate([force, pushed], axis=-1)
         return Evaluation(force, slope, balls.exists, replace(self, bearings=balls.bearings))
