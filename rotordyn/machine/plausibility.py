@@ -18,6 +18,7 @@ from rotordyn.machine.spindle import Spindle
 RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
 THIN = 0.05  # wall over the diameter of a ring: radial stiffness of the bearing 2 to 3 % lower
+COMMON = 0.1  # the same, below which a ring beside it adds to what the wall gives
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
 BESIDE = 0.02  # of the width of rings: groove centres lie off their middle
 SLENDER = 100.0  # length over outer diameter of one section
@@ -43,6 +44,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
+    yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
     yield from _soft(spindle)
     yield from _materials(spindle)
@@ -287,6 +289,34 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
             "stiffnesses are some hundredths too high, under radial loads up to a tenth; "
             "flexible_rings takes them as they are"
         )
+
+
+def _common_walls(spindle: Spindle) -> Iterator[str]:
+    """Rings side by side that deform one thin wall, of which each has its own here."""
+    row = sorted(spindle.seats, key=lambda seat: seat.x)
+    common = []
+    for one, other in pairwise(row):
+        pair = [spindle.mounted(seat).rings for seat in (one, other)]
+        for which, what in (("inner", "shaft"), ("outer", "housing or sleeve")):
+            near, far = (getattr(each, which, None) for each in pair)
+            if near is None or far is None or not _side_by_side(spindle, one, other, which):
+                continue
+            wall, seat = 0.5 * abs(near.backing_diameter - near.seat_diameter), near.seat_diameter
+            if wall < COMMON * seat and near.backing_diameter == far.backing_diameter:
+                common.append(f"{one.name} and {other.name} ({wall * 1e3:.3g} mm of {what})")
+    if common:
+        yield (
+            f"rings of bearings {', '.join(common)} deform one thin wall together, and are "
+            "computed with one each: what flexible_rings change there may be up to twice as much"
+        )
+
+
+def _side_by_side(spindle: Spindle, one: BearingSeat, other: BearingSeat, which: str) -> bool:
+    """Whether rings have less than half a width between them, outer ones in the same sleeve."""
+    near = abs(other.x - one.x) < 0.75 * (_width(one) + _width(other))
+    return near and (
+        which == "inner" or spindle.sleeve_of(one.name) == spindle.sleeve_of(other.name)
+    )
 
 
 def _loose_rings(spindle: Spindle) -> Iterator[str]:

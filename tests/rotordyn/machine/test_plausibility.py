@@ -9,6 +9,7 @@ import pytest
 
 from bearings.materials import Material
 from rotordyn.errors import NoSolution
+from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.plausibility import implausible, undamped, unopposed
@@ -157,3 +158,23 @@ def test_a_mass_with_the_inertia_of_a_smaller_one(polar: float, said: bool) -> N
     pulley = PointMass("pulley", machine.seats[0].x, 14.0, polar, 0.045)
     words = _said(replace(machine, masses=(pulley,)))
     assert ("mass pulley: its polar inertia of 9e-08 kg m^2 is far below" in words) == said
+
+
+def _elastic(housing: float, width: float = 0.018, apart: bool = False) -> str:
+    """What is said of the rear pair of the flagship in a sleeve with an outer diameter."""
+    machine = mfw2310()
+    rings = RingBodies("outer", outside_diameter=0.095, width=width, housing_diameter=housing)
+    seats = [
+        replace(seat, flexible_rings=rings) if seat.name in "de" else seat for seat in machine.seats
+    ]
+    sleeves = [replace(sleeve, bearings=("d",)) for sleeve in machine.sleeves[1:] if apart]
+    sleeves = sleeves or [*machine.sleeves[1:]]
+    return _said(replace(machine, seats=tuple(seats), sleeves=(machine.sleeves[0], *sleeves)))
+
+
+def test_rings_that_deform_one_thin_wall_together_are_named() -> None:
+    """Both in one sleeve, less than half a width between them, a wall below a tenth of them."""
+    assert "bearings d and e (3 mm of housing or sleeve) deform one thin wall" in _elastic(0.101)
+    assert "one thin wall" not in _elastic(0.120)
+    assert "one thin wall" not in _elastic(0.101, width=0.012)
+    assert "one thin wall" not in _elastic(0.101, apart=True)
