@@ -3,7 +3,8 @@
 A slender tool has modes at several times the frequencies that other analyses ask for. A model that
 lacks them gives limits that are far too high, most of all between the lobes of the modes it has.
 So limits at some speeds are computed once more with a finer model and twice the frequencies; while
-they change, all are computed with that one.
+they change, all are computed with that one. Between modes that are far apart doubling changes
+nothing, so that at the fastest speed and that of the deepest cut the finest model has a say too.
 
 Theory: docs/theory/lobes.md.
 """
@@ -26,7 +27,7 @@ Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 ALLOWED = 0.05  # of a limit, that it may change
 DOUBLINGS = 4  # of the highest frequency
-LOOKED_AT = 4  # speeds, beside that of the deepest cut; of the faster half, which takes less time
+LOOKED_AT = 4  # speeds, beside that of the deepest cut; of the faster half, sooner done, of many
 
 
 class Converged(NamedTuple):
@@ -53,7 +54,8 @@ def converged(
         if not scene.checks.wanted:
             break
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
-        error = _change(scene, limits_of, operations, rows, best.depths)
+        left = max(DOUBLINGS - doubling, 1)
+        error = _change(scene, left, limits_of, operations, rows, best.depths)
         best, every = best._replace(error=error), [one for each in best.depths for one in each]
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
         chatter = np.nanmax([limit.frequency for limit in every], initial=0.0)
@@ -77,19 +79,27 @@ def _at(
 
 def _change(
     scene: Scene,
+    doublings: int,
     limits_of: Callable[[Scene, Rows], Limits],
     operations: Sequence[Operation],
     rows: Rows,
     found: Sequence[Sequence[Limit]],
 ) -> float:
-    """Largest change of a limit by the finer model, over the smaller of both."""
+    """Largest change of a limit by the finer model, or by one ``doublings`` finer, over the smaller
+    of both."""
     worst, usable = 0.0, scene.speed[scene.usable]
     for operation, known in zip(operations, found, strict=True):
         depth = np.array([limit.depth for limit in known])
-        spread = np.linspace(len(rows) // 2, len(rows) - 1, LOOKED_AT).round().astype(np.intp)
-        deepest = len(rows) // 2 + depth[len(rows) // 2 :].argmax()
-        for k in np.unique([*spread, deepest]).tolist():
-            finer = scene.at(usable[rows[k] : rows[k] + 1]).refined
+        many, last = len(rows) > 2 * LOOKED_AT, len(rows) - 1
+        first = len(rows) // 2 if many else 0
+        spread = np.linspace(first, last, LOOKED_AT).round().astype(np.intp)
+        deepest = first + depth[first:].argmax()
+        once = {(int(k), 1) for k in (*spread, deepest)}
+        far = {(int(k), doublings) for k in (deepest, *([last] if many else spread))}
+        for k, times in sorted(once | far):
+            finer = scene.at(usable[rows[k] : rows[k] + 1])
+            for _ in range(times):
+                finer = finer.refined
             try:
                 (limit,) = limits_of(finer, np.zeros(1, dtype=np.intp)).of(operation)
             except InvalidInput:  # a cut that turns too slowly for waves of such frequencies

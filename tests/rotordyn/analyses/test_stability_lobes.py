@@ -227,6 +227,25 @@ def test_modes_above_the_band_are_found_where_they_limit(tmp_path, monkeypatch):
     assert "modes above 900 Hz" in said
 
 
+def test_a_mode_far_above_all_others_is_found(tmp_path):
+    """Of a stubby tool on hardly damped springs; a model of twice the band does not have it."""
+    stub = (
+        SLENDER.replace("-40 mm", "-35 mm").replace("tip: 0", "tip: -35").replace("600 N", "240 N")
+    )
+    stub = stub.replace(
+        "length: 40 mm, outer_diameter: 8 mm", "length: 35 mm, outer_diameter: 12.7 mm"
+    )
+    found = []
+    for highest in ("900 Hz", "25 kHz"):
+        asked = ASKED | {"max_frequency": highest, "teeth": 3, "diameter": "9 mm"}
+        path = tmp_path / "stub.yaml"
+        path.write_text(stub + f"    {asked}\n")
+        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
+    low, high = found
+    assert float(low["modelled"]) > 1800.0
+    assert low["depth"].values == pytest.approx(high["depth"].values, rel=0.05)
+
+
 def test_a_band_below_all_modes_is_refused(case):
     with pytest.raises(InvalidInput, match="raise max_frequency"):
         rotordyn.run(case(max_frequency="20 Hz"))
