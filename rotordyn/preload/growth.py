@@ -59,7 +59,7 @@ def ring_growth(
     if isinstance(rule, QuadraticInSpeed):
         grown = grown + rule.value * (speed / rule.speed) ** 2
     if temperatures is not None:  # rings without a fit expand freely, whatever the speed
-        grown = grown + _fitted(spindle, seat, 0.0 * speed, temperatures)
+        grown = grown + _fitted(spindle, seat, speed, temperatures)
     return grown
 
 

@@ -14,6 +14,7 @@ from bearings.heat.temperature import Conductances, Surroundings
 from rotordyn.analyses import LifeSpec, Lubrication, PreloadSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.machine.history import HistoryStep
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -49,6 +50,23 @@ def lives(of: Scene) -> Any:
     from rotordyn.analyses.life.solve import answer
 
     return answer(of, LifeSpec(OIL))
+
+
+@pytest.mark.parametrize("rule", [None, QuadraticInSpeed(4e-6, 12e3 * RPM)])
+def test_a_state_does_not_hang_on_the_other_speeds_listed(rule: QuadraticInSpeed | None) -> None:
+    """Where growth is given and only its thermal part follows from the temperatures."""
+    machine = grinding(rigid=True)
+    growth = RingGrowth(static=1e-6, centrifugal=rule)
+    seats = tuple(replace(seat, growth=growth) for seat in machine.seats)
+    given = replace(machine, seats=seats)
+    loads = [
+        Scene(given, Conditions(heat_flow=FLOW), SPEED[first:]).preload.seat_load()[-1]
+        for first in (0, 1, 2)
+    ]
+    assert loads[1] == pytest.approx(loads[0], rel=1e-4)
+    assert loads[2] == pytest.approx(loads[0], rel=1e-4)
+    still = replace(given, seats=tuple(replace(seat, growth=RingGrowth()) for seat in seats))
+    assert (loads[0] > 1.2 * Scene(still, Conditions(), SPEED).preload.seat_load()[-1]).all()
 
 
 @pytest.mark.parametrize("rigid", [False, True])

@@ -21,7 +21,7 @@ from rotordyn.analyses.thermal_preload.solve import answer
 from rotordyn.analyses.thermal_preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
-from rotordyn.machine.growth import InterferenceFit
+from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
@@ -192,6 +192,30 @@ def test_a_given_growth_takes_the_temperature_of_free_rings() -> None:
     found = ring_growth(machine, machine.seats[0], np.zeros(1), warm)[0]
     race = machine.seats[0].bearing.inner_raceway_radius
     assert found == pytest.approx(3e-6 + 11.5e-6 * 10.0 * race, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "growth",
+    [
+        RingGrowth(static=3e-6),
+        RingGrowth(static=3e-6, centrifugal=QuadraticInSpeed(5e-6, 12000 * RPM)),
+        RingGrowth(static=3e-6, centrifugal="computed", fit=InterferenceFit(BORE, 5e-6)),
+    ],
+)
+def test_growth_at_a_speed_has_the_temperatures_of_that_speed(growth: RingGrowth) -> None:
+    """As if these were the same at all speeds."""
+    machine, top = spindle(None, growth=growth), np.array([6000.0, 12000.0]) * RPM
+    ends = {"shaft": (20.0, 60.0), "housing": (20.0, 30.0)}
+    table = Temperatures(**ends, speeds=(0.0, 12000 * RPM))
+    seat = machine.seats[0]
+    over = ring_growth(machine, seat, top, table)
+    for k, (shaft, housing) in enumerate([(40.0, 25.0), (60.0, 30.0)]):
+        same = Temperatures(shaft=shaft, housing=housing)
+        assert over[k] == pytest.approx(
+            ring_growth(machine, seat, top[k : k + 1], same)[0], rel=1e-12
+        )
+    cold = ring_growth(machine, seat, top)
+    assert (over > cold + 2e-6).all()
 
 
 def test_a_ring_that_lets_go_grows_alone_and_is_named() -> None:
