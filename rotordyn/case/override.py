@@ -22,6 +22,7 @@ def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
 
 def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
     step, rest = steps[0], steps[1:]
+    target.shared = False
     if step == "*" and isinstance(target.value, dict | list):
         held: Any = target.value
         for key, child in [*target.items()]:
