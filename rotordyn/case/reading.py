@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, get_args, get_origin
+from typing import TYPE_CHECKING, Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
 from rotordyn import units
@@ -25,19 +25,27 @@ from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
 
+if TYPE_CHECKING:
+    from rotordyn.case.expand import Reader
+
 _LISTED = 24
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What reads nodes: ``faults`` collects, ``forms`` reads what files write in forms of its own.
+    """What reads nodes: ``forms`` reads what ``files`` write in forms of its own.
 
     A form is found by the type of a value or of what stands beside it in its annotation.
     """
 
-    faults: Faults
+    files: Reader
     forms: Mapping[type, Form]
+
+    @property
+    def faults(self) -> Faults:
+        """Of all files."""
+        return self.files.faults
 
     def value(self, annotation: Any, node: Node) -> Any:
         """What ``node`` holds, as a field of this annotation keeps it."""
