@@ -52,9 +52,9 @@ class Reader:
         return root.copy()
 
     def model(self, kind: str, reference: Node) -> Node | None:
-        """What ``reference`` names or holds: a mapping in place is taken as it is."""
+        """What ``reference`` names or holds, free to be changed: variants read the same one."""
         if isinstance(reference.value, dict):
-            return reference
+            return reference.copy()
         name = _named(reference)
         if name is None:
             self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
