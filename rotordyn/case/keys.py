@@ -231,9 +231,7 @@ class Printed:
 @dataclass
 class _Bearing:
     name: Annotated[str, "as printed"]
-    kind: Annotated[Annotated[str, Choice(tuple(KINDS))], "which keys it has besides these"] = (
-        DEFAULT
-    )
+    kind: Annotated[str, Choice(tuple(KINDS)), "which keys it has besides these"] = DEFAULT
     source: Source = ""
     note: Annotated[str, "what is estimated"] = ""
     bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None

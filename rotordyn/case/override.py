@@ -37,7 +37,8 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
         elif item is not None:
             target.value[target.value.index(item)] = value
     elif not isinstance(target.value, dict):
-        _no_way(value, step, target, faults)
+        where = f"'{joined(target.path, step)}' does not exist"
+        faults.at_key(value, f"{where}: '{target.path}' holds one value")
     elif not rest:
         target.value[step] = value
     else:
@@ -56,9 +57,3 @@ def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
         faults.at_key(value, message)
     return named
-
-
-def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:
-    faults.at_key(
-        value, f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
-    )

@@ -215,9 +215,8 @@ def _of_one(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 def _list(annotation: Any, items: Shape) -> Shape:
     shape: Shape = {"type": "array", "items": items}
-    for limit in metadata(annotation):
-        if isinstance(limit, Items):
-            shape |= {"minItems": limit.at_least, "maxItems": limit.at_most}
+    if limit := found_in(annotation, Items):
+        shape |= {"minItems": limit.at_least, "maxItems": limit.at_most}
     return {**shape, **({"description": items["description"]} if "description" in items else {})}
 
 
