@@ -86,8 +86,8 @@ def bare(annotation: Any) -> Any:
 
 
 def found_in(annotation: Any, kind: type) -> Any:
-    """What of one kind stands beside the type or beside one of its forms; None if nothing does."""
-    for member in (annotation, *members(annotation)):
+    """What of one kind stands beside one of the forms of a type; None if nothing does."""
+    for member in members(annotation):
         for each in metadata(member):
             if isinstance(each, kind):
                 return each
