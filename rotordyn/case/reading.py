@@ -58,12 +58,12 @@ class Reading:
         forms = members(annotation)
         if len(forms) > 1:
             return self._one_of(annotation, forms, node)
-        if form := self._form(forms[0]):  # of what may be left out
-            return form(self, forms[0], node, ())
         return self._one(forms[0], node)
 
     def _one(self, annotation: Any, node: Node) -> Any:
-        """What is of one form only."""
+        """What is of one form only, None aside."""
+        if form := self._form(annotation):
+            return form(self, annotation, node, ())
         inner = bare(annotation)
         if is_kind(inner):
             return self.description(inner, node)
