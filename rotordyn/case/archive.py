@@ -46,6 +46,8 @@ def _named(value: Any) -> dict[str, Any]:
     match value:
         case float():
             return {KIND: "float", "value": str(value)}
+        case complex():
+            return {KIND: "complex", "value": [archived(value.real), archived(value.imag)]}
         case Path():
             return {KIND: "Path", "value": f"{value.parent.name}/{value.name}"}
         case Mapping():
@@ -91,6 +93,7 @@ def _kind(name: object) -> Any:
 _HERE: dict[object, Any] = {"Case": Case, "Uncertain": Uncertain}
 _PLAIN: dict[object, Callable[[Any], Any]] = {
     "float": float,
+    "complex": lambda parts: complex(*map(restored, parts)),
     "Path": Path,
     "mapping": lambda pairs: {restored(key): restored(each) for key, each in pairs},
 }
