@@ -48,6 +48,26 @@ def test_a_variant_changes_what_bearings_of_a_spindle_in_place_share(tmp_path: P
     assert {seat.growth.static for seat in softer.seats} == {5e-6}
 
 
+def test_a_variant_changes_what_bearings_of_an_override_share(tmp_path: Path) -> None:
+    path = tmp_path / "compared.yaml"
+    path.write_text(
+        "spindle: mfw2310\n"
+        "override:\n"
+        "  bearings:\n"
+        "  - {name: q, model: vex70, x: 100 mm, thrust: +x}\n"
+        "  - {name: r, model: vex70, x: 300 mm, thrust: -x}\n"
+        "  sleeves: []\n"
+        "  shortening: null\n"
+        "  growth.static: 1 um\n"
+        "speeds: [0 rpm]\n"
+        "analyses: {preload: {}}\n"
+        "compare: {more: {override: {growth.static: 5 um}}}\n"
+    )
+    more = rotordyn.load(path).variants["more"].spindle
+    assert more is not None
+    assert [seat.growth.static for seat in more.seats] == [5e-6, 5e-6]
+
+
 def test_a_variant_adds_overrides_and_conditions_and_replaces_machines(tmp_path: Path) -> None:
     case = load(
         tmp_path,
