@@ -135,9 +135,7 @@ def _materials(spindle: Spindle) -> Iterator[str]:
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:
-    end = spindle.shaft.start
-    for section in spindle.shaft.sections:
-        start, end = end, end + section.length
+    for section, start in zip(spindle.shaft.sections, spindle.shaft.boundaries, strict=False):
         slender = section.length / section.outer_diameter
         if slender > SLENDER:
             named = f" ({section.name})" if section.name else ""
@@ -146,20 +144,14 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "
                 "its length"
             )
-    if spindle.shaft.end - spindle.shaft.start > LONG:
-        yield (
-            f"the shaft is {spindle.shaft.end - spindle.shaft.start:.4g} m long: check the units "
-            "of its sections"
-        )
+    whole = spindle.shaft.end - spindle.shaft.start
+    if whole > LONG:
+        yield f"the shaft is {whole:.4g} m long: check the units of its sections"
 
 
 def _discs(spindle: Spindle) -> Iterator[str]:
-    shaft = spindle.shaft
     for disc in spindle.discs:
-        ends = disc.x - disc.width / 2.0, disc.x + disc.width / 2.0
-        if ends[0] < shaft.start - disc.width or ends[1] > shaft.end + disc.width:
-            continue  # refused elsewhere: its station lies off the shaft
-        under = shaft.diameters_at(disc.x)[0]
+        under = spindle.shaft.diameters_at(disc.x)[0]
         if disc.inner_diameter > LOOSE * under:
             yield (
                 f"disc {disc.name} does not touch the shaft: its bore is "
