@@ -65,13 +65,9 @@ class Quantity(Limit):
     @property
     def allowed(self) -> str:
         """The range in words: ``"above 0 m up to 100 m"``."""
-        parts = [
-            ("above", self.above),
-            ("from", self.at_least),
-            ("below", self.below),
-            ("up to", self.at_most),
-        ]
-        return " ".join(f"{word} {bound}" for word, bound in parts if bound)
+        bounds = {"above": self.above, "from": self.at_least}
+        bounds |= {"below": self.below, "up to": self.at_most}
+        return " ".join(f"{word} {bound}" for word, bound in bounds.items() if bound)
 
     @property
     def coherent_unit(self) -> str:

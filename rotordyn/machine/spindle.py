@@ -133,9 +133,7 @@ class Spindle(Description):
         """Where a point's name, a station [m] on the spindle's shaft or a place is."""
         if isinstance(at, Place):
             return at
-        if not isinstance(at, str):
-            return Place(SPINDLE, at)
-        return Place(SPINDLE, self.points[at]) if at in self.points else self.places[at]
+        return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
 
     @property
     def parts(self) -> dict[str, Spindle]:
