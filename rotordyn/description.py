@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import is_dataclass
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
-from typing import Any
+from typing import Any, get_args
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Check, Refused, bare, check_of, declared, found_in, shown
@@ -85,19 +85,14 @@ class Description:
 def require(description: Description, faults: Faults) -> None:
     """Raises the first of ``faults`` of a description as InvalidInput; nothing while unchecked."""
     for path, sentence in faults if _checked.get() else ():
-        raise InvalidInput(f"{description._called()}: {message_of(description, path, sentence)}")
+        where = _walked(description, path)[0]
+        words = filled(sentence, path, partial(_written, description))
+        raise InvalidInput(": ".join(filter(None, (description._called(), where, words))))
 
 
 @cache
 def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
     return tuple((field.name, check_of(field.annotation)) for field in declared(kind))
-
-
-def message_of(holder: object, path: Path, sentence: str) -> str:
-    """A fault as said of a description built in Python: path, sentence, value."""
-    where = _walked(holder, path)[0]
-    words = filled(sentence, path, lambda way: _written(holder, way))
-    return f"{where}: {words}" if where else words
 
 
 def filled(sentence: str, path: Path, written: Callable[[Path], str]) -> str:
@@ -143,10 +138,8 @@ def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
 
 def quantity_of(annotation: Any) -> Quantity | None:
     """The quantity that the values of a field are, also where they stand in a row or mapping."""
-    quantity = found_in(annotation, Quantity) if annotation is not None else None
-    if quantity is None and hasattr(bare(annotation), "__args__"):
-        return next((q for q in map(quantity_of, bare(annotation).__args__) if q), None)
-    return quantity if isinstance(quantity, Quantity) else None
+    within = map(quantity_of, get_args(bare(annotation)))
+    return found_in(annotation, Quantity) or next(filter(None, within), None)
 
 
 def repeated(key: str, names: Iterable[str], *inner: str, said: str = "repeated: given") -> Faults:

@@ -86,8 +86,8 @@ def bare(annotation: Any) -> Any:
 
 
 def found_in(annotation: Any, kind: type) -> Any:
-    """What of one kind stands beside the type or beside one of its forms; None if nothing does."""
-    for member in (annotation, *members(annotation)):
+    """What of one kind stands beside one of the forms of a type; None if nothing does."""
+    for member in members(annotation):
         for each in metadata(member):
             if isinstance(each, kind):
                 return each
@@ -126,15 +126,9 @@ def accept(annotation: Any, value: object) -> Any:
 @cache
 def check_of(annotation: Any) -> Check:
     """What a field of this annotation does with a value: keeps it or raises Refused."""
-    inner, limits = bare(annotation), metadata(annotation)
-    quantity = next((m for m in limits if isinstance(m, Quantity)), None)
-    if inner is float and quantity is not None:
-        return _measured(quantity)
-    check = _unlimited(inner)
-    words = next((m for m in limits if isinstance(m, Words)), None)
-    limits = tuple(m for m in limits if hasattr(m, "refusal"))
-    if words is not None:
-        return _bounded(_worded(words, check), limits)
+    inner, limits = bare(annotation), [m for m in metadata(annotation) if hasattr(m, "refusal")]
+    measured = inner is float and any(isinstance(limit, Quantity) for limit in limits)
+    check = _number if measured else _unlimited(inner)
     return _bounded(check, limits) if limits else check
 
 
@@ -151,33 +145,16 @@ def _unlimited(annotation: Any) -> Check:
     return _PLAIN.get(annotation) or _instance(annotation)
 
 
-def _worded(words: Words, check: Check) -> Check:
-    return lambda value: check(words.taken(value))
-
-
-def _measured(quantity: Quantity) -> Check:
-    """A number in SI units, or text with a unit."""
-
-    def measured(value: Any) -> float:
-        if isinstance(value, str):
-            try:
-                return quantity.read(value)
-            except InvalidInput as refusal:
-                raise Refused(str(refusal)) from None
-        number = _number(value)
-        if why := quantity.refusal(number):
-            raise Refused(why)
-        return number
-
-    return measured
-
-
-def _bounded(check: Check, limits: tuple[Any, ...]) -> Check:
+def _bounded(check: Check, limits: list[Any]) -> Check:
     choices = [limit for limit in limits if isinstance(limit, Choice | Words)]
+    spoken = [limit for limit in limits if isinstance(limit, Quantity | Words)]
 
     def bounded(value: Any) -> Any:
         try:
-            taken = check(value)
+            meant = spoken[0].read(value) if spoken and isinstance(value, str) else value
+            taken = check(meant)
+        except InvalidInput as refusal:
+            raise Refused(str(refusal)) from None
         except Refused as refusal:
             words = choices[0].refusal(value) if choices else ""
             raise Refused(words or refusal.why, refusal.place) from None

@@ -65,13 +65,9 @@ class Quantity(Limit):
     @property
     def allowed(self) -> str:
         """The range in words: ``"above 0 m up to 100 m"``."""
-        parts = [
-            ("above", self.above),
-            ("from", self.at_least),
-            ("below", self.below),
-            ("up to", self.at_most),
-        ]
-        return " ".join(f"{word} {bound}" for word, bound in parts if bound)
+        bounds = {"above": self.above, "from": self.at_least}
+        bounds |= {"below": self.below, "up to": self.at_most}
+        return " ".join(f"{word} {bound}" for word, bound in bounds.items() if bound)
 
     @property
     def coherent_unit(self) -> str:
@@ -145,10 +141,7 @@ class Choice(Limit):
     def refusal(self, value: object, given: str = "") -> str:
         if any(type(value) is type(word) and value == word for word in self.allowed):
             return ""
-        words = [str(word) or '""' for word in self.allowed]
-        hint = suggestion(value, words)
-        shown = given or errors.shown(value)
-        return f"not one of its choices: given {shown}; allowed: {', '.join(words)}{hint}"
+        return _no_choice(value, [str(word) or '""' for word in self.allowed], given)
 
 
 @dataclass(frozen=True)
@@ -215,11 +208,7 @@ class Words(Limit):
         known = (self.silent, *(meant for _, meant in self.values))
         if isinstance(value, str | int | float | tuple | None) and value in known:
             return ""
-        words = ", ".join(word for word, _ in self.values)
-        hint = suggestion(value, [word for word, _ in self.values])
-        return (
-            f"not one of its choices: given {given or errors.shown(value)}; allowed: {words}{hint}"
-        )
+        return _no_choice(value, [word for word, _ in self.values], given)
 
     def read(self, given: object) -> object:
         """The value that a word stands for; raises InvalidInput."""
@@ -228,10 +217,6 @@ class Words(Limit):
             return words[given]
         shown = units.shown(given)
         raise InvalidInput(self.refusal(given if isinstance(given, str) else (), shown))
-
-    def taken(self, value: object) -> object:
-        """The value that a word stands for; any other value as it is."""
-        return dict(self.values).get(value, value) if isinstance(value, str) else value
 
     def word(self, value: object) -> object:
         """The word for a value; the value itself where it has none."""
@@ -261,6 +246,11 @@ HIDDEN = Key(hidden=True)
 @dataclass(frozen=True)
 class Sweep:
     """Marks a list of ascending values that files may write as a range: from, to, step or count."""
+
+
+def _no_choice(value: object, words: list[str], given: str) -> str:
+    shown, hint = given or errors.shown(value), suggestion(value, words)
+    return f"not one of its choices: given {shown}; allowed: {', '.join(words)}{hint}"
 
 
 def suggestion(given: object, allowed: Iterable[str]) -> str:

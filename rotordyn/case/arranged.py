@@ -21,9 +21,6 @@ def arrange(tree: Node, faults: Faults) -> None:
     """
     if tree.child("arrangement") is None:
         return
-    for key in ("arrangement", "bearings"):  # variants may share what an override wrote
-        if key in tree.value:
-            tree.value[key] = tree.value[key].copy()
     given = tree.value["arrangement"]
     name, names = given.child("set"), [each.value for each in given.listed("bearings")]
     seats = {seat.name: seat for seat in tree.listed("bearings") if seat.entries()}

@@ -102,19 +102,20 @@ def within_case(case: Case, sensitivities: Mapping[str, str | None]) -> Asked:
     ------
     InvalidInput : a path that leads to no number that has a share, a range that is none
     """
-    for path, text in sensitivities.items():
-        try:
-            tolerance(case, path, text or STEP)
-        except InvalidInput as refusal:
-            raise InvalidInput(f"{path}: {refusal}") from None
     return Asked((), (), *_differences(case, sensitivities))
 
 
 def _differences(
     case: Case, given: Mapping[str, str | None]
 ) -> tuple[tuple[Tolerance, ...], tuple[Tolerance, ...]]:
-    steps = tuple(tolerance(case, path, STEP) for path in given)
-    return steps, tuple(tolerance(case, path, text) for path, text in given.items() if text)
+    steps, ranges = [], []
+    for path, text in given.items():
+        try:
+            ranges += [tolerance(case, path, text)] if text else []
+            steps.append(tolerance(case, path, STEP))
+        except InvalidInput as refusal:
+            raise InvalidInput(f"{path}: {refusal}") from None
+    return tuple(steps), tuple(ranges)
 
 
 def faults_of(case: Case) -> Faults:

@@ -15,18 +15,18 @@ from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.seat import BearingSeat, no_ring_left
 from rotordyn.machine.spindle import Spindle
 
 SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
-RINGS = tuple(common.fills[-1] for common in COMMON[BearingSeat] if common.fills[0] == "fits")
 
 
 def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A bearing on the shaft, called by the name that its model has."""
     given = {key: node.child(key) for key in SHARED}
     own = tuple(key for key, child in given.items() if child is not None and not child.shared)
-    read = {key: _size(node.child("model", key)) for key in RINGS}
+    read = {key: _size(node.child("model", key)) for key in SIZES}
     sizes = {key: size for key, size in read.items() if size is not None}
     named = node.child("model", "name")
     model = named.value if named is not None and isinstance(named.value, str) else ""

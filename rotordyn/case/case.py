@@ -105,7 +105,8 @@ class Case(Description):
         ends = dict.fromkeys((self.speeds[0], self.speeds[-1]))
         rpm = " to ".join(f"{speed * 30.0 / math.pi:.6g}" for speed in ends)
         yield "speeds", f"{rpm} rpm, {len(self.speeds)} in all"
-        yield "conditions", ", ".join(_changed(self.conditions)) or "the defaults"
+        given = [f"{name}: {getattr(self.conditions, name)}" for name in self._changed]
+        yield "conditions", ", ".join(given) or "the defaults"
         yield "analyses", ", ".join(self.analyses)
         if self.variants:
             yield "variants", ", ".join(self.variants)
@@ -116,6 +117,13 @@ class Case(Description):
         if self.spindle is None:
             return None
         return Setting(self.spindle, self.conditions, self.speeds)
+
+    @property
+    def _changed(self) -> list[str]:
+        """Names of the conditions that are not the defaults."""
+        given, usual = self.conditions, Conditions()
+        names = (each.name for each in fields(usual))
+        return [name for name in names if getattr(given, name) != getattr(usual, name)]
 
     @property
     def _named(self) -> dict[str, Spec]:
@@ -167,10 +175,8 @@ class Case(Description):
                 yield ("analyses", name), f"this analysis does not apply to a {kind}"
             elif record.bearings and self.spindle is not None and not self.spindle.seats:
                 yield ("analyses", name), "needs bearings: this spindle has none"
-        plain = Conditions()
-        for each in fields(Conditions) if self.bearing is not None else ():
-            name = each.name
-            if name not in OF_BALLS and getattr(self.conditions, name) != getattr(plain, name):
+        for name in self._changed if self.bearing is not None else ():
+            if name not in OF_BALLS:
                 yield (
                     ("conditions", name),
                     f"does not apply to a single bearing; allowed: {', '.join(OF_BALLS)}",
@@ -206,12 +212,3 @@ class Case(Description):
             assert self.spindle is not None
             for why in beyond_elements(self.spindle, self.conditions, self.analyses, top):
                 yield ("conditions", "element_length"), f"{why}: given {{given}}"
-
-
-def _changed(conditions: Conditions) -> Iterator[str]:
-    """Conditions that are not the defaults."""
-    usual = Conditions()
-    for each in fields(conditions):
-        value = getattr(conditions, each.name)
-        if value != getattr(usual, each.name):
-            yield f"{each.name}: {value}"

@@ -45,12 +45,10 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
     if any(map(is_unknown, values.values())):
         return None
-    taken = {field.name for field in fields(Catalogue)}
     named = {_CALLED.get(key, key): value for key, value in values.items()}
+    taken = {field.name: named[field.name] for field in fields(Catalogue) if field.name in named}
     try:
-        bearing = likeliest(
-            Catalogue(**{key: value for key, value in named.items() if key in taken})
-        )
+        bearing = likeliest(Catalogue(**taken))
         shoulders = {key: values[key] for key in _SHOULDERS if key in values}
         return replace(bearing, **shoulders) if shoulders else bearing
     except InvalidBearing as error:

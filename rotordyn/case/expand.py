@@ -19,6 +19,7 @@ from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.named_models import MODELS, Way, ways_to
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
+from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
@@ -51,9 +52,9 @@ class Reader:
         return root.copy()
 
     def model(self, kind: str, reference: Node) -> Node | None:
-        """What ``reference`` names or holds: a mapping in place is taken as it is."""
+        """What ``reference`` names or holds, free to be changed: variants read the same one."""
         if isinstance(reference.value, dict):
-            return reference
+            return reference.copy()
         name = _named(reference)
         if name is None:
             self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
@@ -103,76 +104,52 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     root = reader.model("spindles", reference)
     if root is None:
         return None
-    whole = _override(root, override, reader)
-    _fill(root, ways_to(Material, Spindle), Material, reader)
+    materials, turns = ways_to(Material, Spindle), {path: _turn(path) for path in override}
+
+    def put(turn: int) -> None:
+        changes = {path: value for path, value in override.items() if turns[path] == turn}
+        apply(changes, root, reader.faults)
+
+    put(0)
+    _fill(root, materials, Material, reader)
     for seat in root.listed("bearings"):
-        if id(seat) not in whole:
-            _bearing_of_seat(root, seat, reader)
-        if (model := seat.child("model")) is not None:  # an override of it may name materials
+        _bearing_of_seat(root, seat, reader)
+    put(1)
+    for kind, way in _SHARING.items():
+        if (holder := root.child(*way)) is not None:
+            spread(kind, holder)
+    put(2)
+    _fill(root, materials, Material, reader)  # those that overrides name
+    for seat in root.listed("bearings"):
+        if (model := seat.child("model")) is not None:
             _fill(model, ways_to(Material, _kind_of(model)), Material, reader)
     for support in root.listed("supports"):
         _table_of_support(support, reader)
     return root
 
 
-def _override(root: Node, override: Mapping[str, Node], reader: Reader) -> set[int]:
-    """Applies the overrides of a case; those of what stands for all items before single ones.
-
-    Gives the seats (by id) whose models are filled in already, because a path leads through them.
-    """
-    whole: set[int] = set()
-    shared = [*(fills for _, fills in _SHARED), ("bearings", "*", "model")]
-    single = {p for p in override if any(_leads(p.split("."), fills) for fills in shared)}
-    for paths in (override.keys() - single, single):
-        changes = {path: value for path, value in override.items() if path in paths}
-        for path in changes:
-            _share(root, path.split("."))
-            _open(root, path.split("."), reader, whole)
-        apply(changes, root, reader.faults)
-    return whole
-
-
-def _leads(steps: list[str], fills: tuple[str, ...]) -> bool:
-    """A path goes on within what an item shares with others."""
-    alike = all(fill in ("*", step) for fill, step in zip(fills, steps, strict=False))
-    return alike and len(steps) > len(fills)
-
-
-def _share(root: Node, steps: list[str]) -> None:
-    """Gives an item, on a path that leads into what it shares with others, a value of its own."""
-    for keys, fills in _SHARED:
-        source = root.child(*keys)
-        if source is None or not _leads(steps, fills):
-            continue
-        *way, _, key = fills
-        called = steps[len(way)]
-        for holder in root.listed(*way):
-            if isinstance(holder.value, dict) and called in ("*", holder.name):
-                holder.value.setdefault(key, source.copy())
-
-
-_SHARED = [
-    ((*way, *common.keys), (*way, *common.fills))
-    for way, kind in (((), Spindle), (("shaft",), Shaft))
-    for common in COMMON[kind]
+_SHARING = {Spindle: (), Shaft: ("shaft",)}  # whose items share values, and the way there
+_INNER = [("bearings", "*", "model")] + [
+    (*way, *common.fills) for kind, way in _SHARING.items() for common in COMMON[kind]
 ]
 
 
-def _open(root: Node, steps: list[str], reader: Reader, whole: set[int]) -> None:
-    """Fills in the models that a path leads into, as ``bearings.a.model.contact_angle``.
+def _turn(path: str) -> int:
+    """When an override is put in: 0, before anything is filled in; 1, within a material; 2, within
+    the model of a bearing or what items share, after that which is meant for all of them."""
+    if _leads(path, _INNER):
+        return 2
+    return int(_leads(path, ways_to(Material, Spindle)))
 
-    ``whole``: seats (by id) whose models are filled in.
-    """
-    if len(steps) > 3 and steps[0] == "bearings" and steps[2] == "model":
-        for seat in root.listed("bearings"):
-            if steps[1] in ("*", seat.name) and id(seat) not in whole:
-                _bearing_of_seat(root, seat, reader)
-                whole.add(id(seat))
-        return
-    for way in ways_to(Material, Spindle):
-        for holder in matching(root, way[:-1]) if _leads(steps, way) else ():
-            if steps[len(way) - 2] in ("*", holder.name, way[-2]):
-                _fill(holder, [way[-1:]], Material, reader)
+
+def _leads(path: str, ways: Iterable[Way]) -> bool:
+    """A path goes on within what stands at the end of one of ``ways``."""
+    steps = path.split(".")
+    return any(
+        len(steps) > len(way)
+        and all(key in ("*", step) for key, step in zip(way, steps, strict=False))
+        for way in ways
+    )
 
 
 def tool(reference: Node, reader: Reader) -> Node | None:

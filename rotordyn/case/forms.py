@@ -27,7 +27,6 @@ from rotordyn.case.matrices import matrix
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.ranges import sweep
 from rotordyn.case.reading import Reading, unknown_key
-from rotordyn.case.reduced import reduced_model
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -145,86 +144,68 @@ def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     return reading.description(Uncertain, node)
 
 
-def reduced(files: Reader) -> Any:
-    """The form of a housing by its reduced model, which stands in files of its own."""
+def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """A housing by its reduced model, which stands in files of its own."""
+    held: dict[str, Any] = dict.fromkeys(("places", "shape", "mass", "stiffness", "damping"), ())
+    if (model := node.child("model")) is not None:
+        from rotordyn.case.reduced import reduced_model
 
-    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-        rows: dict[str, Any] = dict.fromkeys(("shape", "mass", "stiffness", "damping"), ())
-        places: tuple[str, ...] = ()
-        if (held := node.child("model")) is not None:
-            if (model := reduced_model(held, reading, files)) is not None:
-                rows = {name: tuple(map(tuple, getattr(model, name).tolist())) for name in rows}
-                places = model.places
-            node = replace(node, value={**node.value, "model": replace(held, value=UNKNOWN)})
-        return reading.description(ReducedHousing, node, others, places=places, **rows)
-
-    return form
+        held |= reduced_model(model, reading)
+        node = replace(node, value={**node.value, "model": replace(model, value=UNKNOWN)})
+    return reading.description(ReducedHousing, node, others, **held)
 
 
-def measured(files: Reader) -> Any:
-    """The form of a measured response, whose values stand in a file of its own."""
+def measured(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """A measured response, whose values stand in a file of its own."""
+    if not isinstance(node.value, dict):
+        return reading.wrong_shape(annotation, node, "a mapping (key: value)")
+    before = reading.faults.count
+    values = reading.fields(MeasuredResponse, node)
+    if reading.faults.count > before:
+        return unknown(MeasuredResponse)
+    name, number = node.at("file"), node.child("record")
+    path = reading.files.folders[name.file].parent / name.value
+    pair = f"{values['response']} / {values['excitation']}"
+    try:
+        record = read_record(path, pair, number.value if number else None)
+    except InvalidInput as fault:
+        reading.faults.at(name, f"{name.value}: {fault}")
+        with unchecked():
+            return MeasuredResponse(**values)  # its pair is still held against the others
+    reading.files.contents[path] = path.read_bytes()
+    values |= {
+        "quantity": record.quantity,
+        "frequency": record.frequency,
+        "real": tuple(value.real for value in record.values),
+        "imaginary": tuple(value.imag for value in record.values),
+        "coherence": record.coherence,
+    }
+    return reading.made(MeasuredResponse, values, node)
 
-    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-        if not isinstance(node.value, dict):
-            return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        before = reading.faults.count
-        values = reading.fields(MeasuredResponse, node)
-        if reading.faults.count > before:
-            return unknown(MeasuredResponse)
-        name, number = node.at("file"), node.child("record")
-        path = files.folders[name.file].parent / name.value
-        pair = f"{values['response']} / {values['excitation']}"
+
+def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Specs by the name of their analysis; one without keys may be left empty."""
+    if not isinstance(node.value, dict):
+        reading.wrong_shape(annotation, node, "a mapping (key: value)")
+        return {"": Spec()}
+    specs: dict[str, type] = {}
+    for name, child in node.value.items():
         try:
-            record = read_record(path, pair, number.value if number else None)
-        except InvalidInput as fault:
-            reading.faults.at(name, f"{name.value}: {fault}")
-            with unchecked():
-                return MeasuredResponse(**values)  # its pair is still held against the others
-        files.contents[path] = path.read_bytes()
-        values |= {
-            "quantity": record.quantity,
-            "frequency": record.frequency,
-            "real": tuple(value.real for value in record.values),
-            "imaginary": tuple(value.imag for value in record.values),
-            "coherence": record.coherence,
-        }
-        return reading.made(MeasuredResponse, values, node)
-
-    return form
-
-
-def by_name(files: Reader) -> Any:
-    """The form of specs by the name of their analysis; one without keys may be left empty."""
-
-    def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-        if not isinstance(node.value, dict):
-            reading.wrong_shape(annotation, node, "a mapping (key: value)")
-            return {"": Spec()}
-        specs: dict[str, type] = {}
-        for name, child in node.value.items():
-            try:
-                specs[name] = analysis(name).spec
-            except InvalidInput:
-                reading.faults.at_key(child, unknown_key(name, [*names()]))
-                continue
-            if child.value is None:
-                node.value[name] = replace(child, value={})
-            asked(node.value[name], specs[name], files)
-        if node.value and not specs:
-            return {"": Spec()}
-        return {name: reading.value(spec, node.value[name]) for name, spec in specs.items()}
-
-    return form
+            specs[name] = analysis(name).spec
+        except InvalidInput:
+            reading.faults.at_key(child, unknown_key(name, [*names()]))
+            continue
+        if child.value is None:
+            node.value[name] = replace(child, value={})
+        asked(node.value[name], specs[name], reading.files)
+    if node.value and not specs:
+        return {"": Spec()}
+    return {name: reading.value(spec, node.value[name]) for name, spec in specs.items()}
 
 
 def reading_of(files: Reader) -> Reading:
     """What reads the files of a case."""
-    with_files = {
-        ByName: by_name(files),
-        MeasuredResponse: measured(files),
-        ReducedHousing: reduced(files),
-    }
-    return Reading(files.faults, {**FORMS, **with_files})
+    return Reading(files, FORMS)
 
 
 FORMS: dict[type, Any] = {
@@ -240,4 +221,7 @@ FORMS: dict[type, Any] = {
     Matrix: matrix,
     Reference: reference,
     Worded: uncertain,
+    ByName: by_name,
+    MeasuredResponse: measured,
+    ReducedHousing: reduced,
 }

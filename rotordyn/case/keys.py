@@ -22,7 +22,7 @@ from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import Field, declared
 from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
-from rotordyn.machine.flexible_rings import RingBodies
+from rotordyn.machine.flexible_rings import SIZES, RingBodies
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -231,9 +231,7 @@ class Printed:
 @dataclass
 class _Bearing:
     name: Annotated[str, "as printed"]
-    kind: Annotated[Annotated[str, Choice(tuple(KINDS))], "which keys it has besides these"] = (
-        DEFAULT
-    )
+    kind: Annotated[str, Choice(tuple(KINDS)), "which keys it has besides these"] = DEFAULT
     source: Source = ""
     note: Annotated[str, "what is estimated"] = ""
     bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None
@@ -317,52 +315,29 @@ class Common:
     meaning: str = ""
 
 
+_OF_BEARINGS = {
+    ("growth",): "ring growth of every bearing that gives none itself",
+    ("fits",): "fits of every bearing that gives none itself",
+    ("flexible_rings",): "rings of every bearing that gives none itself, as elastic bodies",
+    ("damping", "bearings"): "between the rings of bearings that give no damping themselves",
+}
+_SIZED = {
+    ("growth", "fit"): (InterferenceFit, ("bore_diameter",)),
+    ("fits",): (Fits, SIZES),
+    ("flexible_rings",): (RingBodies, SIZES),
+}
+_MATERIAL = ("material",), ("sections", "*", "material"), Section
 COMMON: dict[type, tuple[Common, ...]] = {
-    Shaft: (
-        Common(
-            ("material",),
-            ("sections", "*", "material"),
-            Section,
-            "of sections that name none; name, path or mapping",
-        ),
+    Shaft: (Common(*_MATERIAL, "of sections that name none; name, path or mapping"),),
+    Tool: (Common(*_MATERIAL, "of sections that name none"),),
+    Spindle: tuple(
+        Common(keys, ("bearings", "*", keys[0]), BearingSeat, meaning)
+        for keys, meaning in _OF_BEARINGS.items()
     ),
-    Tool: (
-        Common(("material",), ("sections", "*", "material"), Section, "of sections that name none"),
-    ),
-    Spindle: (
-        Common(
-            ("growth",),
-            ("bearings", "*", "growth"),
-            BearingSeat,
-            "ring growth of every bearing that gives none itself",
-        ),
-        Common(
-            ("fits",),
-            ("bearings", "*", "fits"),
-            BearingSeat,
-            "fits of every bearing that gives none itself",
-        ),
-        Common(
-            ("flexible_rings",),
-            ("bearings", "*", "flexible_rings"),
-            BearingSeat,
-            "rings of every bearing that gives none itself, as elastic bodies",
-        ),
-        Common(
-            ("damping", "bearings"),
-            ("bearings", "*", "damping"),
-            BearingSeat,
-            "between the rings of bearings that give no damping themselves",
-        ),
-    ),
-    BearingSeat: (
-        Common(("model", "bore_diameter"), ("growth", "fit", "bore_diameter"), InterferenceFit),
-        Common(("model", "bore_diameter"), ("fits", "bore_diameter"), Fits),
-        Common(("model", "outside_diameter"), ("fits", "outside_diameter"), Fits),
-        Common(("model", "width"), ("fits", "width"), Fits),
-        Common(("model", "bore_diameter"), ("flexible_rings", "bore_diameter"), RingBodies),
-        Common(("model", "outside_diameter"), ("flexible_rings", "outside_diameter"), RingBodies),
-        Common(("model", "width"), ("flexible_rings", "width"), RingBodies),
+    BearingSeat: tuple(
+        Common(("model", size), (*way, size), kind)
+        for way, (kind, sizes) in _SIZED.items()
+        for size in sizes
     ),
 }
 

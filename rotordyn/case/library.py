@@ -32,19 +32,20 @@ def models_root() -> Path:
     return _PACKAGE / "_data" / "models"
 
 
-def known(kind: str) -> list[str]:
-    """Names of the models of one kind (``KINDS``), sorted."""
-    return sorted(path.stem for path in (models_root() / kind).glob("*.yaml"))
-
-
 def cases_root() -> Path:
     """The folder of cases, found as the one of models."""
     return models_root().parent / "cases"
 
 
-def known_cases() -> list[str]:
-    """Names of the cases that come with rotordyn, sorted."""
-    return sorted(path.stem for path in cases_root().glob("*.yaml"))
+def files_of(kind: str) -> list[Path]:
+    """Files of the models of one kind (``KINDS``), or of ``"cases"``, sorted by name."""
+    folder = cases_root() if kind == "cases" else models_root() / kind
+    return sorted(folder.glob("*.yaml"), key=lambda path: path.stem)
+
+
+def known(kind: str) -> list[str]:
+    """Names of these."""
+    return [path.stem for path in files_of(kind)]
 
 
 def find_case(reference: str | Path) -> Path:
@@ -56,7 +57,7 @@ def find_case(reference: str | Path) -> Path:
     path, text = Path(reference).expanduser(), str(reference)
     if isinstance(reference, Path) or is_path(text) or not text or os.path.isfile(path):
         return path
-    names = known_cases()
+    names = known("cases")
     if text in names:
         return cases_root() / f"{text}.yaml"
     if os.path.exists(path):

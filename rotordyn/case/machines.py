@@ -9,7 +9,7 @@ from typing import Any
 from bearings.bearing import BallBearing
 from rotordyn.case.arranged import arrange
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import Node
+from rotordyn.case.node import Node, merged
 from rotordyn.case.reading import Reading
 from rotordyn.description import unchecked
 from rotordyn.machine.spindle import OF_TOOL, Spindle
@@ -54,21 +54,11 @@ def _clamped(spindle: Node, tool: Node) -> Node:
     """The tree of a spindle with the tool's sections, masses, points and joints in it."""
     held: dict[str, Any] = dict(spindle.value)
     if shaft := spindle.entries("shaft"):
-        sections = _joined(tool.child("sections"), spindle.child("shaft", "sections"))
+        sections = merged(tool.child("sections"), shaft.get("sections"))
         held["shaft"] = replace(held["shaft"], value={**shaft, "sections": sections})
-    for key in OF_TOOL:
-        held[key] = _joined(spindle.child(key), tool.child(key))
-    points = {**spindle.entries("points"), **tool.entries("points")}
-    held["points"] = replace(spindle.child("points") or tool, value=points)
+    for key in (*OF_TOOL, "points"):
+        held[key] = merged(spindle.child(key), tool.child(key))
     return replace(spindle, value={key: node for key, node in held.items() if node is not None})
-
-
-def _joined(first: Node | None, second: Node | None) -> Node | None:
-    """Two lists as one."""
-    lists = [node for node in (first, second) if node is not None and isinstance(node.value, list)]
-    if not lists:
-        return first or second
-    return replace(lists[0], value=[item for node in lists for item in node.value])
 
 
 def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:

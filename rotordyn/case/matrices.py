@@ -7,7 +7,7 @@ from itertools import product
 from typing import Annotated, Any, get_args
 
 from rotordyn import units
-from rotordyn.case.leaf import leaf
+from rotordyn.case.leaf import leaf, unknown
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.reading import Reading, unknown_key
 from rotordyn.field import Refused, bare
@@ -21,12 +21,10 @@ WHOLE = ("dof", "matrix")
 def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Entries of a 6×6 matrix by pair of DOF, written one by one or whole."""
     marker = next(m for m in annotation.__metadata__ if isinstance(m, Matrix))
-    nothing = dict.fromkeys(ENTRIES.values(), math.nan)
     if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        return nothing
+        return reading.wrong_shape(annotation, node, "a mapping (key: value)")
     if any(key in node.value for key in WHOLE):
-        return _whole(reading, marker, node) or nothing
+        return _whole(reading, marker, node) or unknown(annotation)
     tabled = len(get_args(get_args(bare(annotation))[1])) > 1
     entries: dict[tuple[str, str], Any] = {}
     for key, child in node.value.items():

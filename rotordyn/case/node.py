@@ -98,6 +98,18 @@ class Node:
         return self.value
 
 
+def merged(base: Node | None, more: Node | None) -> Node | None:
+    """Two mappings or two lists as one, at the place of the first; else ``more`` where there is."""
+    if base is None or more is None:
+        return base or more
+    if isinstance(base.value, dict) and isinstance(more.value, dict):
+        kept = {key: value for key, value in base.value.items() if key not in more.value}
+        return replace(base, value={**kept, **more.value})  # what ``more`` says comes last
+    if isinstance(base.value, list) and isinstance(more.value, list):
+        return replace(base, value=[*base.value, *more.value])
+    return more
+
+
 def joined(path: str, key: Key) -> str:
     """``path`` extended by a key or by an index in brackets."""
     if isinstance(key, int):

@@ -15,6 +15,7 @@ def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
 
     A path names keys, and items of a list by their ``name``; ``*`` stands for every item or entry.
     Mappings on the way are made where they are missing. Anything else the path meets is a fault.
+    Every place gets a value of its own, which may be changed further.
     """
     for path, value in changes.items():
         _put(value, path.split("."), target, faults)
@@ -22,23 +23,25 @@ def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
 
 def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
     step, rest = steps[0], steps[1:]
+    target.shared = False
     if step == "*" and isinstance(target.value, dict | list):
         held: Any = target.value
         for key, child in [*target.items()]:
             if rest:
                 _put(value, rest, child, faults)
             else:
-                held[key] = value
+                held[key] = value.copy()
     elif isinstance(target.value, list):
         item = _item(value, step, target, faults)
         if item is not None and rest:
             _put(value, rest, item, faults)
         elif item is not None:
-            target.value[target.value.index(item)] = value
+            target.value[target.value.index(item)] = value.copy()
     elif not isinstance(target.value, dict):
-        _no_way(value, step, target, faults)
+        where = f"'{joined(target.path, step)}' does not exist"
+        faults.at_key(value, f"{where}: '{target.path}' holds one value")
     elif not rest:
-        target.value[step] = value
+        target.value[step] = value.copy()
     else:
         if step not in target.value or target.value[step].value is None:
             path = value.path.removesuffix("." + ".".join(rest))
@@ -55,9 +58,3 @@ def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
         faults.at_key(value, message)
     return named
-
-
-def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:
-    faults.at_key(
-        value, f"'{joined(target.path, step)}' does not exist: '{target.path}' holds one value"
-    )

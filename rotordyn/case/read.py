@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -149,7 +149,5 @@ def _other_file(held: Mapping[str, object]) -> str:
 
 
 def _digest(contents: dict[Path, bytes]) -> str:
-    total = hashlib.sha256()
-    for content in contents.values():
-        total.update(hashlib.sha256(content).digest())
-    return total.hexdigest()
+    parts = (sha256(content).digest() for content in contents.values())
+    return sha256(b"".join(parts)).hexdigest()

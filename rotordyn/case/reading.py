@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, get_args, get_origin
+from typing import TYPE_CHECKING, Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
 from rotordyn import units
@@ -22,8 +22,11 @@ from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
-from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
+from rotordyn.field import REQUIRED, Field, Refused, bare, found_in, members, metadata, optional
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
+
+if TYPE_CHECKING:
+    from rotordyn.case.expand import Reader
 
 _LISTED = 24
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
@@ -31,13 +34,18 @@ Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What reads nodes: ``faults`` collects, ``forms`` reads what files write in forms of its own.
+    """What reads nodes: ``forms`` reads what ``files`` write in forms of its own.
 
     A form is found by the type of a value or of what stands beside it in its annotation.
     """
 
-    faults: Faults
+    files: Reader
     forms: Mapping[type, Form]
+
+    @property
+    def faults(self) -> Faults:
+        """Of all files."""
+        return self.files.faults
 
     def value(self, annotation: Any, node: Node) -> Any:
         """What ``node`` holds, as a field of this annotation keeps it."""
@@ -50,12 +58,12 @@ class Reading:
         forms = members(annotation)
         if len(forms) > 1:
             return self._one_of(annotation, forms, node)
-        if form := self._form(forms[0]):  # of what may be left out
-            return form(self, forms[0], node, ())
         return self._one(forms[0], node)
 
     def _one(self, annotation: Any, node: Node) -> Any:
-        """What is of one form only."""
+        """What is of one form only, None aside."""
+        if form := self._form(annotation):
+            return form(self, annotation, node, ())
         inner = bare(annotation)
         if is_kind(inner):
             return self.description(inner, node)
@@ -129,10 +137,10 @@ class Reading:
             return self.wrong_shape(annotation, node, "a list")
         inner = get_args(bare(annotation))
         items = tuple(self.value(inner[0], item) for item in node.value)
-        for limit in metadata(annotation):
-            if isinstance(limit, Items) and (why := limit.refusal(items, _count(items))):
-                self.faults.at(node, why)
-                return unknown(annotation)
+        limit = found_in(annotation, Items)
+        if limit and (why := limit.refusal(items, "" if items else "an empty list")):
+            self.faults.at(node, why)
+            return unknown(annotation)
         return items
 
     def _entries(self, annotation: Any, node: Node) -> Any:
@@ -248,10 +256,11 @@ class Reading:
                 self._key_of_bearing(node, name, known)
             elif held and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
-                noun = node_noun(node)
-                self.faults.at_key(child, f"given beside {alternative}: {noun} is one of both")
+                *above, last = node.path.split(".")  # an item is called by its list
+                noun = (above or [last])[-1].rstrip("s")
+                self.faults.at_key(child, f"given beside {alternative}: a {noun} is one of both")
             else:
-                holder = place[-1] if place else last_key(node)
+                holder = place[-1] if place else node.path.rpartition(".")[2]
                 within = "" if place else deeper(kind, name)
                 self.faults.at_key(child, unknown_key(name, known, holder, within))
 
@@ -277,16 +286,6 @@ def unknown_key(given: str, allowed: list[str], holder: str = "", within: str = 
     listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
     hint = f" (did you mean {within}?)" if within else suggestion(given, allowed)
     return f"unknown key: given {units.shown(given)}; allowed: {listed or 'no keys'}{hint}"
-
-
-def last_key(node: Node) -> str:
-    """The key under which a mapping stands; empty for that of a file."""
-    return node.path.rpartition(".")[2]
-
-
-def node_noun(node: Node) -> str:
-    """What an item of a list is called, by the list."""
-    return "a " + (node.path.split(".")[-2] if "." in node.path else node.path).rstrip("s")
 
 
 def _within(
@@ -335,9 +334,7 @@ def _is_common(kind: type, field: Field) -> bool:
 def _mapping(kind: type) -> str:
     """What is written for a description, with the keys that it must have."""
     needed = [".".join(field.keys) for field in keys_of(kind) if field.default is REQUIRED]
-    return (
-        f"a mapping (key: value) with {', '.join(needed)}" if needed else "a mapping (key: value)"
-    )
+    return "a mapping (key: value)" + f" with {', '.join(needed)}" * bool(needed)
 
 
 def _written(node: Node, path: Path) -> str:
@@ -368,7 +365,3 @@ def _likeness(kind: type, node: Node) -> tuple[int, int, int]:
 def _fits(annotation: Any, node: Node) -> bool:
     single = not isinstance(node.value, dict | list)
     return any(_is_leaf(bare(form)) == single for form in members(annotation))
-
-
-def _count(items: tuple[Any, ...]) -> str:
-    return str(len(items)) if items else "an empty list"

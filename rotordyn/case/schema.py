@@ -163,15 +163,19 @@ def _mapping(
         key = field.keys[depth]
         if len(field.keys) > depth + 1:
             if key not in properties:
-                inner = tuple(f for f in keys if f.keys[: depth + 1] == field.keys[: depth + 1])
-                inner = tuple(f for f in inner if len(f.keys) > depth + 1)
+                longer = (f for f in keys if len(f.keys) > depth + 1)
+                inner = tuple(f for f in longer if f.keys[: depth + 1] == field.keys[: depth + 1])
                 properties[key] = {**_mapping(inner, shapes, kind, depth + 1), "description": key}
             continue
         properties[key] = _property(key, field, shapes, kind)
         if field.default is REQUIRED and key not in filled:
             required.append(key)
-    shape = {"type": "object", "properties": properties, "additionalProperties": False}
-    return {**shape, "required": required} if required else shape
+    return _closed(properties, **({"required": required} if required else {}))
+
+
+def _closed(properties: Shape, **more: Any) -> Shape:
+    """A mapping with these keys and no others."""
+    return {"type": "object", "properties": properties, "additionalProperties": False, **more}
 
 
 def _property(key: str, field: Field, shapes: dict[str, Shape], kind: type) -> Shape:
@@ -215,9 +219,8 @@ def _of_one(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 def _list(annotation: Any, items: Shape) -> Shape:
     shape: Shape = {"type": "array", "items": items}
-    for limit in metadata(annotation):
-        if isinstance(limit, Items):
-            shape |= {"minItems": limit.at_least, "maxItems": limit.at_most}
+    if limit := found_in(annotation, Items):
+        shape |= {"minItems": limit.at_least, "maxItems": limit.at_most}
     return {**shape, **({"description": items["description"]} if "description" in items else {})}
 
 
@@ -330,13 +333,7 @@ def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
         "description": "row by row, with units; a bare 0 needs none",
     }
     whole = {"dof": dofs, "matrix": rows}
-    closed = {"type": "object", "additionalProperties": False}
-    return {
-        "anyOf": [
-            {**closed, "properties": entries},
-            {**closed, "properties": whole, "required": [*whole]},
-        ]
-    }
+    return {"anyOf": [_closed(entries), _closed(whole, required=[*whole])]}
 
 
 def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
@@ -347,12 +344,7 @@ def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
         forms = [{"$ref": f"#/$defs/{kind.__name__}"}]
         forms += [] if "required" in shapes[kind.__name__] else [{"type": "null"}]
         each[name] = {"anyOf": forms, "description": text}
-    return {
-        "type": "object",
-        "properties": each,
-        "additionalProperties": False,
-        "minProperties": 1,
-    }
+    return _closed(each, minProperties=1)
 
 
 def _values(annotation: Any, shapes: dict[str, Shape]) -> Shape:

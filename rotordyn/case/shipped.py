@@ -10,7 +10,7 @@ from typing import Any
 from bearings.errors import shown
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.library import KINDS, cases_root, known, known_cases, models_root
+from rotordyn.case.library import KINDS, files_of
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion
 
@@ -37,16 +37,12 @@ def models(kind: str | None = None) -> tuple[Shipped, ...]:
     InvalidInput : there is no such kind
     """
     kinds = KINDS if kind is None else (known_kind(kind),)
-    return tuple(
-        _shipped(kind, models_root() / kind / f"{name}.yaml")
-        for kind in kinds
-        for name in known(kind)
-    )
+    return tuple(_shipped(kind, path) for kind in kinds for path in files_of(kind))
 
 
 def cases() -> tuple[Shipped, ...]:
     """The cases that come with rotordyn; ``rotordyn.load`` takes their names."""
-    return tuple(_shipped("cases", cases_root() / f"{name}.yaml") for name in known_cases())
+    return tuple(_shipped("cases", path) for path in files_of("cases"))
 
 
 def known_kind(kind: object) -> str:

@@ -13,7 +13,8 @@ from pathlib import Path
 
 from rotordyn.case.document import read_text, shown
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import Node, joined
+from rotordyn.case.node import Node
+from rotordyn.case.override import apply
 from rotordyn.errors import Fault
 
 _HEAD = re.compile(r"\s*(speed|(stiffness|damping)\.(\w+))\s*\[([^\]]+)\]\s*")
@@ -37,7 +38,12 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
             Node(f"{row[column].strip()} {unit}", file, line, column + 1, raw=row[column].strip())
             for line, row in rows[1:]
         ]
-        _put(support, way, Node(cells, file, rows[0][0], column + 1), faults)
+        *above, key = way
+        if {key, "dof", "matrix"} & {*support.entries(*above)}:
+            given = ".".join(way)
+            faults.at(support.at("table"), f"both in the table and beside it: given {given}")
+        elif isinstance(support.at(*above).value, dict):  # else reported by the schema
+            apply({".".join(way): Node(cells, file, rows[0][0], column + 1)}, support, faults)
 
 
 def _columns(
@@ -70,19 +76,3 @@ def _columns(
     for fault in wrong:
         faults.add(fault)
     return [] if wrong else columns
-
-
-def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> None:
-    holder = support
-    for key in way[:-1]:
-        if holder.child(key) is None:
-            place = joined(holder.path, key)
-            holder.value[key] = Node({}, values.file, values.line, values.column, place)
-        holder = holder.at(key)
-    if not isinstance(holder.value, dict):
-        return  # reported by the schema
-    if {way[-1], "dof", "matrix"} & set(holder.value):
-        name = ".".join(way)
-        faults.at(support.at("table"), f"both in the table and beside it: given {name}")
-        return
-    holder.value[way[-1]] = values

@@ -67,9 +67,15 @@ class Tolerance:
         return low + share * (high - low)
 
     @property
+    def _first(self) -> list[Any]:
+        """Lowest, nominal and highest value of the first path, of a row its first ones."""
+        ends = next(iter(self.ends.values()))
+        return [end[0] if isinstance(end, tuple) else end for end in ends]
+
+    @property
     def levels(self) -> int:
         """How many values there are, each as likely; 0: any number between the ends."""
-        low, _, high = next(iter(self.ends.values()))
+        low, _, high = self._first
         if isinstance(low, str):
             return 3
         return high - low + 1 if isinstance(low, int) else 0
@@ -77,16 +83,13 @@ class Tolerance:
     @property
     def width(self) -> float:
         """From the lowest to the highest value [SI], of the first path; NaN of words."""
-        low, _, high = next(iter(self.ends.values()))
-        if isinstance(low, tuple):
-            low, high = low[0], high[0]
+        low, _, high = self._first
         return math.nan if isinstance(low, str) else float(high - low)
 
     @property
     def value(self) -> float:
         """Nominal value [SI], of the first path; NaN of words."""
-        nominal = next(iter(self.ends.values()))[1]
-        nominal = nominal[0] if isinstance(nominal, tuple) else nominal
+        nominal = self._first[1]
         return math.nan if isinstance(nominal, str) else float(nominal)
 
 

@@ -67,7 +67,7 @@ OF_BEARING = (
     Usual("bearing.outer_conformity", "± 1 %", THESIS),
     Usual("conditions.friction", "± 30 %", ASSUMED),
 )
-APART = ("sleeves",)  # items that are not alike: each of them has a tolerance of its own
+APART = ".sleeves.*"  # items that are not alike: each of them has a tolerance of its own
 
 
 def usual_of(case: Case) -> Iterator[Usual]:
@@ -80,8 +80,7 @@ def usual_of(case: Case) -> Iterator[Usual]:
             found = [(path, value) for path, value in found if not path.startswith(made)]
         if not found:
             continue
-        every = len(found) == len(places(case, entry.path))
-        together = every and not any(f".{word}.*" in entry.path for word in APART)
+        together = len(found) == len(places(case, entry.path)) and APART not in entry.path
         for path in [entry.path] if together else [path for path, _ in found]:
             yield entry._replace(path=path)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import Node
+from rotordyn.case.node import Node, merged
 
 _MERGED = ("override", "conditions", "references")
 
@@ -71,15 +71,5 @@ def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     del tree.value["compare"]
     for key, value in changes.entries().items():
-        entry = tree.child(key)
-        tree.value[key] = _merged(entry, value) if entry is not None and key in _MERGED else value
+        tree.value[key] = merged(tree.child(key), value) if key in _MERGED else value
     return tree
-
-
-def _merged(base: Node, more: Node) -> Node:
-    if isinstance(base.value, dict) and isinstance(more.value, dict):
-        kept = {key: value for key, value in base.value.items() if key not in more.value}
-        return replace(base, value={**kept, **more.value})  # what the variant says comes last
-    if isinstance(base.value, list) and isinstance(more.value, list):
-        return replace(base, value=[*base.value, *more.value])
-    return more

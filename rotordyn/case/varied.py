@@ -66,13 +66,12 @@ def unlike(case: Case, wanted: Case) -> dict[str, Leaf]:
 def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, Any]]:
     """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
     ``*``, none where it leads nowhere. ``absent``: also what would be within what is not there."""
-    found = _at(case, tuple(path.split(".")), None, (), absent)
-    return [(value, annotation) for _, value, annotation in found]
+    return [(value, annotation) for _, value, annotation in places(case, path, absent=absent)]
 
 
-def places(case: Case, path: str) -> list[tuple[str, Any, Any]]:
+def places(case: Case, path: str, *, absent: bool = False) -> list[tuple[str, Any, Any]]:
     """The same, each with its own path: what ``*`` stands for is written out."""
-    found = _at(case, tuple(path.split(".")), None, (), False)
+    found = _at(case, tuple(path.split(".")), None, (), absent)
     return [(".".join(way), value, annotation) for way, value, annotation in found]
 
 

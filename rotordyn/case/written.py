@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +34,8 @@ def write_changed(
         raise InvalidInput(f"case {case.name}: was read from no file, so that it cannot be written")
     source = case.files[0]
     held = yaml.safe_load(source.read_text(encoding="utf-8"))
-    whole = {k: _placed(v, source.parent) for k, v in held.items() if k not in COMPARED}
+    kept = {key: value for key, value in held.items() if key not in COMPARED}
+    whole = _renamed(kept, partial(_placed, source.parent))
     whole["title"] = title
     for dotted, value in changes.items():
         room, _, rest = dotted.partition(".")
@@ -40,7 +43,7 @@ def write_changed(
             whole.setdefault("override", {})[rest] = value
         else:
             _put(whole, dotted.split("."), value)
-    held = whole if home is None else _near(whole, home.resolve())
+    held = whole if home is None else _renamed(whole, partial(_near, home.resolve()))
     text = yaml.safe_dump(held, sort_keys=False, allow_unicode=True, width=100)
     try:
         path.write_text(text, encoding="utf-8", newline="\n")
@@ -56,26 +59,24 @@ def _put(whole: dict[str, Any], steps: list[str], value: Any) -> None:
     whole[steps[-1]] = value
 
 
-def _near(value: Any, home: Path) -> Any:
-    """Files of whole paths named from ``home``; not those on another drive (Windows)."""
+def _renamed(value: Any, name: Callable[[str], str]) -> Any:
+    """The same with another name for every text in it."""
     if isinstance(value, dict):
-        return {key: _near(each, home) for key, each in value.items()}
+        return {key: _renamed(each, name) for key, each in value.items()}
     if isinstance(value, list):
-        return [_near(each, home) for each in value]
-    if isinstance(value, str) and os.path.isabs(value) and os.path.isfile(value):
-        try:
-            return Path(os.path.relpath(value, home)).as_posix()
-        except ValueError:
-            return value
-    return value
+        return [_renamed(each, name) for each in value]
+    return name(value) if isinstance(value, str) else value
 
 
-def _placed(value: Any, beside: Path) -> Any:
-    """Names of files beside the old file, from anywhere."""
-    if isinstance(value, dict):
-        return {key: _placed(each, beside) for key, each in value.items()}
-    if isinstance(value, list):
-        return [_placed(each, beside) for each in value]
-    if isinstance(value, str) and Path(value).suffix and (beside / value).is_file():
-        return str((beside / value).resolve())
-    return value
+def _near(home: Path, text: str) -> str:
+    """A file of a whole path named from ``home``; not one on another drive (Windows)."""
+    if os.path.isabs(text) and os.path.isfile(text):
+        with suppress(ValueError):
+            return Path(os.path.relpath(text, home)).as_posix()
+    return text
+
+
+def _placed(beside: Path, text: str) -> str:
+    """The name of a file beside the old file, from anywhere."""
+    file = beside / text
+    return str(file.resolve()) if file.suffix and file.is_file() else text

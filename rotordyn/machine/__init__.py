@@ -2,79 +2,39 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from rotordyn.machine.ball_guide import BallGuide as BallGuide
+from rotordyn.machine.bearing_set import BearingSet as BearingSet
+from rotordyn.machine.bearing_set import SetPreload as SetPreload
+from rotordyn.machine.damping import RayleighDamping as RayleighDamping
+from rotordyn.machine.drawbar import Drawbar as Drawbar
+from rotordyn.machine.fits import Fits as Fits
+from rotordyn.machine.flexible_rings import RingBodies as RingBodies
+from rotordyn.machine.growth import ComputedShortening as ComputedShortening
+from rotordyn.machine.growth import InterferenceFit as InterferenceFit
+from rotordyn.machine.growth import PrescribedShortening as PrescribedShortening
+from rotordyn.machine.growth import QuadraticInSpeed as QuadraticInSpeed
+from rotordyn.machine.growth import RingGrowth as RingGrowth
+from rotordyn.machine.housing import ReducedHousing as ReducedHousing
+from rotordyn.machine.housing import RigidHousing as RigidHousing
+from rotordyn.machine.joint import Joint as Joint
+from rotordyn.machine.lumped import Disc as Disc
+from rotordyn.machine.lumped import PointMass as PointMass
+from rotordyn.machine.misalignment import Misalignment as Misalignment
+from rotordyn.machine.reference import Reference as Reference
+from rotordyn.machine.rotor import Rotor as Rotor
+from rotordyn.machine.seat import BearingSeat as BearingSeat
+from rotordyn.machine.shaft import Section as Section
+from rotordyn.machine.shaft import Shaft as Shaft
+from rotordyn.machine.sleeve import Sleeve as Sleeve
+from rotordyn.machine.sleeve import Spring as Spring
+from rotordyn.machine.spindle import Spindle as Spindle
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper as SqueezeFilmDamper
+from rotordyn.machine.support import LinearSupport as LinearSupport
+from rotordyn.machine.temperatures import BearingTemperatures as BearingTemperatures
+from rotordyn.machine.temperatures import Temperatures as Temperatures
+from rotordyn.machine.tool import Tool as Tool
 
-if TYPE_CHECKING:
-    from rotordyn.machine.ball_guide import BallGuide as BallGuide
-    from rotordyn.machine.bearing_set import BearingSet as BearingSet
-    from rotordyn.machine.bearing_set import SetPreload as SetPreload
-    from rotordyn.machine.damping import RayleighDamping as RayleighDamping
-    from rotordyn.machine.drawbar import Drawbar as Drawbar
-    from rotordyn.machine.fits import Fits as Fits
-    from rotordyn.machine.flexible_rings import RingBodies as RingBodies
-    from rotordyn.machine.growth import ComputedShortening as ComputedShortening
-    from rotordyn.machine.growth import InterferenceFit as InterferenceFit
-    from rotordyn.machine.growth import PrescribedShortening as PrescribedShortening
-    from rotordyn.machine.growth import QuadraticInSpeed as QuadraticInSpeed
-    from rotordyn.machine.growth import RingGrowth as RingGrowth
-    from rotordyn.machine.housing import ReducedHousing as ReducedHousing
-    from rotordyn.machine.housing import RigidHousing as RigidHousing
-    from rotordyn.machine.joint import Joint as Joint
-    from rotordyn.machine.lumped import Disc as Disc
-    from rotordyn.machine.lumped import PointMass as PointMass
-    from rotordyn.machine.misalignment import Misalignment as Misalignment
-    from rotordyn.machine.reference import Reference as Reference
-    from rotordyn.machine.rotor import Rotor as Rotor
-    from rotordyn.machine.seat import BearingSeat as BearingSeat
-    from rotordyn.machine.shaft import Section as Section
-    from rotordyn.machine.shaft import Shaft as Shaft
-    from rotordyn.machine.sleeve import Sleeve as Sleeve
-    from rotordyn.machine.sleeve import Spring as Spring
-    from rotordyn.machine.spindle import Spindle as Spindle
-    from rotordyn.machine.squeeze_film import SqueezeFilmDamper as SqueezeFilmDamper
-    from rotordyn.machine.support import LinearSupport as LinearSupport
-    from rotordyn.machine.temperatures import BearingTemperatures as BearingTemperatures
-    from rotordyn.machine.temperatures import Temperatures as Temperatures
-    from rotordyn.machine.tool import Tool as Tool
-
-_NAMES = {
-    "ball_guide": ("BallGuide",),
-    "bearing_set": ("BearingSet", "SetPreload"),
-    "damping": ("RayleighDamping",),
-    "drawbar": ("Drawbar",),
-    "fits": ("Fits",),
-    "flexible_rings": ("RingBodies",),
-    "growth": (
-        "ComputedShortening",
-        "InterferenceFit",
-        "PrescribedShortening",
-        "QuadraticInSpeed",
-        "RingGrowth",
-    ),
-    "housing": ("ReducedHousing", "RigidHousing"),
-    "joint": ("Joint",),
-    "lumped": ("Disc", "PointMass"),
-    "misalignment": ("Misalignment",),
-    "reference": ("Reference",),
-    "rotor": ("Rotor",),
-    "seat": ("BearingSeat",),
-    "shaft": ("Section", "Shaft"),
-    "sleeve": ("Sleeve", "Spring"),
-    "spindle": ("Spindle",),
-    "squeeze_film": ("SqueezeFilmDamper",),
-    "support": ("LinearSupport",),
-    "temperatures": ("BearingTemperatures", "Temperatures"),
-    "tool": ("Tool",),
-}
-_MODULE_OF = {name: module for module, names in _NAMES.items() for name in names}
-__all__ = sorted(_MODULE_OF)  # noqa: PLE0605 - the names are those above
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _MODULE_OF:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+__all__ = sorted(name for name in globals() if name[0].isupper())  # noqa: PLE0605 - those above
 
 
 def __dir__() -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from bearings.errors import InvalidBearing
-from rotordyn.description import Faults, Path, named_twice
+from rotordyn.description import Faults, Path, named_twice, within
 from rotordyn.machine.growth import ComputedShortening
 from rotordyn.machine.matrix import acts
 from rotordyn.machine.station import SLACK, all_on_the_shaft, on_the_shaft, turning_faults
@@ -154,8 +154,7 @@ def _set(spindle: Spindle) -> Faults:
     for index, name in enumerate(own.bearings):
         for sentence in unknown("bearing", name, names):
             yield ("arrangement", "bearings", index), sentence
-    for path, sentence in own.faults_with(spindle.seats):
-        yield ("arrangement", *path), sentence
+    yield from within(("arrangement",), own.faults_with(spindle.seats))
 
 
 def _held_twice(spindle: Spindle) -> Faults:

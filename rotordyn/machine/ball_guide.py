@@ -21,7 +21,7 @@ class BallGuide(Description):
     The sleeve is held by its radial stiffness at the centre. Lengths [m].
     """
 
-    balls: Annotated[Annotated[int, Whole(3, 100_000)], "that carry, of all rows"]
+    balls: Annotated[int, Whole(3, 100_000), "that carry, of all rows"]
     ball_diameter: Annotated[Diameter, "of a ball"]
     column_diameter: Annotated[Diameter, "of the sleeve below the balls"]
     interference: Annotated[Interference, "of both contacts of a ball together, on the radius"]

@@ -38,7 +38,6 @@ SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
     "QFT": "---+",
     "QT": "++++",
 }
-MEANING = "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"
 
 
 def patterns(name: str) -> tuple[str, ...]:
@@ -114,7 +113,7 @@ class SetPreload(Description):
 class BearingSet(Description):
     """A set of bearings by its name, with its preload."""
 
-    set: Annotated[str, Choice(tuple(SETS)), f"{MEANING}"]
+    set: Annotated[str, Choice(tuple(SETS)), "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"]
     bearings: Annotated[tuple[Name, ...], Items(2, 4), "of the set, from front to rear"]
     preload: Annotated[SetPreload | None, "of sets that face one another"] = None
     name: Annotated[Name, "of the set, which its sleeve bears"] = "set"

@@ -15,6 +15,15 @@ from rotordyn.units import format_quantity
 
 TAKEN = ("mean", "least", "most", "probable_least", "probable_most")
 RINGS = ("P4", "normal")
+InnerSize = Annotated[
+    Diameter | None, "of the inner ring; in files by default that of the bearing model"
+]
+OuterSize = Annotated[
+    Diameter | None, "of the outer ring; in files by default that of the bearing model"
+]
+RingWidth = Annotated[
+    Diameter | None, "of the rings; in files by default that of the bearing model"
+]
 AROUND = 1.5  # outer diameter of a housing over that of the ring in it, where it is not given
 
 
@@ -38,15 +47,9 @@ class Fits(Description):
     smoothing: Annotated[
         Depth, "interference lost to the roughness of both surfaces, on the diameter"
     ] = 0.0
-    bore_diameter: Annotated[
-        Diameter | None, "of the inner ring; in files by default that of the bearing model"
-    ] = None
-    outside_diameter: Annotated[
-        Diameter | None, "of the outer ring; in files by default that of the bearing model"
-    ] = None
-    width: Annotated[
-        Diameter | None, "of the rings; in files by default that of the bearing model"
-    ] = None
+    bore_diameter: InnerSize = None
+    outside_diameter: OuterSize = None
+    width: RingWidth = None
     under_balls: Annotated[
         bool,
         "the centrifugal force of the balls expands the outer ring "
@@ -58,16 +61,8 @@ class Fits(Description):
     housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
 
     def _faults(self) -> Faults:
-        for key, size, what in (
-            ("shaft", self.bore_diameter, "bore_diameter"),
-            ("housing", self.outside_diameter, "outside_diameter"),
-        ):
-            word = getattr(self, key)
-            if word and size is None:
-                yield (
-                    (what,),
-                    f"missing key: the fit {word} needs it; the model of this bearing gives none",
-                )
+        yield from self._of_ring("shaft", "bore_diameter", "a shaft, such as k5")
+        yield from self._of_ring("housing", "outside_diameter", "a bore, such as JS5")
         for key in ("outside_diameter", "width"):
             if self.under_balls and getattr(self, key) is None:
                 yield (
@@ -84,29 +79,23 @@ class Fits(Description):
         if not (self.shaft or self.housing):
             yield (), "fits without a class: give shaft (such as k5), housing (such as JS5) or both"
             return
-        yield from self._untabled()
-        around, ring = self.housing_diameter, self.outside_diameter
-        if around is not None and ring is not None and around <= ring:
-            yield (
-                ("housing_diameter",),
-                "leaves no housing around the ring: given {given}; allowed: above "
-                f"{format_quantity(ring, 'mm')}",
-            )
+        yield from no_housing(self.housing_diameter, self.outside_diameter)
 
-    def _untabled(self) -> Faults:
-        for key, word, size, lower in (
-            ("shaft", self.shaft, self.bore_diameter, True),
-            ("housing", self.housing, self.outside_diameter, False),
-        ):
-            if not word or size is None or size != size:
-                continue
-            letters = word.rstrip("0123456789")
-            if letters.islower() != lower:
-                kind = "a shaft, such as k5" if lower else "a bore, such as JS5"
-                yield (key,), f"not a class of {kind}: given {{given}}"
-                continue
+    def _of_ring(self, key: str, needs: str, kind: str) -> Faults:
+        """The class at ``key`` is one of such a ``kind``, tabled for the diameter that it needs."""
+        word, size, inner = getattr(self, key), getattr(self, needs), key == "shaft"
+        if not word or size != size:
+            return
+        if size is None:
+            yield (
+                (needs,),
+                f"missing key: the fit {word} needs it; the model of this bearing gives none",
+            )
+        elif word.rstrip("0123456789").islower() != inner:
+            yield (key,), f"not a class of {kind}: given {{given}}"
+        else:
             try:
-                _ = self.inner if lower else self.outer
+                _ = self.inner if inner else self.outer
             except InvalidBearing as refusal:
                 yield (key,), f"{refusal}"
 
@@ -137,3 +126,13 @@ class Fits(Description):
         """Outer radius of the housing [m]."""
         assert self.outside_diameter is not None
         return (self.housing_diameter or AROUND * self.outside_diameter) / 2.0
+
+
+def no_housing(around: float | None, ring: float | None) -> Faults:
+    """A fault where an outside diameter of the housing leaves none around the ring [m]."""
+    if around is not None and ring is not None and around <= ring:
+        yield (
+            ("housing_diameter",),
+            "leaves no housing around the ring: given {given}; allowed: above "
+            f"{format_quantity(ring, 'mm')}",
+        )

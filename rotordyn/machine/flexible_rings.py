@@ -9,7 +9,7 @@ from bearings.bearing import BallBearing
 from bearings.flexible_rings.describe import ENDS, ElasticRing, FlexibleRings
 from bearings.materials import STEEL, Material
 from rotordyn.description import Description, Faults
-from rotordyn.machine.fits import AROUND, Fits
+from rotordyn.machine.fits import AROUND, Fits, InnerSize, OuterSize, RingWidth, no_housing
 from rotordyn.quantity import Bore, Choice, Diameter
 from rotordyn.units import format_quantity
 
@@ -26,15 +26,9 @@ class RingBodies(Description):
     """
 
     which: Annotated[str, Choice(WHICH), "rings that deform: `both`, `inner` or `outer`"] = "both"
-    bore_diameter: Annotated[
-        Diameter | None, "of the inner ring; in files by default that of the bearing model"
-    ] = None
-    outside_diameter: Annotated[
-        Diameter | None, "of the outer ring; in files by default that of the bearing model"
-    ] = None
-    width: Annotated[
-        Diameter | None, "of the rings; in files by default that of the bearing model"
-    ] = None
+    bore_diameter: InnerSize = None
+    outside_diameter: OuterSize = None
+    width: RingWidth = None
     shaft_bore: Annotated[
         Bore | None,
         "hole in the shaft under the inner ring, 0 for a solid one; in a spindle by default that "
@@ -76,15 +70,12 @@ class RingBodies(Description):
     @property
     def sound(self) -> bool:
         """Whether every value was taken; faults of the others are reported by their keys."""
-        sizes = (
-            getattr(self, name) for name in (*SIZES, "shaft_bore", "housing_diameter", "length")
-        )
-        words = self.which in WHICH and self.ends in ENDS
-        return words and all(size is None or size == size for size in sizes)
+        named = (*SIZES, "shaft_bore", "housing_diameter", "length")
+        sizes = [getattr(self, name) for name in named]
+        return self.which in WHICH and self.ends in ENDS and all(size == size for size in sizes)
 
     def _faults(self) -> Faults:
-        needed = [("bore_diameter", self.inner), ("outside_diameter", self.outer), ("width", True)]
-        for key, needs in needed:
+        for key, needs in zip(SIZES, (self.inner, self.outer, True), strict=True):
             if needs and getattr(self, key) is None:
                 yield (
                     (key,),
@@ -114,13 +105,8 @@ class RingBodies(Description):
                 "shorter than the ring: given {given}; allowed: from "
                 f"{format_quantity(self.width, 'mm')}",
             )
-        around, ring = self.housing_diameter, self.outside_diameter
-        if self.outer and around is not None and ring is not None and around <= ring:
-            yield (
-                ("housing_diameter",),
-                "leaves no housing around the ring: given {given}; allowed: above "
-                f"{format_quantity(ring, 'mm')}",
-            )
+        if self.outer:
+            yield from no_housing(self.housing_diameter, self.outside_diameter)
 
     def bodies(
         self,

@@ -31,8 +31,7 @@ class HistoryStep(Description):
     axial_force: Annotated[Force | None, "axial force on the shaft towards +x"] = None
 
     def _faults(self) -> Faults:
-        values = {key: getattr(self, key) for key in CHANGES}
-        given = [key for key, value in values.items() if value is not None]
+        given = [key for key in CHANGES if getattr(self, key) is not None]
         given = [key for key in given if key != "run_up" or self.run_up]
         if len(given) != 1:
             words = " and ".join(given) or "nothing"

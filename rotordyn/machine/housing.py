@@ -74,11 +74,8 @@ class RigidHousing(Description):
     @property
     def directions(self) -> frozenset[str]:
         """In which what it carries is moved: a tilt moves stations beside ``x`` across as well."""
-        directions = set(self.dofs)
-        return frozenset(directions | {"z"} & self._levered("thy") | {"y"} & self._levered("thz"))
-
-    def _levered(self, tilt: str) -> set[str]:
-        return {"y", "z"} if tilt in self.dofs else set()
+        across = {"thy": "z", "thz": "y"}
+        return frozenset((*self.dofs, *(across[dof] for dof in self.dofs if dof in across)))
 
 
 @dataclass(frozen=True, slots=True)

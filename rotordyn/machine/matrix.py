@@ -86,23 +86,13 @@ def no_spring(stiffness: Entries) -> Iterator[str]:
 
 
 def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
-    """No motion is driven by a symmetric matrix; by elimination, DOF in their own measure."""
+    """No motion is driven by a symmetric matrix, each DOF in its own measure."""
+    import numpy as np
+
     names = list(dict.fromkeys(row for row, _ in entries))
     size = {name: entries.get((name, name), 0.0) for name in names}
     if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):
         return False
     held = [name for name in names if size[name] > 0.0]
-    rest = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
-    while rest:
-        (pivot, *across), below = rest[0], rest[1:]
-        if pivot < -SYMMETRIC:
-            return False
-        if pivot <= SYMMETRIC:
-            if any(abs(value) > math.sqrt(SYMMETRIC) for value in across):
-                return False
-            across = [0.0 for _ in across]
-        rest = [
-            [v - row[0] * a / (pivot or 1.0) for v, a in zip(row[1:], across, strict=True)]
-            for row in below
-        ]
-    return True
+    rows = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
+    return not held or bool(np.linalg.eigvalsh(rows)[0] >= -SYMMETRIC)

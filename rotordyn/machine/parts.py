@@ -25,7 +25,7 @@ def part_rows(spindle: Spindle) -> Iterator[Row]:
         size = f"Ø {_mm(disc.outer_diameter)} × {_mm(disc.width)} mm"
         yield "disc", disc.name, _mm(disc.x), size
     yield from (("mass", m.name, _mm(m.x), f"{m.mass:.4g} kg") for m in spindle.masses)
-    yield from (_joint(each.name, each.x) for each in spindle.joints)
+    yield from (("joint", each.name, _mm(each.x), "") for each in spindle.joints)
     if (bar := spindle.drawbar) is not None:
         yield "drawbar", "", f"{_mm(bar.start)} to {_mm(bar.end)}", f"{bar.force:.4g} N"
     yield from map(_bearing, spindle.seats)
@@ -49,10 +49,6 @@ def _shaft(kind: str, name: str, shaft: Shaft, more: str = "") -> Row:
 
 def _rotor(rotor: Rotor) -> Row:
     return _shaft("rotor", rotor.name, rotor.shaft, f", {rotor.speed_ratio:g} × the speed")
-
-
-def _joint(name: str, x: float) -> Row:
-    return "joint", name, _mm(x), ""
 
 
 def _bearing(seat: BearingSeat) -> Row:

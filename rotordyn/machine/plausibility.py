@@ -10,8 +10,9 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from bearings.bearing import BallBearing
+from rotordyn.machine.housing import Rows
 from rotordyn.machine.joint import WAYS
-from rotordyn.machine.matrix import entry_name
+from rotordyn.machine.matrix import Entries, acts, entry_name
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 
@@ -92,21 +93,15 @@ def undamped(spindle: Spindle) -> bool:
         or bool(spindle.dampers)
         or any(any(rotor.rotor_damping) or bool(rotor.rayleigh) for rotor in spindle.rotors)
         or any(seat.radial_damping or seat.axial_damping for seat in spindle.seats)
-        or any(any(_values(each.damping)) for each in (*spindle.supports, *spindle.housings))
+        or any(_acting(each.damping) for each in (*spindle.supports, *spindle.housings))
         or any(getattr(joint, f"{way}_damping") for joint in joints for way in WAYS)
     )
     return not damped
 
 
-def _values(entries: object) -> Iterator[float]:
-    """Numbers of a matrix, however it is kept."""
-    if isinstance(entries, dict):
-        entries = tuple(entries.values())
-    if isinstance(entries, tuple | list):
-        for entry in entries:
-            yield from _values(entry)
-    elif isinstance(entries, int | float):
-        yield float(entries)
+def _acting(matrix: Entries | Rows) -> bool:
+    """A matrix is not zero, by its entries or by its rows."""
+    return any(map(acts, matrix.values() if isinstance(matrix, Mapping) else matrix))
 
 
 def _soft(spindle: Spindle) -> Iterator[str]:
@@ -142,9 +137,7 @@ def _materials(spindle: Spindle) -> Iterator[str]:
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:
-    end = spindle.shaft.start
-    for section in spindle.shaft.sections:
-        start, end = end, end + section.length
+    for section, start in zip(spindle.shaft.sections, spindle.shaft.boundaries, strict=False):
         slender = section.length / section.outer_diameter
         if slender > SLENDER:
             named = f" ({section.name})" if section.name else ""
@@ -153,20 +146,14 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "
                 "its length"
             )
-    if spindle.shaft.end - spindle.shaft.start > LONG:
-        yield (
-            f"the shaft is {spindle.shaft.end - spindle.shaft.start:.4g} m long: check the units "
-            "of its sections"
-        )
+    whole = spindle.shaft.end - spindle.shaft.start
+    if whole > LONG:
+        yield f"the shaft is {whole:.4g} m long: check the units of its sections"
 
 
 def _discs(spindle: Spindle) -> Iterator[str]:
-    shaft = spindle.shaft
     for disc in spindle.discs:
-        ends = disc.x - disc.width / 2.0, disc.x + disc.width / 2.0
-        if ends[0] < shaft.start - disc.width or ends[1] > shaft.end + disc.width:
-            continue  # refused elsewhere: its station lies off the shaft
-        under = shaft.diameters_at(disc.x)[0]
+        under = spindle.shaft.diameters_at(disc.x)[0]
         if disc.inner_diameter > LOOSE * under:
             yield (
                 f"disc {disc.name} does not touch the shaft: its bore is "
@@ -211,7 +198,7 @@ def _masses(spindle: Spindle) -> Iterator[str]:
 def _bores(spindle: Spindle) -> Iterator[str]:
     """Bearings on a shaft of another diameter, as of a radius that was given for it."""
     for seat in spindle.seats:
-        bore = seat.sizes.get("bore_diameter") if seat.fits is None else seat.fits.bore_diameter
+        bore = _size(seat, "bore_diameter")
         under = spindle.shaft.diameters_at(seat.x)[0]
         if bore is not None and not 1.0 / UNLIKE < under / bore < UNLIKE:
             yield (
@@ -223,11 +210,10 @@ def _bores(spindle: Spindle) -> Iterator[str]:
 def _overlapping(spindle: Spindle) -> Iterator[str]:
     row = sorted(spindle.seats, key=lambda seat: seat.x)
     for front, rear in pairwise(row):
-        sizes = [_width(front), _width(rear)]
-        rings = all(sizes)
-        if not rings:
-            sizes = [front.bearing.ball_diameter, rear.bearing.ball_diameter]
-        least = sum(sizes) / 2.0
+        widths = [size for seat in (front, rear) if (size := _size(seat, "width"))]
+        rings = len(widths) == 2
+        balls = [front.bearing.ball_diameter, rear.bearing.ball_diameter]
+        least = sum(widths if rings else balls) / 2.0
         if rear.x - front.x < least * (1.0 - BESIDE * rings):
             yield (
                 f"bearings {front.name} and {rear.name} overlap: their stations are "
@@ -236,10 +222,10 @@ def _overlapping(spindle: Spindle) -> Iterator[str]:
             )
 
 
-def _width(seat: BearingSeat) -> float:
-    """Of its rings [m]; 0 where it is not known."""
-    given = [body.width for body in (seat.fits, seat.flexible_rings) if body is not None]
-    return next((width for width in given if width), seat.sizes.get("width", 0.0))
+def _size(seat: BearingSeat, key: str) -> float | None:
+    """Of its rings [m], as far as it is known."""
+    given = [getattr(body, key) for body in (seat.fits, seat.flexible_rings) if body is not None]
+    return next(filter(None, given), seat.sizes.get(key))
 
 
 def _arrangement(spindle: Spindle) -> Iterator[str]:
@@ -340,8 +326,7 @@ def _loose_rings(spindle: Spindle) -> Iterator[str]:
 
 def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, float]]:
     """What the rings of a seat sit on, how thick it is [m] and their diameter, as far as known."""
-    fits = seat.fits
-    bore = seat.sizes.get("bore_diameter") if fits is None else fits.bore_diameter
+    fits, bore = seat.fits, _size(seat, "bore_diameter")
     if bore is not None:
         yield "shaft", 0.5 * (bore - spindle.shaft.diameters_at(seat.x)[1]), bore
     if fits is not None and fits.housing_diameter is not None and fits.outside_diameter is not None:

@@ -153,19 +153,17 @@ def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:
 
 
 def _taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Faults:
-    """What is wrong with the diameters [m] at the front and the rear end of a section."""
+    """What is wrong with the diameters [m] at the rear end of a section, or from end to end."""
     if any(math.isnan(diameter) for diameter in (*outer, *inner)):
         return
-    for end, do, di in zip(("front", "rear"), outer, inner, strict=True):
-        if not 0.0 <= di < do:
-            yield (
-                (),
-                f"no wall left at the {end} end: inner_diameter {di:.6g} m; allowed: below the "
-                f"outer_diameter, {do:.6g} m",
-            )
-            return
     wall = (outer[0] - inner[0], outer[1] - inner[1])
-    if max(abs(math.log(b / a)) for a, b in (outer, wall)) > math.log(STEEPEST):
+    if wall[1] <= 0.0:
+        yield (
+            (),
+            f"no wall left at the rear end: inner_diameter {inner[1]:.6g} m; allowed: below the "
+            f"outer_diameter, {outer[1]:.6g} m",
+        )
+    elif max(abs(math.log(b / a)) for a, b in (outer, wall)) > math.log(STEEPEST):
         yield (
             (),
             f"a cone too steep: outer diameter {outer[0]:.6g} m to {outer[1]:.6g} m, wall "

@@ -133,9 +133,7 @@ class Spindle(Description):
         """Where a point's name, a station [m] on the spindle's shaft or a place is."""
         if isinstance(at, Place):
             return at
-        if not isinstance(at, str):
-            return Place(SPINDLE, at)
-        return Place(SPINDLE, self.points[at]) if at in self.points else self.places[at]
+        return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
 
     @property
     def parts(self) -> dict[str, Spindle]:
@@ -173,14 +171,9 @@ class Spindle(Description):
         return (*self.seats, *self.supports, *self.dampers)
 
     @property
-    def connection_losses(self) -> tuple[float, ...]:
-        """Loss factors of bearings, which have none, then of supports."""
-        return (*(0.0 for _ in self.seats), *(support.loss_factor for support in self.supports))
-
-    @property
     def hysteretic(self) -> bool:
         """Something has a loss factor."""
-        return self.loss_factor > 0.0 or any(self.connection_losses)
+        return self.loss_factor > 0.0 or any(s.loss_factor for s in self.supports)
 
     def _repr_html_(self) -> str:
         """Its parts in a table, which notebooks show."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
@@ -202,11 +201,11 @@ def beside(table: Sequence[float], speeds: Iterable[float]) -> list[float]:
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
     """Of a table, linear between its speeds; beside it, its end."""
+    import numpy as np
+
     if not isinstance(value, tuple):
         return value
-    k = min(max(bisect_left(speeds, speed), 1), len(speeds) - 1)
-    share = min(max((speed - speeds[k - 1]) / (speeds[k] - speeds[k - 1]), 0.0), 1.0)
-    return (1.0 - share) * value[k - 1] + share * value[k]
+    return float(np.interp(speed, speeds, value))
 
 
 def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:

@@ -113,21 +113,19 @@ class Temperatures(Description):
     def rises(self, name: str, speed: Array) -> Rises:
         """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""
         bearing = self.bearings.get(name, BearingTemperatures())
-        shaft, housing = self._rise(self.shaft, speed), self._rise(self.housing, speed)
-        inner, outer = bearing.inner_ring, bearing.outer_ring
-        inner = self.inner_rings if inner is None else inner
-        outer = self.outer_rings if outer is None else outer
-        of_inner = shaft if inner is None else self._rise(inner, speed)
-        of_outer = housing if outer is None else self._rise(outer, speed)
-        balls = self.balls if bearing.balls is None else bearing.balls
-        of_balls = 0.5 * (of_inner + of_outer) if balls is None else self._rise(balls, speed)
-        return Rises(shaft, housing, of_inner, of_outer, of_balls)
+        shaft, housing = self._rise(speed, self.shaft), self._rise(speed, self.housing)
+        inner = self._rise(speed, bearing.inner_ring, self.inner_rings, self.shaft)
+        outer = self._rise(speed, bearing.outer_ring, self.outer_rings, self.housing)
+        given = bearing.balls, self.balls
+        mean = 0.5 * (inner + outer)
+        balls = mean if given == (None, None) else self._rise(speed, *given)
+        return Rises(shaft, housing, inner, outer, balls)
 
-    def _rise(self, values: Values | None, speed: Array) -> Array:
+    def _rise(self, speed: Array, *given: Values | None) -> Array:
+        """By the first that is given; none where nothing is."""
         import numpy as np
 
-        if values is None:
-            return np.zeros(len(speed))
+        values = next((each for each in given if each is not None), self.reference)
         if isinstance(values, tuple):
             return np.interp(speed, self.speeds, values) - self.reference
         return np.full(len(speed), values - self.reference)

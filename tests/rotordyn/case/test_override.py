@@ -74,6 +74,12 @@ def test_key_that_the_file_leaves_out(overridden: Override) -> None:
     assert spindle.sleeves[0].mass == 3.0
 
 
+def test_one_bearing_after_all_of_them(overridden: Override) -> None:
+    """Each has a value of its own, also where one entry wrote them all."""
+    spindle = overridden("bearings.*.growth: {static: 1 um}", "bearings.a.growth.static: 10 um")
+    assert [seat.growth.static for seat in spindle.seats] == [10e-6] + [1e-6] * 4
+
+
 def test_bearing_model_of_one_seat(overridden: Override) -> None:
     spindle = overridden("bearings.a.model_override: {outer_conformity: 0.54, balls: 24}")
     assert [seat.bearing.balls for seat in spindle.seats] == [24, 25, 25, 25, 25]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import indent
 
 import numpy as np
 import pytest
 
 import rotordyn
+from rotordyn.case.library import models_root
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve_variants
 
@@ -31,6 +33,39 @@ def load(tmp_path: Path, compare: str) -> rotordyn.Case:
     path = tmp_path / "compared.yaml"
     path.write_text(CASE.format(compare=compare), encoding="utf-8")
     return rotordyn.load(path)
+
+
+def test_a_variant_changes_what_bearings_of_a_spindle_in_place_share(tmp_path: Path) -> None:
+    """The case itself, read before, leaves the tree of its file as it is."""
+    spindle = (models_root() / "spindles" / "mfw2310.yaml").read_text(encoding="utf-8")
+    place = f"spindle:\n{indent(spindle, '  ')}"
+    path = tmp_path / "compared.yaml"
+    changes = "  softer:\n    override: {growth.static: 5 um}\n"
+    text = CASE.format(compare=changes).replace("spindle: mfw2310\n", place)
+    path.write_text(text, encoding="utf-8")
+    softer = rotordyn.load(path).variants["softer"].spindle
+    assert softer is not None
+    assert {seat.growth.static for seat in softer.seats} == {5e-6}
+
+
+def test_a_variant_changes_what_bearings_of_an_override_share(tmp_path: Path) -> None:
+    path = tmp_path / "compared.yaml"
+    path.write_text(
+        "spindle: mfw2310\n"
+        "override:\n"
+        "  bearings:\n"
+        "  - {name: q, model: vex70, x: 100 mm, thrust: +x}\n"
+        "  - {name: r, model: vex70, x: 300 mm, thrust: -x}\n"
+        "  sleeves: []\n"
+        "  shortening: null\n"
+        "  growth.static: 1 um\n"
+        "speeds: [0 rpm]\n"
+        "analyses: {preload: {}}\n"
+        "compare: {more: {override: {growth.static: 5 um}}}\n"
+    )
+    more = rotordyn.load(path).variants["more"].spindle
+    assert more is not None
+    assert [seat.growth.static for seat in more.seats] == [5e-6, 5e-6]
 
 
 def test_a_variant_adds_overrides_and_conditions_and_replaces_machines(tmp_path: Path) -> None:
