@@ -299,7 +299,7 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
 
 def _side_by_side(spindle: Spindle, one: BearingSeat, other: BearingSeat, which: str) -> bool:
     """Whether rings have less than half a width between them, outer ones in the same sleeve."""
-    near = abs(other.x - one.x) < 0.75 * (_width(one) + _width(other))
+    near = abs(other.x - one.x) < 0.75 * sum(_size(seat, "width") or 0.0 for seat in (one, other))
     return near and (
         which == "inner" or spindle.sleeve_of(one.name) == spindle.sleeve_of(other.name)
     )
