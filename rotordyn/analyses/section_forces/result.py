@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from rotordyn.results.declaration import coordinate, quantity
 from rotordyn.results.display import MEGAPASCAL, MILLIMETRE
 from rotordyn.results.kinds import Array, Words
+from rotordyn.scene.linearity import LINEAR
 
 
 @dataclass(frozen=True)
@@ -16,8 +17,9 @@ class SectionForcesResult:
     ``cut``: both ends of every element, so that a station with a point load comes twice, just in
     front of it and just behind. Section forces are those that the part behind a cut puts on the
     part in front. Stresses are at the outer fibre. ``reaction``: load of a bearing or support on
-    the shaft. ``required_diameter``: of a uniform shaft with ``bore`` that just keeps to
-    ``allowed_twist``.
+    the shaft. ``departure``: how far what a bearing's law adds to its load there differs from what
+    its tangent adds, over the latter. ``required_diameter``: of a uniform shaft with ``bore`` that
+    just keeps to ``allowed_twist``.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -51,6 +53,9 @@ class SectionForcesResult:
     )
     support_station: Array = quantity("support", unit="m", label="station", printed=MILLIMETRE)
     reaction: Array = quantity("speed", "support", "component", unit="N, N·m", label="reaction")
+    departure: Array = quantity(
+        "speed", "support", unit="1", label="departure of a bearing's load", absent=(LINEAR,)
+    )
     allowed_twist: Array = quantity("twist_limit", unit="rad", label="allowed twist")
     bore: Array = quantity("twist_limit", unit="m", label="bore", printed=MILLIMETRE)
     twist_between: Array = quantity("speed", "twist_limit", unit="rad", label="twist")

@@ -20,6 +20,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import at_rest
+from rotordyn.scene.linearity import departure, moved_by
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
@@ -43,7 +44,10 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     rest = at_rest(scene, mesh, point, loads.line)
     forces, moved, push = rest.forces, rest.moved, rest.push
     both = np.stack([forces.front, forces.rear], axis=-2)
+    apart = np.full((len(both), len(spindle.connections)), np.nan)
     if spindle.seats:
+        seats = len(spindle.seats)
+        apart[:, :seats] = departure(scene, moved_by(scene, -push[:, :seats]))
         both[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
     cut = scene.scattered(both.reshape(len(both), -1, 6))
@@ -85,6 +89,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         von_mises_stress=stress.von_mises,
         support_station=np.array([x for _, x in held]),
         reaction=scene.scattered(push),
+        departure=scene.scattered(apart),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
         twist_between=scene.scattered(np.reshape(turned, (-1, len(both))).T),

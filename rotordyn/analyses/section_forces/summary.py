@@ -12,6 +12,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
 from rotordyn.results.headline import Number
 from rotordyn.results.text import from_to, unbroken
+from rotordyn.scene.linearity import beyond_tangents
 
 FORCES = {
     "N": "normal_force",
@@ -104,10 +105,11 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
 
 
 def warnings(result: SectionForcesResult) -> list[str]:
-    """Twist above what is allowed."""
+    """Twist above what is allowed, loads beyond the tangents of bearings."""
     most = np.nanmax(np.abs(result.twist_between), axis=0)
     named = zip(result.twist_limit, most, result.allowed_twist, strict=True)
-    return [
+    told = [*beyond_tangents("section_forces", result.support, result.speed, result.departure)]
+    return told + [
         f"twist {name}: {np.degrees(angle):.4g} deg is above the {np.degrees(allowed):.4g} deg "
         "allowed"
         for name, angle, allowed in named

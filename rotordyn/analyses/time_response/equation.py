@@ -11,12 +11,9 @@ import numpy as np
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.analyses.time_response.stops import Stops
 from rotordyn.arrays import Array, Indices
-from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
-from rotordyn.equation.seat import BEARING_DIRECTIONS, HALF_TURN_ABOUT_Y
+from rotordyn.scene.linearity import ring_rows
 from rotordyn.scene.scene import Scene
-
-RING = [position(way) for way in BEARING_DIRECTIONS]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -70,7 +67,7 @@ class Equation:
             inputs=displaced([*spec.ports]).T,
             speed=parts[0].speed[:, None] * np.array(ratios),
             points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
-            rings=joined(lambda part: _rings(scene, part)),
+            rings=joined(lambda part: ring_rows(scene, part).reshape(-1, part.size)),
             sleeves=sleeves,
             held=held,
             stops=stops,
@@ -84,19 +81,6 @@ def _blocks(parts: list[Array]) -> Array:
     for begin, end, part in zip(ends[:-1], ends[1:], parts, strict=True):
         whole[:, begin:end, begin:end] = part
     return whole
-
-
-def _rings(scene: Scene, part: Linear) -> Array:
-    """Of every seat the displacement of its rings by the coordinates of a subsystem
-    (5·seats, n)."""
-    seats, links = scene.spindle.seats, scene.rotor.seats
-    motions = {id(each.link): each.motions for each in part.connections}
-    whole = np.zeros((len(seats), len(RING), part.size))
-    for k, (seat, link) in enumerate(zip(seats, links, strict=True)):
-        if id(link) in motions:
-            turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else np.ones(len(RING))
-            whole[k] = turn[:, None] * motions[id(link)][RING]
-    return whole.reshape(-1, part.size)
 
 
 def _sleeves(scene: Scene, part: Linear) -> Array:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
 from rotordyn.results.kinds import Array, Complex, Flags, Words
+from rotordyn.scene.linearity import LINEAR
 
 FEWER = Absence("behind the last peak", last="resonance")
 
@@ -20,15 +21,17 @@ class UnbalanceResult:
 
     ``rotor`` is out of balance, of ``speed_ratio`` r; ``speed`` Ω is that of the spindle.
     Amplitudes are zero to peak. At t = 0 the mark of the rotor from which angles count points to y,
-    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
-    ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
-    one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
-    major half axis of its hodograph. ``unstable``: some motion grows by itself there, so that the
-    steady solution given is not reached. ``fine_…``: at the speeds of the case and at more of them
-    about every peak, so that the highest values are the true ones; NaN at a speed at which a stop
-    closes, where lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer,
-    infinite at a critical speed without damping. ``critical_speed``: synchronous criticals among
-    the speeds. ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
+    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths, ``minor_axis``
+    below zero where the orbit runs against the spindle; ``inclination`` of the major one from y to
+    z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the major half axis
+    of its hodograph. ``departure``: how far what a bearing's law adds to its load along the orbit
+    differs from what its tangent adds, over the latter. ``unstable``: some motion grows by itself
+    there, so that the steady solution given is not reached. ``fine_…``: at the speeds of the case
+    and at more of them about every peak, so that the highest values are the true ones; NaN at a
+    speed at which a stop closes, where lines break. ``peak_…``: every peak of a point, ascending,
+    NaN where it has fewer, infinite at a critical speed without damping. ``critical_speed``:
+    synchronous criticals among the speeds. ``grade_speed``: of the spindle, for which a balance
+    grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -52,6 +55,9 @@ class UnbalanceResult:
     force: Complex = quantity("speed", "support", "axis", unit="N", label="force on the shaft")
     force_amplitude: Array = quantity(
         "speed", "support", unit="N", label="amplitude of the force, zero to peak"
+    )
+    departure: Array = quantity(
+        "speed", "support", unit="1", label="departure of a bearing's load", absent=(LINEAR,)
     )
     rotor: str = quantity(unit="", label="rotor out of balance")
     grade_speed: float = quantity(unit="rad/s", label="highest speed of service of the grade")

@@ -25,6 +25,7 @@ from rotordyn.equation.shaft import PLANES
 from rotordyn.errors import NoSolution
 from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
+from rotordyn.scene.linearity import departure, ring_rows
 from rotordyn.scene.refinement import changes, response_accuracy, solve_accurately
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
@@ -61,6 +62,9 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     moved, pushed = _response(spec, ratio, scene)
     moved[~steady] = pushed[~steady] = complex(np.nan, np.nan)
     displacement, force = scene.scattered(moved), scene.scattered(pushed)
+    apart = np.full(pushed.shape[:2], np.nan)
+    if spindle.seats:
+        apart[:, : len(spindle.seats)] = departure(scene, _rings(scene, spec, speed))
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
@@ -86,6 +90,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         minor_axis=ellipse.minor,
         inclination=ellipse.inclination,
         force=force,
+        departure=scene.scattered(apart),
         force_amplitude=orbit(force[..., 0], force[..., 1]).major,
         rotor=rotor,
         grade_speed=spec.grade.speed if spec.grade else 0.0,
@@ -193,6 +198,15 @@ def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: St
     places = [scene.spindle.place(name) for name in spec.points]
     rows = [[linear.row(*place, way) for way in AXES] for place in places]
     return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
+
+
+def _rings(scene: Scene, spec: UnbalanceSpec, speed: Array) -> Complex:
+    """Of the rings of every bearing, in its frame (speeds, seats, 5)."""
+    parts = [scene.linear(k) for k in _moved(scene, spec)]
+    motions = [_steady(scene, part, spec, speed).moved for part in parts]
+    each = zip(parts, motions, strict=True)
+    rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), moved) for part, moved in each]
+    return np.asarray(sum(rows))
 
 
 def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Complex:

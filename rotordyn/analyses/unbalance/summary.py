@@ -12,6 +12,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
+from rotordyn.scene.linearity import beyond_tangents
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
@@ -111,12 +112,14 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 
 
 def warnings(result: UnbalanceResult) -> list[str]:
-    """Motion less accurate than asked for."""
+    """Loads beyond the tangents of bearings, motion less accurate than asked for."""
+    told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     worst = float(result.error.max(initial=0.0))
     if worst <= result.error_asked:
-        return []
+        return told
     point = result.point[int(result.error.argmax())]
     return [
+        *told,
         f"unbalance: the motion of {point} is less accurate than asked for: an estimated error of "
-        f"{rounded_up(worst)} of its peak remains after refinement"
+        f"{rounded_up(worst)} of its peak remains after refinement",
     ]

@@ -1,0 +1,87 @@
+"""Loads of bearings beside those of their tangents, in linear analyses."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses import Lubrication
+from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.analyses.section_forces.solve import answer as statics
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.section_forces.summary import warnings as static_warnings
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.solve import answer as orbits
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unbalance.summary import warnings as orbit_warnings
+from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
+from rotordyn.preload.growth import static_growth
+from rotordyn.scene.loads import PointLoad, Unbalance
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import RPM, conditions, mfw2310
+
+SPEED = 12000.0 * RPM
+
+
+def under(force: float, axial: float = 0.0) -> SectionForcesResult:
+    """The flagship under forces at its nose."""
+    scene = Scene(mfw2310(), conditions(), np.array([0.0, SPEED]))
+    return statics(scene, SectionForcesSpec(loads=(PointLoad("nose_face", Fx=axial, Fy=force),)))
+
+
+def whirling(unbalance: float) -> UnbalanceResult:
+    """The same with an unbalance there."""
+    scene = Scene(mfw2310(), conditions(), np.array([0.5, 1.0]) * SPEED, 2000.0)
+    return orbits(scene, UnbalanceSpec(("nose_face",), (Unbalance("nose_face", unbalance),)))
+
+
+def test_the_departure_is_that_of_each_bearing_by_itself() -> None:
+    machine, given = mfw2310(), conditions()
+    scene, found = Scene(machine, given, np.array([SPEED])), under(3000.0, -1000.0)
+    still = statics(scene, SectionForcesSpec(loads=(PointLoad("nose_face", Fy=1e-3),)))
+    for k, (seat, (balls, column)) in enumerate(
+        zip(machine.seats, scene.preload.seat_states(), strict=True)
+    ):
+        turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else np.ones(5)
+        parts = [0, 1, 2, 4, 5]
+        added = -turn * (found.reaction[1, k] - still.reaction[0, k])[parts]
+        tangent = balls.complete_stiffness[0, column]
+        there = balls.displacement[0, column] + np.linalg.solve(tangent, added)
+        law = seat.bearing.equilibrium(
+            displacement=there,
+            speed=SPEED,
+            kinematics=given.kinematics,
+            moment_sharing=given.moment_sharing,
+            static_growth=static_growth(machine, seat),
+            growth=float(scene.preload.seat_growth()[0, k]),
+        )
+        lever = np.array([1.0, 1.0, 1.0, *[2.0 / seat.bearing.pitch_diameter] * 2])
+        miss = np.linalg.norm(lever * (law.load - balls.load[0, column] - added))
+        share = miss / np.linalg.norm(lever * added)
+        assert found.departure[1, k] == pytest.approx(share, rel=1e-3)
+
+
+def test_it_falls_with_the_load() -> None:
+    """The law has a second derivative: half the load, half the departure."""
+    most = [np.nanmax(under(force).departure[1]) for force in (50.0, 100.0)]
+    assert most[1] / most[0] == pytest.approx(2.0, rel=0.05)
+    turned = [np.nanmax(whirling(size).departure[1]) for size in (2e-6, 4e-6)]
+    assert turned[1] / turned[0] == pytest.approx(2.0, rel=0.05)
+
+
+def test_loads_beyond_the_tangents_are_told() -> None:
+    assert not static_warnings(under(100.0))
+    assert not [each for each in orbit_warnings(whirling(2e-6)) if "moved so far" in each]
+    (said,) = static_warnings(under(8000.0))
+    assert said.startswith("section_forces: bearings are moved so far")
+    assert "a by " in said
+    (said,) = [each for each in orbit_warnings(whirling(2e-3)) if "moved so far" in each]
+    assert "rpm: a by" in said
+
+
+def test_beside_films_nothing_is_compared() -> None:
+    oil = Lubrication(32e-6, 5.4e-6, 50.0)
+    films = Scene(mfw2310(), conditions(films=oil), np.array([SPEED]))
+    found = statics(films, SectionForcesSpec(loads=(PointLoad("nose_face", Fy=8000.0),)))
+    assert np.isnan(found.departure).all()
+    assert not static_warnings(found)
