@@ -86,7 +86,7 @@ def beyond_tangents(
     result with ``apart`` (speeds, names)."""
     worst = np.nan_to_num(apart, posinf=np.inf).max(axis=0, initial=0.0)
     told = [
-        f"{name} by {share:.0%}" if np.isfinite(share) else f"{name} without bound"
+        f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} without bound"
         for name, share in zip(names, worst, strict=True)
         if share > TOLD
     ]

@@ -16,6 +16,7 @@ from rotordyn.analyses.section_forces import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unbalance.summary import warnings
 from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import rotor_inertia
@@ -102,6 +103,25 @@ def test_rigid_rotor_under_unbalance(film: str) -> None:
     assert found.support == ("a", "b", "left film", "right film")
     force = np.asarray(found.force)[:, 2, 0]
     np.testing.assert_allclose(force, -(held - SPRING + 1j * SPEED * damping) * expected, rtol=1e-8)
+    at = np.isin(found.fine_speed, SPEED)
+    assert np.isnan(found.film_orbit[:, :2]).all()
+    np.testing.assert_allclose(found.film_orbit[at, 2], np.abs(expected) / 1e-4, rtol=1e-8)
+
+
+def test_orbits_beyond_what_a_film_is_computed_for_are_told() -> None:
+    """0.4 of the clearance is assumed; the largest orbit is in proportion to the unbalance."""
+
+    def told(size: float) -> list[str]:
+        spec = UnbalanceSpec(("mid",), (Unbalance("mid", size),))
+        return warnings(unbalance.answer(scene("cavitated"), spec))
+
+    one = UnbalanceSpec(("mid",), (Unbalance("mid", 1e-5),))
+    largest = float(np.nanmax(unbalance.answer(scene("cavitated"), one).film_orbit))
+    assert not told(0.45e-5 / largest)
+    left, _ = told(0.6e-5 / largest)
+    assert "squeeze film left film is 60 % of its clearance" in left
+    assert "computed for 40 %: try eccentricity_ratio: 60 %" in left
+    assert "no film allows that" in told(1.1e-5 / largest)[0]
 
 
 @KINDS

@@ -52,7 +52,10 @@ class ForceOverTime(Description):
     pulse: Annotated[TimeSpan | None, "duration of a half sine"] = None
     period: Annotated[TimeSpan | None, "from the start of one half sine to that of the next"] = None
     times: Annotated[tuple[Instant, ...], "of a table, ascending"] = ()
-    forces: Annotated[tuple[Force, ...], "of a table, one for each of `times`"] = ()
+    forces: Annotated[
+        tuple[Force, ...],
+        "of a table, one for each of `times`; zero before the first and after the last",
+    ] = ()
 
     def _faults(self) -> Faults:
         if (self.force is None) == (not self.times):

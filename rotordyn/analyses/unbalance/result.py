@@ -119,6 +119,24 @@ class UnbalanceResult:
             ),
         ),
     )
+    film_orbit: Array = quantity(
+        "fine_speed",
+        "support",
+        unit="1",
+        label="orbit over the clearance of the squeeze film",
+        absent=(
+            Absence(
+                "of bearings and supports, and where there is no motion",
+                by=("fine_speed", "support"),
+            ),
+        ),
+    )
+    film_ratio: Array = quantity(
+        "support",
+        unit="1",
+        label="the same that its coefficients are computed for",
+        absent=(Absence("of bearings and supports", by=("support",)),),
+    )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
     peak_speed: Array = quantity(
         "point", "resonance", unit="rad/s", label="speed of the peak", absent=(FEWER,)

@@ -22,7 +22,10 @@ from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffn
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.shaft import PLANES
+from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import NoSolution
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.linearity import departure, ring_rows
@@ -72,6 +75,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     lost = np.isin(fine, scene.speed[scene.usable][~steady])
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
+    fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
     endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
     peaks = _peaks(fine, fine_orbit.major, endless)
     return UnbalanceResult(
@@ -106,7 +110,11 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         fine_displacement=fine_moved,
         fine_major_axis=fine_orbit.major,
         fine_minor_axis=fine_orbit.minor,
-        fine_force_amplitude=orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major,
+        fine_force_amplitude=fine_force,
+        film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
+        film_ratio=np.array(
+            [getattr(each, "eccentricity_ratio", np.nan) for each in spindle.connections]
+        ),
         resonance=np.arange(1, peaks.shape[-1] + 1),
         peak_speed=peaks[0],
         peak_amplitude=peaks[1],
@@ -223,6 +231,18 @@ def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Compl
         if link.name in rigid:
             force[known, k] += rigid[link.name][:, axes]
     return force
+
+
+def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> Array:
+    """Orbits of journals over the clearance of their squeeze films (speeds, connections), of the
+    amplitude of the forces that these carry; NaN of all other connections."""
+    orbits = np.full(force.shape, np.nan)
+    for k, damper in enumerate(spindle.connections):
+        if isinstance(damper, SqueezeFilmDamper):
+            stiffness, damping = film_coefficients(damper)
+            size = np.hypot(stiffness, damping * ratio) * speed * damper.clearance
+            orbits[:, k] = force[:, k] / np.where(size > 0.0, size, np.inf)
+    return orbits
 
 
 def _absences(motions: FreeMotions, speed: Array) -> list[str]:

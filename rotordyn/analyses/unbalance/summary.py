@@ -9,13 +9,15 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.results.described import Described
-from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
+from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.linearity import beyond_tangents
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
+WIDER = 1.2  # than the orbit that its film is computed for
+FLAT = 0.2  # of the clearance: up to there damping changes by 6 %
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
 
@@ -114,6 +116,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 def warnings(result: UnbalanceResult) -> list[str]:
     """Loads beyond the tangents of bearings, motion less accurate than asked for."""
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
+    told += _films(result)
     worst = float(result.error.max(initial=0.0))
     if worst <= result.error_asked:
         return told
@@ -123,3 +126,23 @@ def warnings(result: UnbalanceResult) -> list[str]:
         f"unbalance: the motion of {point} is less accurate than asked for: an estimated error of "
         f"{rounded_up(worst)} of its peak remains after refinement",
     ]
+
+
+def _films(result: UnbalanceResult) -> Iterator[str]:
+    """Orbits in squeeze films that are larger than those their coefficients are computed for."""
+    for k, name in enumerate(result.support):
+        orbit, ratio = np.nan_to_num(result.film_orbit[:, k], posinf=np.inf), result.film_ratio[k]
+        row = int(orbit.argmax())
+        if not orbit[row] > max(WIDER * ratio, FLAT):
+            continue
+        where = f"{number(float(result.fine_speed[row]) * RPM.factor, 0)} rpm"
+        remedy = (
+            "no film allows that"
+            if orbit[row] >= 1.0
+            else f"try eccentricity_ratio: {100.0 * orbit[row]:.0f} %"
+        )
+        yield (
+            f"unbalance: the orbit in squeeze film {name} is {100.0 * orbit[row]:.0f} % of "
+            f"its clearance at {where}, and the film is computed for {100.0 * ratio:.0f} %: "
+            f"{remedy}"
+        )
