@@ -9,12 +9,18 @@ import numpy as np
 
 from rotordyn.analyses.frf.measured import LEAST_POINTS
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.analyses.passivity import fault_at_driving_point
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
+AS_MOBILITY = {  # factor and power of ω: the size of a mobility with the phase of a receptance
+    "receptance": (1.0, 1),
+    "mobility": (-1j, 0),
+    "inertance": (-1.0, -1),
+}
 MOST = 4  # responses listed
 SAME = 1e-6  # of a speed
 NOISY = 0.3  # of a response: so large an error by noise is warned of
@@ -124,6 +130,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY
     ]
+    sentences += _active(result)
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         pair = result.pair[int(result.error.argmax())]
@@ -132,6 +139,20 @@ def warnings(result: FrequencyResponse) -> list[str]:
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
     return [*sentences, *_hardly_damped(result)]
+
+
+def _active(result: FrequencyResponse) -> Iterator[str]:
+    """Measured responses at driving points that no passive structure has."""
+    turn, power = AS_MOBILITY[result.kind]
+    for row, name in enumerate(result.measured):
+        response, excitation = result.measured_pair[row].split(" / ")
+        known = np.nan_to_num(result.measured_frequency[row]) > 0.0
+        if response != excitation or known.sum() < LEAST_POINTS:
+            continue
+        size = (2.0 * math.pi * result.measured_frequency[row, known]) ** power
+        values = turn * size * result.measured_response[row, known]
+        if fault := fault_at_driving_point(values.tolist()):
+            yield f"measured response {name} is that of no driving point: {fault}"
 
 
 def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:

@@ -7,7 +7,7 @@ function (type 58) per slice speed and pair. The format knows ASCII alone.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -36,6 +36,7 @@ _UNITS = {
     "temp_offset": 273.15,
 }
 _DIRECTION = {"x": 1, "y": 2, "z": 3, "thx": 4, "thy": 5, "thz": 6}
+HEAD = 12  # lines of a binary record before its data
 _FREQUENCY, _FORCE, _RPM = 18, 13, 19
 
 
@@ -88,7 +89,23 @@ def write_uff(
         path.unlink(missing_ok=True)  # its mode "overwrite" loses the head of a binary record
         if sets:
             pyuff.UFF(str(path)).write_sets([_UNITS, _nodes(places), *sets], "add")
+    if sets and binary:
+        _say_true_sizes(path, sets)
     return len(sets)
+
+
+def _say_true_sizes(path: Path, sets: Sequence[Mapping[str, Any]]) -> None:
+    """Bytes of data in the heads of binary records: ``pyuff`` says those of one real number per
+    point, and readers that go by them would lose the rest."""
+    content, at = bytearray(path.read_bytes()), 0
+    for each in sets:
+        at = content.index(b"    58b", at)
+        size = each["num_pts"] * (16 if each["abscissa_spacing"] else 24)
+        content[at + 31 : at + 43] = b"%12d" % size
+        for _ in range(HEAD):
+            at = content.index(b"\n", at) + 1
+        at += size
+    path.write_bytes(content)
 
 
 def _nodes(places: Mapping[str, Place]) -> dict[str, Any]:

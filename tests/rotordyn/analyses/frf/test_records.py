@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import pyuff
 
 import rotordyn
+from rotordyn.analyses.frf import summary as frf_summary
 from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import summary as measured_lines
@@ -284,3 +286,32 @@ def test_a_response_of_too_few_points_is_not_compared(tmp_path: Path) -> None:
     why = "not compared, 3 of its points lie in the band, and 8 are needed"
     assert line == f"measured   measured 1, receptance {PAIR} at 0 rpm: {why}"
     assert [one for one in measured_warnings(result) if why.split(", ")[1] in one]
+
+
+@pytest.mark.parametrize("kind", ["receptance", "mobility", "inertance"])
+def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
+    """An oscillator as it is, and with the sign convention e^(-iωt); between two points anything
+    goes."""
+    frequency = np.linspace(1.0, 40.0, 60)
+    omega = 2.0 * math.pi * frequency
+    receptance = 1.0 / (4e4 - omega**2 + 8.0j * omega)
+    values = (
+        receptance * {"receptance": 1.0, "mobility": 1j * omega, "inertance": -(omega**2)}[kind]
+    )
+
+    def told(response: Any, pair: str = "a.y / a.y") -> list[str]:
+        result: Any = SimpleNamespace(
+            kind=kind,
+            measured=("tap",),
+            measured_pair=(pair,),
+            measured_frequency=frequency[None],
+            measured_response=response[None],
+        )
+        return [*frf_summary._active(result)]
+
+    assert not told(values)
+    (said,) = told(values.conj())
+    assert said.startswith("measured response tap is that of no driving point: ")
+    assert "sign convention e^{−iωt}" in said
+    assert told(-values)
+    assert not told(values.conj(), "a.y / b.y")

@@ -38,6 +38,26 @@ def test_one_exact_record_per_slice_and_pair(tmp_path, results):
         np.testing.assert_allclose(record["x"], frf.frequency, rtol=1e-12)
 
 
+@pytest.mark.parametrize("even", [True, False])
+def test_heads_say_how_many_bytes_follow(tmp_path, results, even):
+    """Data cut by what the head says: behind each stands the end of its record."""
+    path, frf = tmp_path / "frf.uff", results["frf"]
+    frequency = np.linspace(100.0, 1100.0, len(frf.frequency)) ** (1.0 if even else 1.01)
+    write_uff(path, replace(frf, frequency=frequency), case="sample", places=PLACES)
+    content, at = path.read_bytes(), 0
+    slices = np.flatnonzero(frf.is_slice)
+    for place in range(12):
+        at = content.index(b"    58b", at)
+        size = int(content[at + 31 : at + 43])
+        for _ in range(12):
+            at = content.index(b"\n", at) + 1
+        numbers = np.frombuffer(content[at : at + size]).reshape(len(frequency), -1)
+        wanted = frf.receptance[slices[place // 4], place % 4]
+        np.testing.assert_array_equal(numbers[:, -2] + 1j * numbers[:, -1], wanted)
+        at += size
+        assert content[at:].lstrip(b"\n")[:6] == b"    -1"
+
+
 def test_fields_of_a_record(tmp_path, results):
     write_uff(tmp_path / "frf.uff", results["frf"], case="sample", places=PLACES)
     record = _read(tmp_path / "frf.uff")[11]
