@@ -27,7 +27,8 @@ class Interval:
     over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
     lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number when
     one source goes to its end. ``interaction``: what two machines of which all tolerances are off
-    differ from the sum of effects, over the range. Curves stand one after the other (``point``).
+    differ from the sum of effects, over the range, NaN where ranges are those of samples. Curves
+    stand one after the other (``point``).
 
     ``without``: how many combinations have no such number, a stop that is not met, a bearing that
     is unloaded; ``without_within``: how many of the machines solved within tolerances, one more

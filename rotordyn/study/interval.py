@@ -114,17 +114,18 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
     ends = np.stack([each.change[[0, -1]].T for each in effects], axis=1)
     corners = _corners(given, ends, machines, nominal) if len(given) > 1 else None
     found = quantiles.ranges(value, effects, corners)
-    usual, worst = found.usual, found.worst
+    usual, worst, together = found.usual, found.worst, found.interaction
     solved = [each.change for each in effects] + ([corners.change] if corners else [])
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
         usual, worst = _tails(drawn), _ends(drawn)
+        together = np.full_like(together, np.nan)  # of no account beside these
         solved.append(drawn)
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
     without[np.isnan(value)] = 0
     without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
-    return Toleranced(usual, worst, ends, found.interaction, without)
+    return Toleranced(usual, worst, ends, together, without)
 
 
 def _effects(

@@ -560,6 +560,20 @@ def test_the_error_falls_where_stops_close() -> None:
     assert (errors[0] / errors[-1]) ** (1 / 4) > 2.8
 
 
+def test_what_is_left_after_the_beginning_is_named() -> None:
+    """A large unbalance begins off balance, on the orbit of linear bearings, and goes on."""
+    spec = TimeResponseSpec(8e-3, 2000.0, ("nose",), unbalances=(Unbalance("nose", 8e-4),))
+    found = answer(seen(short(), spec, 12000.0), spec)
+    size = np.linalg.norm(found.displacement[0, :, 0], axis=-1)
+    late = size[found.time >= 0.75 * spec.duration]
+    assert found.late_largest[0, 0] == pytest.approx(late.max(), rel=0.01)
+    assert found.late_largest[0, 0] < 0.95 * found.largest[0, 0]
+    assert any("later" in line for line in summary(found))
+    spec = replace(spec, forces=(push(500.0, pulse=1e-3),), unbalances=())
+    gone = answer(seen(short(), spec, 12000.0), spec)
+    assert not any("later" in line for line in summary(gone))
+
+
 def test_what_stops_do_is_told() -> None:
     """With a stiffness the force of a stop, without one that it would close, or open."""
     knocked = blown(2500.0, 2e-6, STOP)

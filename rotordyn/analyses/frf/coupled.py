@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Port
@@ -13,7 +15,10 @@ from rotordyn.analyses.measured_spindle import PLANES
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.machine.spindle import Spindle
 
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 NAME = "tool on the measured spindle"
+ROUNDS, TRIED = 2, 41  # frequencies tried around each peak, and once more around the best
 
 
 def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, float]]:
@@ -37,12 +42,17 @@ def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, fl
 def _coupled(
     machine: OnMeasured, port: Port, way: str, spec: FrfSpec, name: str
 ) -> MeasuredResponse:
-    """At the frequencies of the measurement, and of the case between them."""
+    """At the frequencies of the measurement, of the case between them, and of its peaks."""
     measured = np.array(machine.measured.responses[0].frequency)
     asked = np.array(spec.frequencies)
     inside = asked[(asked > measured[0]) & (asked < measured[-1])]
     hertz = np.unique(np.concatenate([measured, inside]))
-    values = machine.tip(way, 2.0 * math.pi * hertz)
+
+    def tip(at: Array) -> Complex:
+        return machine.tip(way, 2.0 * math.pi * at)
+
+    hertz = np.union1d(hertz, _peaks(tip, hertz))
+    values = tip(hertz)
     return MeasuredResponse(
         name=name,
         response=port,
@@ -52,3 +62,22 @@ def _coupled(
         imaginary=tuple(values.imag.tolist()),
         speed=machine.measured.responses[0].speed,
     )
+
+
+def _peaks(response: Callable[[Array], Complex], hertz: Array) -> Array:
+    """Frequencies of the local maxima of a response, found between those on a grid.
+
+    It is always asked for at all of the grid, over which the noise of a measurement is judged.
+    """
+    size = np.abs(response(hertz))
+    top = np.flatnonzero((size[1:-1] > size[:-2]) & (size[1:-1] > size[2:])) + 1
+    low, high = hertz[top - 1], hertz[top + 1]
+    best = hertz[top]
+    for _ in range(ROUNDS if top.size else 0):
+        tried = np.linspace(low, high, TRIED)
+        both = np.union1d(hertz, tried)
+        found = np.abs(response(both))[np.searchsorted(both, tried)]
+        best = np.take_along_axis(tried, found.argmax(axis=0)[None], axis=0)[0]
+        step = (high - low) / (TRIED - 1)
+        low, high = np.maximum(best - step, hertz[0]), np.minimum(best + step, hertz[-1])
+    return best

@@ -62,7 +62,8 @@ class StaticSagSpec(Spec):
             yield (
                 ("gravity",),
                 f"the weight is given twice: given '{self.gravity}' beside '{conditions.gravity}' "
-                "of the conditions; allowed: one of both, the other none",
+                "of the conditions; allowed: one of both, the other none; the sag is that by the "
+                "weight given here, by default '-y'",
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:

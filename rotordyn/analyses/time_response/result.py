@@ -21,7 +21,8 @@ class TimeResponseResult:
     ``displacement`` is counted from the preload state; ``linear_displacement``: what it would be if
     bearings had the tangents of that state, on which frequencies and receptances rest.
     ``bearing_load``: of the shaft on the inner ring, preload included and damping not, in the
-    directions of the spindle. ``largest``: greatest magnitude of the displacement.
+    directions of the spindle. ``largest``: greatest magnitude of the displacement,
+    ``late_largest`` of the last quarter of the time, after what the beginning stirs up.
     ``peak_pressure`` and ``peak_idle``: largest of the instants at which the load peaks.
     ``gap``: of end stops, below zero where one is pressed together, or, if stops stay as they are
     in the preload state, where an open one would close; ``stop_gap``: the least of it;
@@ -57,6 +58,9 @@ class TimeResponseResult:
         "speed", "time", "bearing", "axis", unit="N", label="load on the bearing", absent=(ENDED,)
     )
     largest: Array = quantity(*POINT, unit="m", label="largest displacement")
+    late_largest: Array = quantity(
+        *POINT, unit="m", label="largest displacement in the last quarter of the time"
+    )
     largest_time: Array = quantity(
         *POINT, unit="s", label="time of the largest displacement", printed=MILLISECOND
     )

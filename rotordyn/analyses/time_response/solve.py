@@ -160,7 +160,7 @@ def _result(
 ) -> TimeResponseResult:
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
     moved, straight = _displacement(path), _displacement(linear)
-    when, size = longest(moved, time)
+    (when, size), late = longest(moved, time), 3 * (spec.samples // 4)
     ending = ["" for _ in scene.speed]
     for row, one in enumerate(scene.usable):
         if path.ended[row] < spec.samples:
@@ -183,6 +183,7 @@ def _result(
         displacement=scene.scattered(moved),
         linear_displacement=scene.scattered(straight),
         largest=scene.scattered(size),
+        late_largest=scene.scattered(longest(moved[:, late:], time[late:])[1]),
         largest_time=scene.scattered(when),
         linear_largest=scene.scattered(longest(straight, time)[1]),
         **{name: scene.scattered(each) for name, each in loads.items()},

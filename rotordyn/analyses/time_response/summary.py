@@ -14,6 +14,8 @@ from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounde
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
+LESS = 0.95  # of the largest displacement: the last quarter is named
+
 
 def summary(result: TimeResponseResult) -> Iterator[str]:
     """At the first and the last speed with an answer."""
@@ -23,7 +25,7 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
                 f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms"
-                f"{_with_linear(result, row, k)}"
+                f"{_with_linear(result, row, k)}{_late(result, row, k)}"
             )
             for k, name in enumerate(result.point)
         ]
@@ -50,6 +52,15 @@ def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
     """What linear bearings would do; nothing of a machine without bearings."""
     largest = result.linear_largest[row, point] * MICROMETRE.factor
     return f" (linear bearings {largest:.4g} µm)" if result.bearing else ""
+
+
+def _late(result: TimeResponseResult, row: int, point: int) -> str:
+    """What is left of it in the last quarter under forces that go on, where that is less."""
+    late, largest = result.late_largest[row, point], result.largest[row, point]
+    goes_on = not result.force or bool(np.abs(result.applied[-1]).max() > 0.0)
+    if not (goes_on and late < LESS * largest):
+        return ""
+    return f", later {late * MICROMETRE.factor:.4g} µm"
 
 
 def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:

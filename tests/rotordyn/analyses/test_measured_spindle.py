@@ -142,6 +142,19 @@ def test_error_by_noise(tested):
     assert "uncertain by" in result.summary
 
 
+def test_peaks_of_the_tip_are_found_between_the_frequencies_of_the_measurement(tested):
+    """With exact responses those of the machine itself."""
+    result = rotordyn.run(case(tested, frf(measured(more="modes: 6, "))))["frf"]
+    known = np.isfinite(result.measured_peak.values)
+    assert known.any()
+    for measured_one, computed in (
+        (result.measured_peak, result.computed_peak),
+        (result.measured_peak_amplitude, result.computed_peak_amplitude),
+    ):
+        ratio = measured_one.values[known] / computed.values[known]
+        np.testing.assert_allclose(ratio, 1.0, atol=5e-3)
+
+
 def test_limits_on_the_measured_spindle_are_those_of_the_machine_at_rest(tested):
     asked = (
         "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, "

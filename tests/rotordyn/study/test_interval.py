@@ -241,6 +241,8 @@ def test_few_runs_cover_95_of_100_machines() -> None:
     assert again.runs >= few.runs + 20 - 2
     inside = again.tolerances[k]
     assert few.worst[k, 0] <= inside[0] < inside[1] <= few.worst[k, 1]
+    assert np.isfinite(few.interaction[k])
+    assert np.isnan(again.interaction).all()
 
 
 def test_a_sample_is_the_same_again_and_within_its_tolerances() -> None:
