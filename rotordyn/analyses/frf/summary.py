@@ -105,7 +105,7 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
     noise = result.measured_error[row]
-    known = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
+    known = f", uncertain by up to {noise:.1%} by noise" if math.isfinite(noise) else ""
     return f"{head}: FRAC {result.frac[row]:.3f}{known}{compared}"
 
 
