@@ -199,6 +199,26 @@ def test_prediction_follows_what_was_measured(case: Case) -> None:
     assert 0.5 * (one.high - one.low) == pytest.approx(sure.quantile * 20.0, rel=1e-2)
 
 
+def test_words_are_held_at_their_own_speed(case: Case) -> None:
+    """Headline numbers are those of the first and the last speed of all that are measured."""
+    plain = replace(case, analyses={"preload": case.analyses["preload"]})
+    sums = Numbers(
+        name="sums", of="preload: sum", speed=np.array([24000.0, 0.0]) * RPM, values=np.ones(2),
+        deviation=1.0, unit="N",
+    )  # fmt: skip
+    slow = replace(sums, name="slow", speed=np.array([0.0, 4000.0]) * RPM)
+    stop = replace(sums, name="stop", of="preload: stop", unit="rpm")
+    trial = Trial(plain, (0.0, 24000.0 * RPM), {"preload": case.analyses["preload"]})
+    whole = Criterion("preload: sum").read(plain, trial.results).values
+    assert sums.predicted(trial) == pytest.approx(whole[::-1])
+    one = replace(sums, speed=sums.speed[:1], values=np.ones(1))
+    assert one.predicted(trial) == pytest.approx(whole[1:])
+    with pytest.raises(InvalidInput, match=r"0 and 24000 rpm, the first and .* not at 4000 rpm"):
+        slow.predicted(trial)
+    with pytest.raises(InvalidInput, match="the first and the last of these, 0 rpm, 24000 rpm"):
+        stop.predicted(trial)
+
+
 def test_nearest_mode(case: Case) -> None:
     modes = Numbers(
         name="modes",
