@@ -37,6 +37,7 @@ from rotordyn.preload.arrangement import (
     rigid,
 )
 from rotordyn.preload.axial_ends import begins, turns, without_state
+from rotordyn.preload.on_films import Films
 
 Array = NDArray[np.float64]
 # Lengths in thousandths of the free distance of groove centres, some 1 µm; dense near 0, by halving
@@ -350,17 +351,19 @@ def axial_run_up(
     force: float = 0.0,
     temperatures: Temperatures | None = None,
     curves: BearingCurves | None = None,
+    films: Films | None = None,
 ) -> AxialRunUp:
     """``spindle`` run up through ``speed`` [rad/s], in this order.
 
-    ``force``: static one on the shaft [N]; ``curves``: those solved for machines before.
+    ``force``: static one on the shaft [N]; ``curves``: those solved for machines before; ``films``
+    on which balls ride at speed.
 
     Raises
     ------
     NoSolution : nothing holds the shaft, or a bearing has no state
     """
     curves = curves or BearingCurves()
-    joined = arrangement(spindle, speed, force, law, temperatures)
+    joined = arrangement(spindle, speed, force, law, temperatures, films)
     warm = arrangement(spindle, np.zeros(1), force, law, temperatures)
     mounted = _mounted(as_mounted(joined), curves)
     at = [

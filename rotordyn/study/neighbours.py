@@ -8,8 +8,9 @@ A check by a finer model, which takes the place of the first one where the error
 large, takes time. Machines that differ little have nearly the same error, so that one check serves
 several: the first machine of a process is checked, and if its error is at most half of what the
 accuracy allows, the nine that follow are not, or more of them the smaller it is; if it is more, the
-very next one is. A machine that is not checked keeps its first model, and its own error is not
-known.
+very next one is. Where the accuracy is beyond ``TIGHT`` every machine is checked: errors so small
+are of rounding too, and say little of others. A machine that is not checked keeps its first model,
+and its own error is not known.
 
 Theory: docs/theory/refinement.md.
 """
@@ -41,6 +42,7 @@ PER_CHECK = (
     10  # so many, itself among them, where it is ``SMALL``; more in proportion to SMALL/error
 )
 MOST = 40  # of them, however small it is
+TIGHT = 1e-7  # accuracy asked for
 SAVED = 0.25  # of the time of a machine, by the compiled solver of bearings
 
 
@@ -97,7 +99,7 @@ class Neighbours:
             self.unchecked -= 1
             return answers, None
         self.unchecked = 0
-        if checks.worst <= SMALL:
+        if checks.worst <= SMALL and case.conditions.accuracy >= TIGHT:
             most = PER_CHECK * SMALL / checks.worst if checks.worst else math.inf
             self.unchecked = int(min(MOST, most)) - 1
         return answers, checks.worst

@@ -127,7 +127,7 @@ def _varies_analyses(study: Study) -> bool:
 
 @lru_cache(maxsize=1)
 def _unpacked(packed: bytes) -> tuple[Study, Neighbours]:
-    study = pickle.loads(packed)
+    study, _ = pickle.loads(packed)
     if not _varies_analyses(study):
         study = replace(study, case=_numbers_alone(study.case, study.results))
     return study, Neighbours()

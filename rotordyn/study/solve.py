@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import pickle
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -27,7 +26,7 @@ from rotordyn.study.journal import Journal
 from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_points
 from rotordyn.study.processes import start
-from rotordyn.study.workers import solved_here, solved_on_cluster
+from rotordyn.study.workers import pack, solved_here, solved_on_cluster
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -163,7 +162,7 @@ def _outcomes(
     count = study.design.count
     total = count - len(known)
     left = (k for k in range(count) if k not in known)  # one by one: they may be any number
-    packed, least = pickle.dumps(study), math.inf
+    packed, least = pack(study), math.inf
     if cluster is None:  # they load what solves while the first point is solved here
         start(min(workers, processors(), total - 1))
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)

@@ -22,6 +22,7 @@ from rotordyn.analyses import (
     Conditions,
     ControlSpec,
     FrfSpec,
+    Lubrication,
     PointLoad,
     Port,
     PreloadSpec,
@@ -272,6 +273,10 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     ),
     r"second_stop.front: unknown sleeve: given 'front'; allowed: rear": lambda: case(
         analyses={"stiffness": StiffnessSpec("tip", second_stop={"front": 1e-5})}
+    ),
+    "second_stop: films and temperatures .* variant that has the other stop_travel": lambda: case(
+        conditions=Conditions(films=Lubrication(32e-6, 5.4e-6, 40.0)),
+        analyses={"stiffness": StiffnessSpec("tip", second_stop={"rear": 1e-5})},
     ),
     r"spindle.points.far: point off the shaft: given 9 m": lambda: case(
         spindle=spindle(points={"far": 9.0})

@@ -60,6 +60,14 @@ class StiffnessSpec(Spec):
                 "stiffness is solved by the full bearing model alone: given {given}; allowed: "
                 "[nonlinear], without second_stop",
             )
+        oiled, heated = setting.conditions.films, setting.conditions.heat_flow
+        if self.second_stop and (oiled is not None or heated is not None):
+            yield (
+                ("second_stop",),
+                "films and temperatures from the heat of bearings would be those of the first "
+                "stop: leave second_stop out and compare with a variant that has the other "
+                "stop_travel",
+            )
         for name in self.second_stop:
             for sentence in unknown("sleeve", name, [sleeve.name for sleeve in spindle.sleeves]):
                 yield ("second_stop", name), sentence

@@ -22,15 +22,17 @@ from rotordyn.units import parse_unit, pretty_unit
 
 Array = NDArray[np.float64]
 RPM = np.pi / 30.0
+ALIKE = 1e-8  # relative difference of speeds that are the same
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Numbers:
     """Numbers ``of`` an analysis over ``speed`` [rad/s].
 
-    ``of``, ``where``: as of ``Criterion``, besides the speed; of a headline number, "analysis:
-    words", as many values as the case has at these speeds. ``values`` (n,) and ``deviation`` in
-    ``unit``. ``nearest``: of several numbers at a speed the nearest to the measured one counts.
+    ``of``, ``where``: as of ``Criterion``, besides the speed; headline numbers, "analysis: words",
+    are those of the first and the last of all speeds that measurements ask for. ``values`` (n,) and
+    ``deviation`` in ``unit``. ``nearest``: of several numbers at a speed the nearest to the
+    measured one counts.
     """
 
     name: str
@@ -102,15 +104,49 @@ class Numbers:
         ------
         InvalidInput : other numbers than were measured, or in another unit
         """
+        observed = self.data.observed
         if ":" in self.of:
-            return self._at(trial, self.data.observed, {})
+            return self._by_words(trial, observed)
         parts = [
-            self._at(trial, self.data.observed[[k]], {"speed": speed})
+            self._picked(self._read(trial, {"speed": speed})[0], observed[[k]])
             for k, speed in enumerate(self.speed.tolist())
         ]
         return np.concatenate(parts)
 
-    def _at(self, trial: Trial, observed: Array, where: Mapping[str, object]) -> Array:
+    def _by_words(self, trial: Trial, observed: Array) -> Array:
+        """Headline numbers, each of the speed at which it was measured."""
+        values, speeds = self._read(trial, {})
+        if None in speeds:
+            self._require_ends(trial.speeds)
+            return self._picked(values, observed)
+        rpm = np.array(speeds, dtype=float)
+        at = [np.isclose(rpm, asked, ALIKE, ALIKE) for asked in (self.speed / RPM).tolist()]
+        for asked, here in zip(self.speed / RPM, at, strict=True):
+            if not here.any():
+                raise InvalidInput(
+                    f"measurement {self.name}: {self.of} is known at "
+                    f"{' and '.join(f'{each:.6g}' for each in sorted(set(rpm.tolist())))} rpm, the "
+                    f"first and the last of all speeds measured, not at {asked:.6g} rpm: name a "
+                    f"variable, '{self._criterion.analysis}.variable'"
+                )
+        parts = [self._picked(values[here], observed[[k]]) for k, here in enumerate(at)]
+        return np.concatenate(parts)
+
+    def _require_ends(self, solved: tuple[float, ...]) -> None:
+        """Go on only where the speeds are the first and the last of all that are ``solved``."""
+        ends = np.array(sorted({solved[0], solved[-1]}))
+        if len(ends) != len(self.speed) or not np.allclose(self.speed, ends, ALIKE, ALIKE):
+            listed = ", ".join(f"{each:.6g} rpm" for each in ends / RPM)
+            raise InvalidInput(
+                f"measurement {self.name}: {self.of} has no speed of its own and hangs on all "
+                f"speeds measured: give as speeds the first and the last of these, {listed}, or "
+                f"name a variable, '{self._criterion.analysis}.variable'"
+            )
+
+    def _read(
+        self, trial: Trial, where: Mapping[str, object]
+    ) -> tuple[Array, tuple[float | None, ...]]:
+        """Values [SI] of the machine, and speeds [rpm] of headline numbers."""
         criterion = Criterion(self.of, {**self.where, **where})
         reading = criterion.read(trial.case, trial.results)
         unit = parse_unit(reading.unit) if reading.unit not in ("", "-") else parse_unit("")
@@ -118,7 +154,10 @@ class Numbers:
             raise InvalidInput(
                 f"measurement {self.name}: in {self.unit}, but {self.of} is in {reading.unit}"
             )
-        values = reading.values * unit.scale
+        return reading.values * unit.scale, reading.speeds
+
+    def _picked(self, values: Array, observed: Array) -> Array:
+        """Of the values of the machine one for each that was observed."""
         if self.nearest and len(values):
             return values[np.abs(values[:, None] - observed).argmin(axis=0)]
         if len(values) != len(observed):

@@ -80,13 +80,16 @@ class Trial:
         )
         spindle = replace(spindle, sleeves=sleeves) if without_stop else spindle
         scene = Scene(spindle, self.case.conditions, np.array(self.axial_speeds))
+        if (oiled := self.case.conditions.films) is not None:
+            require_all_speeds(scene)
         return axial_run_up(
             scene.grounded,
             scene.law,
-            scene.speed,
+            scene.bearing_speed[scene.bearing_row],
             scene.axial_force,
             self.case.conditions.temperatures,
             self.known.curves,
+            scene.preload.films if oiled is not None else None,
         )
 
 

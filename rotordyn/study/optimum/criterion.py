@@ -24,11 +24,13 @@ ALIKE = 1e-9  # relative difference of coordinates that are the same
 
 class Reading(NamedTuple):
     """Values that a criterion reads, as printed, without those that are absent; their unit; the
-    heading of each, or the variable with the entries that several have."""
+    heading of each, or the variable with the entries that several have; of headline numbers the
+    ``speeds`` [rpm], None of one that has none."""
 
     values: Array
     unit: str
     names: tuple[str, ...] = ()
+    speeds: tuple[float | None, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,8 @@ class Criterion:
         unit = found[0].unit
         known = [each for each in found if not np.isnan(each.value)]
         names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in known]
-        return Reading(np.array([each.value for each in known]), unit, tuple(names))
+        speeds = tuple(each.speed for each in known)
+        return Reading(np.array([each.value for each in known]), unit, tuple(names), speeds)
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]

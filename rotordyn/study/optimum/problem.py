@@ -167,4 +167,4 @@ def _read(
 
 @lru_cache(maxsize=1)
 def _unpacked(packed: bytes) -> tuple[Problem, Neighbours]:
-    return pickle.loads(packed), Neighbours()
+    return pickle.loads(packed)[0], Neighbours()

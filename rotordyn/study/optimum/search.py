@@ -4,12 +4,13 @@ Differential evolution (Storn & Price, J. Global Optimization 11 (1997) 341; ``s
 places by the rules of Deb (Comput. Methods Appl. Mech. Eng. 186 (2000) 311): what keeps the limits
 beats what does not, the lower cost wins among the former, the smaller violation among the others.
 The best combinations of whole numbers are then followed by a trust-region method that knows the
-limits (COBYQA, Ragonneau & Zhang, 2024).
+limits (COBYQA, Ragonneau & Zhang, 2024); where there are whole numbers alone, choices beside the
+best ones are tried.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from itertools import product
 from typing import Any
@@ -44,8 +45,8 @@ def search(
             return
         begin = len(trials.made)
         _evolve(problem, trials, cost, int(BROAD * most), seed, known)
-        if not problem.whole.all():
-            _follow(problem, trials, cost, begin + most)
+        finish = _beside if problem.whole.all() else _follow
+        finish(problem, trials, cost, begin + most)
 
 
 def _numbers(problem: Problem) -> list[range]:
@@ -96,6 +97,26 @@ def _evolve(
         vectorized=True,
         updating="deferred",
     )
+
+
+def _beside(problem: Problem, trials: Trials, cost: Cost, end: int) -> None:
+    """Choices not yet tried beside the best one that has such, again and again."""
+    while (left := end - len(trials.made)) > 0:
+        ranked = sorted(trials.made.values(), key=lambda t: _energy(t, cost, 1.0))
+        untried = ([*_untried(problem, trials, each.number)] for each in ranked)
+        places = next(filter(None, untried), None)
+        if places is None:
+            return
+        trials.at(places[:left])
+
+
+def _untried(problem: Problem, trials: Trials, place: Place) -> Iterator[Place]:
+    """Places that differ from one by one value, the one before or after it."""
+    for k, last in enumerate(problem.last):
+        for number in (place[k] - 1.0, place[k] + 1.0):
+            other = (*place[:k], number, *place[k + 1 :])
+            if 0.0 <= number <= last and other not in trials.made:
+                yield other
 
 
 def _follow(problem: Problem, trials: Trials, cost: Cost, end: int) -> None:

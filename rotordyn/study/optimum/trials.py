@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import Any
 
 from rotordyn.study import record
 from rotordyn.study.optimum.problem import Place, Problem, Trial, solve_trial
-from rotordyn.study.workers import solved_here
+from rotordyn.study.workers import pack, solved_here
 
 JOURNAL = "trials.jsonl"
 
@@ -37,7 +36,7 @@ class Trials:
     ) -> None:
         self.problem, self.most, self.workers, self.progress = problem, most, workers, progress
         self.made: dict[Place, Trial] = {}
-        self._packed = pickle.dumps(problem)
+        self._packed = pack(problem)
         self._path = None if folder is None else folder / JOURNAL
         self._kept = {} if self._path is None else _read(self._path, _signature(problem))
 

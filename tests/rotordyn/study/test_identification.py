@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 
 import rotordyn
 from rotordyn import Numbers, Predicted, Unknown, identify
+from rotordyn.analyses import AxialCycleSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.study.identification import search as searching
@@ -197,6 +199,45 @@ def test_prediction_follows_what_was_measured(case: Case) -> None:
     (one,), sure = found.predictions, found.explained.sure
     assert one.value == pytest.approx(2190.0, abs=0.1)
     assert 0.5 * (one.high - one.low) == pytest.approx(sure.quantile * 20.0, rel=1e-2)
+
+
+def test_words_are_held_at_their_own_speed(case: Case) -> None:
+    """Headline numbers are those of the first and the last speed of all that are measured."""
+    plain = replace(case, analyses={"preload": case.analyses["preload"]})
+    sums = Numbers(
+        name="sums", of="preload: sum", speed=np.array([24000.0, 0.0]) * RPM, values=np.ones(2),
+        deviation=1.0, unit="N",
+    )  # fmt: skip
+    slow = replace(sums, name="slow", speed=np.array([0.0, 4000.0]) * RPM)
+    stop = replace(sums, name="stop", of="preload: stop", unit="rpm")
+    trial = Trial(plain, (0.0, 24000.0 * RPM), {"preload": case.analyses["preload"]})
+    whole = Criterion("preload: sum").read(plain, trial.results).values
+    assert sums.predicted(trial) == pytest.approx(whole[::-1])
+    one = replace(sums, speed=sums.speed[:1], values=np.ones(1))
+    assert one.predicted(trial) == pytest.approx(whole[1:])
+    with pytest.raises(InvalidInput, match=r"0 and 24000 rpm, the first and .* not at 4000 rpm"):
+        slow.predicted(trial)
+    with pytest.raises(InvalidInput, match="the first and the last of these, 0 rpm, 24000 rpm"):
+        stop.predicted(trial)
+
+
+@pytest.mark.parametrize("conditions", ["films", "static"])
+def test_axial_curves_are_those_of_the_conditions(conditions: str) -> None:
+    """Displacements over one cycle of force, with balls on films or bearings as at rest."""
+    given: Mapping[str, object] = {"conditions.bearings": "static"}
+    if conditions == "films":
+        oiled = rotordyn.load("mfw2310_films").variants["films"].conditions
+        given = {"conditions.films": oiled.films}
+    speed = 24000.0 * RPM
+    plain = rotordyn.load("mfw2310_axial_cycle").vary(given)
+    spec = AxialCycleSpec(lowest=-1800.0, highest=1600.0, steps=2)
+    one = replace(plain, speeds=(speed,), variants={}, analyses={"axial_cycle": spec})
+    wanted = rotordyn.run(one)["axial_cycle"]
+    force = wanted.force.values
+    falling, rising = Trial(one, axial_speeds=(speed,)).cycle(0, force[::-1], force, None, None)
+    for branch, found in (("falling", falling[::-1]), ("rising", rising)):
+        path = wanted.position.sel(branch=branch, body="shaft").values[0]
+        assert np.diff(found[:, 0]) == pytest.approx(np.diff(path), abs=5e-9)
 
 
 def test_nearest_mode(case: Case) -> None:

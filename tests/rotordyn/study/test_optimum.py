@@ -17,6 +17,7 @@ from rotordyn.case.varied import unlike
 from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
+from rotordyn.study.optimum import trials
 from rotordyn.study.optimum.criterion import Reading, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
 from rotordyn.study.optimum.problem import Problem, Trial
@@ -117,6 +118,22 @@ def test_few_choices_are_all_tried(case: Case) -> None:
     assert len(found.trials) == 6
     assert found.values[SPRING] == 800.0
     assert found.dataset().sizes["trial"] == 6
+
+
+def test_all_trials_of_whole_numbers_are_spent(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    """25 of 33 machines, no two alike; the best stands at an end of both."""
+
+    def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
+        return Trial(place, goals=(place[0] + 3.0 * place[1],), units=("N",))
+
+    monkeypatch.setattr(trials, "solve_trial", tried)
+    varied = {"spindle.bearings.*.model.balls": Span(15, 25), SPRING: ["500 N", "900 N", "1300 N"]}
+    goal = Goal(lowest="preload.spring_force")
+    for seed in range(3):
+        found = optimise(case, varied, [goal], trials=25, seed=seed, workers=1)
+        assert len({each.number for each in found.trials}) == 25
+        assert found.best is not None
+        assert found.best.number == (0.0, 0.0)
 
 
 @pytest.mark.long

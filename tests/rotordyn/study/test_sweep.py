@@ -6,7 +6,6 @@ import gc
 import json
 import math
 import os
-import pickle
 import signal
 import struct
 import subprocess
@@ -115,7 +114,7 @@ def test_some_points_are_checked_and_all_where_errors_are_large(
     stands for two machines: it stands for four or for two."""
     asked = {SPRING: Span(800.0, 1600.0, 5)}
     study = study_of(case, asked, analyses=["preload", "campbell"])
-    packed = pickle.dumps(study)
+    packed = workers.pack(study)
     point._unpacked.cache_clear()
     (first,) = point.solve_points(packed, (4,))
     assert first.error is not None
@@ -539,3 +538,24 @@ def test_a_model_for_something_else_is_checked_again(case: Case) -> None:
         one = rotordyn.vary(asked, {"conditions.accuracy": accuracy})
         errors.append(held.solve(one)[1])
     assert [error is None for error in errors] == [False, True, False, True]
+
+
+@pytest.mark.parametrize(("accuracy", "checked"), [(1e-6, 1), (5e-8, 4)])
+def test_every_machine_of_a_tight_accuracy_is_checked(
+    case: Case, monkeypatch: pytest.MonkeyPatch, accuracy: float, checked: int
+) -> None:
+    """A small error of the first stands for others of any usual accuracy."""
+
+    def solved(*_: Any, checks: Any, **__: Any) -> None:
+        checks.worst = 1e-3
+
+    monkeypatch.setattr(neighbours, "solve", solved)
+    held, asked = neighbours.Neighbours(), rotordyn.vary(case, {"conditions.accuracy": accuracy})
+    assert sum(held.solve(asked)[1] is not None for _ in range(4)) == checked
+
+
+def test_the_same_study_again_begins_with_a_check(case: Case) -> None:
+    study = study_of(case, {SPRING: [800.0, 1200.0]}, analyses=["campbell"])
+    for _ in range(2):
+        _, found = solve.solved(study, workers=1)
+        assert [found[k].error is None for k in range(2)] == [False, True]
