@@ -96,8 +96,9 @@ class AxialCurve(Axial):
     towards +x, from where the body stands at rest, all (n,), in the order in which they were
     measured. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of what is
     added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
-    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``places`` (n,), where
-    known: file and line of each point, which faults name.
+    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): of the
+    way in time through the curve of its speed, from 0 to 1, by default in even steps. ``places``
+    (n,), where known: file and line of each point, which faults name.
     """
 
     speed: Array
@@ -109,10 +110,18 @@ class AxialCurve(Axial):
     drift: float = 0.0
     lowest: float | None = None
     highest: float | None = None
+    when: Array | None = None
     places: tuple[str, ...] = field(default=(), repr=False)  # the same study from another file
 
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "force", "displacement")
+        if self.when is not None:
+            _as_arrays(self, "when")
+            if len(self.when) != len(self.speed):
+                raise InvalidInput(
+                    f"measurement {self.name}: when: given {len(self.when)} times; the curve has "
+                    f"{len(self.speed)} points"
+                )
         for k, word in enumerate(self.branch):
             if word not in BRANCHES:
                 what = f"branch {shown(word)}{self._place(k)}; allowed: {', '.join(BRANCHES)}"
@@ -162,15 +171,27 @@ class AxialCurve(Axial):
             for _, _, rows in self._curves()
             if len(rows)
         ]
-        rows = np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
+        rows = np.sort(np.concatenate(parts)) if parts else np.empty(0, dtype=np.intp)
         return replace(
             self,
+            when=self._times[rows],
             speed=self.speed[rows],
             branch=tuple(self.branch[k] for k in rows),
             force=self.force[rows],
             displacement=self.displacement[rows],
             places=tuple(self.places[k] for k in rows) if self.places else (),
         )
+
+    @property
+    def _times(self) -> Array:
+        """``when`` (n,)."""
+        if self.when is not None:
+            return self.when
+        times = np.zeros(len(self.speed))
+        for speed in set(self.speed.tolist()):
+            here = self.speed == speed
+            times[here] = np.linspace(0.0, 1.0, int(here.sum()))
+        return times
 
     @cached_property
     def data(self) -> Data:
@@ -184,8 +205,7 @@ class AxialCurve(Axial):
                 deviations.append(self.tare)
                 names.append(f"tare at {rpm}")
             if self.drift:
-                order = np.cumsum(here) - 1.0
-                columns.append(np.where(here, order / max(here.sum() - 1, 1) - 0.5, 0.0))
+                columns.append(np.where(here, self._times - 0.5, 0.0))
                 deviations.append(self.drift)
                 names.append(f"drift at {rpm}")
         pairs = zip(self.speed, self.branch, strict=True)
