@@ -16,6 +16,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.scene.spec import acts_across
+from rotordyn.study.identification.joined_speeds import joined
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.trial import Trial
 
@@ -98,7 +99,8 @@ class AxialCurve(Axial):
     added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
     ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): of the
     way in time through the curve of its speed, from 0 to 1, by default in even steps. ``places``
-    (n,), where known: file and line of each point, which faults name.
+    (n,), where known: file and line of each point, which faults name. Speeds within 1 % (1 rpm
+    about rest) are one.
     """
 
     speed: Array
@@ -134,6 +136,8 @@ class AxialCurve(Axial):
                 f"{len(self.displacement)}"
             )
         _require_speeds(self.name, self.speed)
+        given = self.speed
+        object.__setattr__(self, "speed", joined(self.name, given))
         for speed, branch, rows in self._curves():
             way = np.diff(self.force[rows]) * (-1.0 if branch == BRANCHES[0] else 1.0)
             if (way > 0.0).all():
@@ -141,9 +145,11 @@ class AxialCurve(Axial):
             k = int(np.flatnonzero(way <= 0.0)[0])
             pair = self.force[rows[k : k + 2]]
             what = "repeated" if pair[0] == pair[1] else "out of order"
+            of = given[self.speed == speed] / RPM
+            one = f" ({of.min():.6g} to {of.max():.6g} rpm, taken as one)" if np.ptp(of) else ""
             raise InvalidInput(
                 f"measurement {self.name}: points {what} on the {branch} branch at "
-                f"{speed / RPM:.0f} rpm: {pair[1]:g} N after {pair[0]:g} N"
+                f"{speed / RPM:.0f} rpm{one}: {pair[1]:g} N after {pair[0]:g} N"
                 f"{self._place(int(rows[k + 1]))}"
             )
 

@@ -9,6 +9,7 @@ import pytest
 
 from rotordyn import AxialCurve
 from rotordyn.errors import InvalidInput
+from rotordyn.study.identification.along_axis import RPM
 from tests.rotordyn.study.axial_twin import Array, curve
 
 
@@ -50,3 +51,24 @@ def _row(whole: AxialCurve, few: AxialCurve, k: int) -> int:
 def test_times_are_as_many_as_points() -> None:
     with pytest.raises(InvalidInput, match="when: given 2 times; the curve has 36 points"):
         curve("shaft", when=np.array([0.0, 1.0]))
+
+
+def test_measured_speeds_that_scatter_are_one() -> None:
+    exact = _cycle("falling", "rising")
+    scatter = np.tile([-1.0, 0.0, 1.0], len(exact.speed) // 3) * RPM
+    measured = replace(exact, speed=exact.speed + scatter)
+    assert measured.speed == pytest.approx(exact.speed, rel=1e-12)
+    assert measured.data.column_names == exact.data.column_names
+    np.testing.assert_allclose(measured.data.columns, exact.data.columns, rtol=1e-12)
+    rest = replace(exact, speed=np.where(exact.speed == exact.speed[0], 0.0, 5.0 * RPM))
+    assert len(set(rest.speed.tolist())) == 2
+
+
+def test_speeds_neither_one_nor_several_are_refused() -> None:
+    whole = curve("shaft")
+    drifts = np.linspace(4000.0, 4200.0, len(whole.force)) * RPM
+    with pytest.raises(InvalidInput, match="from 4000 to 4200 rpm are too far apart for one"):
+        replace(whole, speed=drifts)
+    twice = np.where(whole.speed == whole.speed[0], 4000.0, 4010.0) * RPM
+    with pytest.raises(InvalidInput, match=r"at 4005 rpm \(4000 to 4010 rpm, taken as one\)"):
+        replace(whole, speed=twice)
