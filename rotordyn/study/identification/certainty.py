@@ -42,7 +42,8 @@ class Certainty:
     ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
     verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
     determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
-    of all deviations, √reduced where above 1; ``quantile``: Student's t at 97.5 %.
+    of all deviations, √reduced where above 1; ``quantile``: at 97.5 %, of Student's t where that
+    factor sets the scale, else of the normal distribution.
     """
 
     values: Array
@@ -82,7 +83,8 @@ def certainty(problem: Problem, fit: Fit) -> Certainty:
     covariance = np.zeros((len(scale), len(scale)))
     covariance[np.ix_(free, free)] = _inverse(rows) * birge**2
     deviation = scale * np.sqrt(np.diag(covariance))
-    quantile = float(t.ppf(0.5 + 0.5 * COVERED, max(degrees, 1)))
+    freedom = max(degrees, 1) if birge > 1.0 else np.inf  # the stated noise is known
+    quantile = float(t.ppf(0.5 + 0.5 * COVERED, freedom))
     half = quantile * deviation
     ends = np.stack([fit.values - half, fit.values + half], axis=1)
     singular, directions = _soft(data, free, birge)
