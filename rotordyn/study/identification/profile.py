@@ -22,7 +22,7 @@ from rotordyn.case.identification import ALL
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
-from rotordyn.study.identification.certainty import BINDING, Certainty
+from rotordyn.study.identification.certainty import BINDING, ON_A_BOUND, Certainty
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.search import Fit, nearest
 from rotordyn.study.identification.trial import Known
@@ -254,7 +254,7 @@ def remarks(found: Mapping[str, Profile], problem: Problem, sure: Certainty) -> 
     for each in found.values():
         unknown = problem.unknowns[each.number]
         off = differing(each, problem, sure)
-        if off > DIFFERS:
+        if off > DIFFERS and sure.words[each.number] != ON_A_BOUND:
             size = "" if math.isinf(off) else f" by {100.0 * off:.0f} %"
             apart.append(unknown.name + size)
         for end, why in zip(each.interval, each.why, strict=True):
