@@ -241,7 +241,9 @@ def _predictions(held: Held) -> Table:
         unit = of["unit"].words[k]
         digits = decimals(*(float(of[end].values[k]) for end in ("low", "high")))
         cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
-        cells += [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
+        bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
+        parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
+        cells += [f"–, {bound} {ON_A_BOUND}", *parts[1:]] if bound else parts
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

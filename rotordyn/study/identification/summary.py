@@ -74,7 +74,8 @@ def _predictions(found: Identification) -> Iterator[str]:
         )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
         between = (f"{least} to {most}",) if several else ()
-        rows.append((heading, value, f"{low} to {high}", *between, measured))
+        ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else f"{low} to {high}"
+        rows.append((heading, value, ends, *between, measured))
     yield from _table(rows)
     for each in found.predictions:
         if each.lacking:

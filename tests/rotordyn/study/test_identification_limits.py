@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import Unknown, identify
+from rotordyn import Numbers, Predicted, Unknown, identify
 from rotordyn.case.case import Case
+from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.identification import Identification
 from rotordyn.study.identification.trial import Trial
-from tests.rotordyn.study.axial_twin import FRONT, Array
+from tests.rotordyn.study.axial_twin import FRONT, REAR, Array
 from tests.rotordyn.study.made_up import MadeUp
 
 FRICTION = FRONT + "friction"
@@ -57,3 +59,25 @@ def test_a_limit_excuses_no_difference(case: Case) -> None:
     found = _found(case, "0 N", mean=-9.0)
     assert not found.sufficient
     assert "Ff stands on a bound" in found.verdict[0]
+
+
+def test_predictions_by_a_value_on_a_bound_have_no_interval(case: Case, tmp_path: Path) -> None:
+    plain = replace(case, analyses={"preload": case.analyses["preload"]}, speeds=(24000.0 * RPM,))
+    plain = rotordyn.vary(plain, {FRONT + "stop_travel": np.inf, FRONT + "friction": 0.0})
+    speed, value = np.array([24000.0]) * RPM, np.array([2190.0])
+    load = Numbers(
+        name="load", of="preload: sum", speed=speed, values=value, deviation=20.0, unit="N"
+    )
+    asked = {REAR + "spring.preload": Unknown("560 N", "650 N", name="P")}
+    found = identify(plain, asked, [load], predict=[Predicted("preload: sum")], workers=1)
+    (one,) = found.predictions
+    assert one.bound == ("P",)
+    assert np.isnan([one.low, one.high]).all()
+    assert "–, P on a bound" in found.summary
+    found.save(tmp_path, draw=False)
+    head, row = (tmp_path / "predictions.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert head == "name,unit,value,low,high,measured,on a bound"
+    assert row.endswith(",,,,P")
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "–, P on a bound" in page
