@@ -40,7 +40,8 @@ BY_ITS_PRIOR = "known by its prior alone"
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Certainty:
-    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI].
+    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI],
+    as far as the ends of the unknowns.
 
     ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
     verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
@@ -91,7 +92,8 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
     freedom = max(degrees, 1) if birge > 1.0 else np.inf  # the stated noise is known
     quantile = float(t.ppf(0.5 + 0.5 * COVERED, freedom))
     half = quantile * deviation
-    ends = np.stack([fit.values - half, fit.values + half], axis=1)
+    low, high = problem.bounds
+    ends = np.clip(fit.values + half * np.array([[-1.0], [1.0]]), low, high).T
     singular, directions = _soft(data, free, birge)
     words = tuple(
         _word(unknown, float(size), bool(on))

@@ -238,11 +238,10 @@ def asked_profiles(unknowns: Sequence[Sought], asked: str | Sequence[str]) -> tu
     return tuple(dict.fromkeys((every | names)[word] for word in words))
 
 
-def differing(profile: Profile, problem: Problem, sure: Certainty) -> float:
-    """How far an end of the profile's interval lies from the linear one within the bounds, over
-    half of that; infinite where that has no width."""
-    low, high = (float(end[profile.number]) for end in problem.bounds)
-    linear = np.clip(sure.interval[profile.number], low, high)
+def differing(profile: Profile, sure: Certainty) -> float:
+    """How far an end of the profile's interval lies from the linear one, over half of that;
+    infinite where that has no width."""
+    linear = sure.interval[profile.number]
     half = 0.5 * float(np.ptp(linear))
     off = float(np.abs(linear - profile.interval).max())
     return off / half if half > 0.0 else (math.inf if off > 0.0 else 0.0)
@@ -253,7 +252,7 @@ def remarks(found: Mapping[str, Profile], problem: Problem, sure: Certainty) -> 
     apart, sentences = [], []
     for each in found.values():
         unknown = problem.unknowns[each.number]
-        off = differing(each, problem, sure)
+        off = differing(each, sure)
         if off > DIFFERS and sure.words[each.number] != ON_A_BOUND:
             size = "" if math.isinf(off) else f" by {100.0 * off:.0f} %"
             apart.append(unknown.name + size)

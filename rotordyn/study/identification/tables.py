@@ -31,6 +31,8 @@ def write_tables(folder: Path, found: Identification) -> None:
         ("standard deviation", sure.deviation),
         ("lower end of 95 %", sure.interval[:, 0]),
         ("upper end of 95 %", sure.interval[:, 1]),
+        ("lower bound", best.problem.bounds[0]),
+        ("upper bound", best.problem.bounds[1]),
     ):
         pairs = zip(unknowns, values.tolist(), strict=True)
         columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))

@@ -55,6 +55,19 @@ def test_a_value_at_an_end_of_the_study_does_not(case: Case) -> None:
     assert found.verdict[0].endswith("or the bound is too tight")
 
 
+def test_intervals_end_at_bounds(case: Case, tmp_path: Path) -> None:
+    """0.6 ± 0.98 N: from 0 N, which is said."""
+    found = _found(case, "0 N", mean=0.6)
+    assert found.intervals[FRICTION] == pytest.approx((0.0, 0.575 + 1.96 * 0.5), rel=1e-3)
+    assert " bound 0.00 to 1.55 bound 0.00 to 1.5" in " ".join(found.summary.split())
+    found.save(tmp_path, draw=False)
+    head, row = (tmp_path / "values.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert row.split(",")[head.split(",").index("lower end of 95 %")] == "0"
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "bound 0.00 to 1.55" in page
+
+
 def test_a_limit_excuses_no_difference(case: Case) -> None:
     found = _found(case, "0 N", mean=-9.0)
     assert not found.sufficient
