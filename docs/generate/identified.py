@@ -76,7 +76,8 @@ def predicted_table() -> str:
         )
     for each in found.predictions:
         measured = "" if each.measured is None else _plain(each.measured)
-        value = f"{_plain(each.value)} ({_plain(each.low)} to {_plain(each.high)})"
+        ends = "–" if each.bound else f"{_plain(each.low)} to {_plain(each.high)}"
+        value = f"{_plain(each.value)} ({ends})"
         rows.append((f"predicted: {each.name} [{each.unit}]", measured, value))
     frequency = solve(found.best).results["campbell"]
     for k, (rpm, measured) in enumerate(MODES):

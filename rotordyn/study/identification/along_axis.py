@@ -16,6 +16,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.scene.spec import acts_across
+from rotordyn.study.identification.joined_speeds import joined
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.trial import Trial
 
@@ -96,8 +97,10 @@ class AxialCurve(Axial):
     towards +x, from where the body stands at rest, all (n,), in the order in which they were
     measured. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of what is
     added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
-    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``places`` (n,), where
-    known: file and line of each point, which faults name.
+    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): of the
+    way in time through the curve of its speed, from 0 to 1, by default in even steps. ``places``
+    (n,), where known: file and line of each point, which faults name. Speeds within 1 % (1 rpm
+    about rest) are one.
     """
 
     speed: Array
@@ -109,10 +112,18 @@ class AxialCurve(Axial):
     drift: float = 0.0
     lowest: float | None = None
     highest: float | None = None
+    when: Array | None = None
     places: tuple[str, ...] = field(default=(), repr=False)  # the same study from another file
 
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "force", "displacement")
+        if self.when is not None:
+            _as_arrays(self, "when")
+            if len(self.when) != len(self.speed):
+                raise InvalidInput(
+                    f"measurement {self.name}: when: given {len(self.when)} times; the curve has "
+                    f"{len(self.speed)} points"
+                )
         for k, word in enumerate(self.branch):
             if word not in BRANCHES:
                 what = f"branch {shown(word)}{self._place(k)}; allowed: {', '.join(BRANCHES)}"
@@ -125,6 +136,8 @@ class AxialCurve(Axial):
                 f"{len(self.displacement)}"
             )
         _require_speeds(self.name, self.speed)
+        given = self.speed
+        object.__setattr__(self, "speed", joined(self.name, given))
         for speed, branch, rows in self._curves():
             way = np.diff(self.force[rows]) * (-1.0 if branch == BRANCHES[0] else 1.0)
             if (way > 0.0).all():
@@ -132,9 +145,11 @@ class AxialCurve(Axial):
             k = int(np.flatnonzero(way <= 0.0)[0])
             pair = self.force[rows[k : k + 2]]
             what = "repeated" if pair[0] == pair[1] else "out of order"
+            of = given[self.speed == speed] / RPM
+            one = f" ({of.min():.6g} to {of.max():.6g} rpm, taken as one)" if np.ptp(of) else ""
             raise InvalidInput(
                 f"measurement {self.name}: points {what} on the {branch} branch at "
-                f"{speed / RPM:.0f} rpm: {pair[1]:g} N after {pair[0]:g} N"
+                f"{speed / RPM:.0f} rpm{one}: {pair[1]:g} N after {pair[0]:g} N"
                 f"{self._place(int(rows[k + 1]))}"
             )
 
@@ -162,15 +177,27 @@ class AxialCurve(Axial):
             for _, _, rows in self._curves()
             if len(rows)
         ]
-        rows = np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
+        rows = np.sort(np.concatenate(parts)) if parts else np.empty(0, dtype=np.intp)
         return replace(
             self,
+            when=self._times[rows],
             speed=self.speed[rows],
             branch=tuple(self.branch[k] for k in rows),
             force=self.force[rows],
             displacement=self.displacement[rows],
             places=tuple(self.places[k] for k in rows) if self.places else (),
         )
+
+    @property
+    def _times(self) -> Array:
+        """``when`` (n,)."""
+        if self.when is not None:
+            return self.when
+        times = np.zeros(len(self.speed))
+        for speed in set(self.speed.tolist()):
+            here = self.speed == speed
+            times[here] = np.linspace(0.0, 1.0, int(here.sum()))
+        return times
 
     @cached_property
     def data(self) -> Data:
@@ -184,8 +211,7 @@ class AxialCurve(Axial):
                 deviations.append(self.tare)
                 names.append(f"tare at {rpm}")
             if self.drift:
-                order = np.cumsum(here) - 1.0
-                columns.append(np.where(here, order / max(here.sum() - 1, 1) - 0.5, 0.0))
+                columns.append(np.where(here, self._times - 0.5, 0.0))
                 deviations.append(self.drift)
                 names.append(f"drift at {rpm}")
         pairs = zip(self.speed, self.branch, strict=True)

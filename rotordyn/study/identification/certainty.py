@@ -2,8 +2,10 @@
 
 Covariance from the derivatives at the best machine, (JᵀJ)⁻¹, with priors as rows; where residuals
 are larger than the stated noise it is scaled up by their χ² over the degrees of freedom (R. Birge,
-Phys. Rev. 40, 1932), never down. Directions from the singular values of the data's rows alone,
-unknowns measured by what was known of them before.
+Phys. Rev. 40, 1932), never down. Values of the least absolute differences deviate by √(π/2) more in
+normal noise (G. Bassett and R. Koenker, J. Am. Stat. Assoc. 73, 1978), and the scale is that of the
+median of these, which outliers leave alone. Directions from the singular values of the data's rows
+alone, unknowns measured by what was known of them before.
 
 Theory: docs/theory/identification.md.
 """
@@ -27,6 +29,7 @@ VAGUE = 0.5  # of what was known before: a deviation above says nothing
 BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
 PART = 0.2  # of the largest part of a direction: named
 TIED = 0.95  # correlation from which two unknowns are named together
+QUARTILE = 0.6745  # median of absolute values of a normal distribution, over its deviation
 LOST = 1e-6  # least singular value: along one that is 0 the deviation is a million scales
 
 IDENTIFIED = "identifiable"
@@ -37,12 +40,14 @@ BY_ITS_PRIOR = "known by its prior alone"
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Certainty:
-    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI].
+    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI],
+    as far as the ends of the unknowns.
 
     ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
     verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
     determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
-    of all deviations, √reduced where above 1; ``quantile``: Student's t at 97.5 %.
+    of all deviations, √reduced (or the scale by absolute differences) where above 1; ``quantile``:
+    at 97.5 %, of Student's t where that factor sets the scale, else of the normal distribution.
     """
 
     values: Array
@@ -65,26 +70,30 @@ class Certainty:
             return np.asarray(self.covariance / np.outer(size, size))
 
 
-def certainty(problem: Problem, fit: Fit) -> Certainty:
-    """How sure the values of a fit are."""
+def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certainty:
+    """How sure the values of a fit are, of least squares or of least ``absolute`` differences."""
     from scipy.stats import t
 
     unknowns, scale = problem.unknowns, problem.scale
     free = ~on_bound(problem, fit.values)
     slopes = problem.slopes(fit.values, fit.predicted, central=True)
     data = problem.weighed_slopes(slopes)[:, free]
+    if absolute:
+        data /= np.sqrt(0.5 * np.pi)
     rows = np.concatenate([data, problem.prior_slopes[:, free]])
     priors = sum(each.deviation is not None for each in unknowns)
     nuisances = [d for m in problem.measurements for d in m.data.column_deviation]
     degrees = problem.count + priors - int(free.sum()) - int(np.isinf(nuisances).sum())
     reduced = fit.cost / max(degrees, 1)
-    birge = max(1.0, float(np.sqrt(reduced)))
+    birge = max(1.0, _by_median(problem, fit) if absolute else float(np.sqrt(reduced)))
     covariance = np.zeros((len(scale), len(scale)))
     covariance[np.ix_(free, free)] = _inverse(rows) * birge**2
     deviation = scale * np.sqrt(np.diag(covariance))
-    quantile = float(t.ppf(0.5 + 0.5 * COVERED, max(degrees, 1)))
+    freedom = max(degrees, 1) if birge > 1.0 else np.inf  # the stated noise is known
+    quantile = float(t.ppf(0.5 + 0.5 * COVERED, freedom))
     half = quantile * deviation
-    ends = np.stack([fit.values - half, fit.values + half], axis=1)
+    low, high = problem.bounds
+    ends = np.clip(fit.values + half * np.array([[-1.0], [1.0]]), low, high).T
     singular, directions = _soft(data, free, birge)
     words = tuple(
         _word(unknown, float(size), bool(on))
@@ -103,6 +112,16 @@ def certainty(problem: Problem, fit: Fit) -> Certainty:
         birge,
         quantile,
     )
+
+
+def _by_median(problem: Problem, fit: Fit) -> float:
+    """Deviation of the differences over the stated noise, by the median of absolute ones; as many
+    of the smallest left out as values were found, which these make 0 (W. DuMouchel and F. O'Brien,
+    Proc. 21st Symp. Interface, 1989)."""
+    pairs = zip(problem.weighings, fit.predicted, strict=True)
+    sizes = np.abs(np.concatenate([w.residual(one) / w.data.deviation for w, one in pairs]))
+    left = np.sort(sizes)[len(fit.values) :]
+    return float(np.median(left)) / QUARTILE if len(left) else 0.0
 
 
 def on_bound(problem: Problem, values: Array) -> Flags:

@@ -94,6 +94,16 @@ class Explained:
         return [n for n, w in self.named if w == ON_A_BOUND]
 
     @property
+    def at_limits(self) -> list[str]:
+        """Names of those of them that stand where their quantity itself ends, at 0."""
+        triples = zip(self.problem.unknowns, self.fit.values, self.sure.words, strict=True)
+        return [
+            each.name
+            for each, value, word in triples
+            if word == ON_A_BOUND and each.limited and value < 0.5 * each.high
+        ]
+
+    @property
     def named(self) -> list[tuple[str, str]]:
         """Every unknown with the word about it."""
         pairs = zip(self.problem.unknowns, self.sure.words, strict=True)
@@ -180,7 +190,8 @@ class Identification:
         """Why the best model does not suffice; empty where it does."""
         best = self.explained
         why = self.criterion.excess(best.problem, best.residuals, best.sure)
-        bound = best.on_bounds
+        limits = [] if why else best.at_limits
+        bound = [name for name in best.on_bounds if name not in limits]
         if bound:
             what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
             why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
@@ -191,6 +202,9 @@ class Identification:
         """In sentences: does the model suffice, what is identified, what is not."""
         best, why = self.explained, self._insufficient
         kept = self.criterion.kept(self.mean_difference, best.sure)
+        if limits := best.at_limits:
+            whose = "its" if len(limits) == 1 else "their"
+            kept += f"; {', '.join(limits)} at {whose} physical limit"
         lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
@@ -206,7 +220,8 @@ class Identification:
 
     @property
     def sufficient(self) -> bool:
-        """Whether the best model explains the measurements with no value on a bound."""
+        """Whether the best model explains the measurements with no value on a bound, but for one
+        at 0 whose quantity is never negative."""
         return not self._insufficient
 
     @property

@@ -19,6 +19,7 @@ from rotordyn.study.identification.certainty import BY_ITS_PRIOR, ON_A_BOUND, UN
 from rotordyn.study.identification.curve_charts import Curves, curve_blocks
 from rotordyn.study.identification.deliver import BEST, DATASET, SUMMARY
 from rotordyn.study.identification.identification import INSUFFICIENT, SURVIVES, UNDECIDED
+from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.searches import JOURNAL
 from rotordyn.study.identification.summary import MOST_WRITTEN, decimals
 
@@ -138,19 +139,22 @@ def _values(held: Held) -> Table:
     for k, name in enumerate(held.unknowns):
         ends = [float(of[f"{end} end of 95 %"].values[k]) for end in ("lower", "upper")]
         digits, unit, word = decimals(*ends), of["unit"].words[k], of["verdict"].words[k]
-        between = "–" if word == ON_A_BOUND else _between(ends, digits)
+        bounds = [float(of[f"{end} bound"].values[k]) for end in ("lower", "upper")]
+        between = "–" if word == ON_A_BOUND else _between(ends, digits, bounds)
         cells = [f"{name} [{unit}]" if unit else name]
         cells += [number(float(of["value"].values[k]), digits), between]
         if profiled:
             other = [float(of[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
-            cells.append(_between(other, digits) if np.isfinite(other).all() else "–")
+            cells.append(_between(other, digits, bounds) if np.isfinite(other).all() else "–")
         rows.append([*cells, word, of["path"].words[k]])
     head = ["", "value", "95 %", *["by profile"] * profiled, "", "path"]
     return Table("What was found", head, rows)
 
 
-def _between(ends: Sequence[float], digits: int) -> str:
-    return " to ".join(number(end, digits) for end in ends)
+def _between(ends: Sequence[float], digits: int, bounds: Sequence[float] = (np.nan, np.nan)) -> str:
+    """Both ends, a word before one that is a bound."""
+    pairs = zip(ends, bounds, strict=True)
+    return " to ".join(AT_BOUND * (e == b) + " " * (e == b) + number(e, digits) for e, b in pairs)
 
 
 def _models(held: Held) -> Table:
@@ -241,7 +245,9 @@ def _predictions(held: Held) -> Table:
         unit = of["unit"].words[k]
         digits = decimals(*(float(of[end].values[k]) for end in ("low", "high")))
         cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
-        cells += [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
+        bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
+        parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
+        cells += [f"–, {bound} {ON_A_BOUND}", *parts[1:]] if bound else parts
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

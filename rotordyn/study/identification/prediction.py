@@ -1,6 +1,7 @@
 """What the identified machine would show: headline numbers of its case, with their intervals.
 
-By the delta method: the derivatives of a number by the unknowns, and the covariance of these.
+By the delta method: the derivatives of a number by the unknowns, and the covariance of these. One
+that follows an unknown on a bound, whose covariance nobody knows, has none.
 """
 
 from __future__ import annotations
@@ -16,12 +17,13 @@ from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
-from rotordyn.study.identification.certainty import Certainty
+from rotordyn.study.identification.certainty import ON_A_BOUND, Certainty
 from rotordyn.study.identification.problem import STEP, Problem
 from rotordyn.study.identification.trial import Known
 from rotordyn.study.optimum.criterion import Criterion, amount
 
 Array = NDArray[np.float64]
+FOLLOWS = 1e-6  # of a number, by the scale of an unknown: below, it does not hang on that
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,7 @@ class Predicted:
 class Prediction:
     """A number of the identified machine as printed, its 95 % interval, what was measured.
 
+    ``low`` and ``high`` are NaN of a number that follows unknowns on a ``bound``, these by name.
     ``least`` and ``most`` of the numbers of all surviving models at their best, where there are
     several; ``lacking``: those of them that have no such number.
     """
@@ -52,6 +55,7 @@ class Prediction:
     least: float | None = None
     most: float | None = None
     lacking: tuple[str, ...] = ()
+    bound: tuple[str, ...] = ()
 
 
 def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
@@ -110,13 +114,19 @@ def predictions(
     known = Known()
     best = numbers(problem, sure.values, wanted, known)
     slopes = {name: np.zeros(len(sure.values)) for name in best}
-    for k in np.flatnonzero(np.diag(sure.covariance) > 0.0).tolist():
+    for k in range(len(sure.values)):
         for name, slope in _slopes(problem, sure.values, k, wanted, known, best).items():
             slopes[name][k] = slope
     found = []
     for name, (unit, value, measured) in best.items():
         half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
-        found.append(Prediction(name, unit, value, value - half, value + half, measured))
+        least = FOLLOWS * abs(value)
+        triples = zip(problem.unknowns, sure.words, slopes[name], strict=True)
+        bound = tuple(u.name for u, w, slope in triples if w == ON_A_BOUND and abs(slope) > least)
+        half = np.nan if bound else half
+        found.append(
+            Prediction(name, unit, value, value - half, value + half, measured, bound=bound)
+        )
     return tuple(found)
 
 

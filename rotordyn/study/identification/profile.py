@@ -22,7 +22,7 @@ from rotordyn.case.identification import ALL
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
-from rotordyn.study.identification.certainty import BINDING, Certainty
+from rotordyn.study.identification.certainty import BINDING, ON_A_BOUND, Certainty
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.search import Fit, nearest
 from rotordyn.study.identification.trial import Known
@@ -34,11 +34,12 @@ STEP = 0.3  # from value to value, of √Δχ² over its threshold
 FURTHER = 3.0  # times the step before, at most
 JUMP = 0.6  # of √Δχ² where it crosses: above that a value is solved between
 MOST = 12  # values on either side
+HALVES = 4  # times that steps are halved on either side, where no machine is found
 DIFFERS = 0.25  # of half the linear interval: worth a sentence
 LOWER = 0.01  # of the threshold: χ² that far below the best is a better machine
 
 AT_BOUND = "bound"
-NO_MACHINE = "no machine beyond it"
+NO_MACHINE = "no machine found beyond"
 UNFINISHED = "χ² stays below its threshold"
 
 
@@ -125,12 +126,16 @@ class _Line:
         points = [_Point(self.fit.values, 0.0, 0.0)]
         if abs(bound - self.fit.values[self.k]) < BINDING * (high - low):
             return points, bound, AT_BOUND
+        most, halves = FURTHER, HALVES
         while len(points) <= MOST:
             here = float(points[-1].values[self.k])
             value = min(max(here + sign * step, low), high)
-            found = self.at(value, self._starts(points, value))
+            found = self._beyond(points, value)
             if found is None:
-                return points, here, NO_MACHINE
+                if not halves:
+                    return points, here, NO_MACHINE
+                step, halves, most = 0.5 * abs(value - here), halves - 1, 1.0
+                continue
             points.append(found)
             if found.root >= 1.0:
                 return points, self._crossing(points), ""
@@ -138,12 +143,17 @@ class _Line:
                 return points, bound, AT_BOUND
             gain = found.root - points[-2].root
             ratio = STEP / gain if gain > 0.0 else FURTHER
-            step *= min(max(ratio, 1.0 / FURTHER), FURTHER)
+            step *= min(max(ratio, 1.0 / FURTHER), most)
+            most = FURTHER
         return points, float(points[-1].values[self.k]), UNFINISHED
+
+    def _beyond(self, points: list[_Point], value: float) -> _Point | None:
+        """The point at the next value; others as they were last where no start has a machine."""
+        return self.at(value, self._starts(points, value)) or self.at(value, [points[-1].values])
 
     def _starts(self, points: list[_Point], value: float) -> list[Array]:
         """Where others begin: on from the last point as the covariance says, and straight on from
-        the last two; from the last alone where the unknown stands on a bound."""
+        the last two."""
         scale, k, last = self.problem.scale, self.k, points[-1].values
         column, starts = self.sure.covariance[:, k], []
         if column[k] > 0.0:
@@ -151,7 +161,7 @@ class _Line:
         if len(points) > 1:
             before = points[-2].values
             starts.append(last + (value - last[k]) / (last[k] - before[k]) * (last - before))
-        return starts or [last]
+        return starts
 
     def _crossing(self, points: list[_Point]) -> float:
         """Where √Δχ² meets its threshold between the last two points; inserts those it needs."""
@@ -228,11 +238,10 @@ def asked_profiles(unknowns: Sequence[Sought], asked: str | Sequence[str]) -> tu
     return tuple(dict.fromkeys((every | names)[word] for word in words))
 
 
-def differing(profile: Profile, problem: Problem, sure: Certainty) -> float:
-    """How far an end of the profile's interval lies from the linear one within the bounds, over
-    half of that; infinite where that has no width."""
-    low, high = (float(end[profile.number]) for end in problem.bounds)
-    linear = np.clip(sure.interval[profile.number], low, high)
+def differing(profile: Profile, sure: Certainty) -> float:
+    """How far an end of the profile's interval lies from the linear one, over half of that;
+    infinite where that has no width."""
+    linear = sure.interval[profile.number]
     half = 0.5 * float(np.ptp(linear))
     off = float(np.abs(linear - profile.interval).max())
     return off / half if half > 0.0 else (math.inf if off > 0.0 else 0.0)
@@ -243,8 +252,8 @@ def remarks(found: Mapping[str, Profile], problem: Problem, sure: Certainty) -> 
     apart, sentences = [], []
     for each in found.values():
         unknown = problem.unknowns[each.number]
-        off = differing(each, problem, sure)
-        if off > DIFFERS:
+        off = differing(each, sure)
+        if off > DIFFERS and sure.words[each.number] != ON_A_BOUND:
             size = "" if math.isinf(off) else f" by {100.0 * off:.0f} %"
             apart.append(unknown.name + size)
         for end, why in zip(each.interval, each.why, strict=True):

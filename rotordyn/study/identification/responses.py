@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, Port, as_quantity
+from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
@@ -41,6 +42,7 @@ STEP = 1e-4  # of an unknown's scale, of differences: a sharp peak moves by its 
 FLOOR = 0.02  # of the median of a response: noise in proportion to the response ends there
 MOST_MODES = 40
 SWAMPED = 0.5  # noise over response
+TELLING = 0.1  # noise over response up to which its sign and phase are looked at
 INCOHERENT = 1e-3  # 1 − γ² below which noise comes from elsewhere
 
 
@@ -129,7 +131,8 @@ class Responses(AsksNothing):
 
         Raises
         ------
-        InvalidInput : noise swamps the responses; too few frequencies
+        InvalidInput : noise swamps the responses; too few frequencies; sign or phase of another
+            quantity at a driving point
         """
         return {speed: self._fitted(speed) for speed in self.speed}
 
@@ -143,6 +146,12 @@ class Responses(AsksNothing):
                 f"measurement {self.name}: {len(values)} frequencies at {_rpm(speed)}; allowed: at "
                 "least 6"
             )
+        for one in every:
+            if fault := self._turned(one):
+                raise InvalidInput(
+                    f"measurement {self.name}: {one.pair} at {_rpm(speed)} is no driving point: "
+                    f"{fault}"
+                )
         omega = 2.0 * np.pi * np.array(every[0].frequency)
         with linear_algebra_alone():
             found = counted(omega, values, _deviation(relative, values), most)
@@ -153,6 +162,15 @@ class Responses(AsksNothing):
                 f"modes comes nearer than {100.0 * SWAMPED:.0f} % of their size"
             )
         return found
+
+    def _turned(self, one: MeasuredResponse) -> str:
+        """What turns a response at a driving point into that of a passive structure; empty where it
+        is one, or nothing known does: what drives a rotor may come through its films."""
+        if one.response != one.excitation or np.median(self._relative(one)) > TELLING:
+            return ""
+        mobility = -1j * as_quantity(one, QUANTITIES[1])  # with the phase of the receptance
+        fault = fault_at_driving_point(mobility.tolist())
+        return "" if fault in (None, NO_DRIVING_POINT) else str(fault)
 
     @cached_property
     def data(self) -> Data:

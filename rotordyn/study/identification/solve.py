@@ -219,7 +219,7 @@ def identified(
             failed[model.name] = tried[0] if tried else "not searched yet"
             continue
         mine = tuple(each for each in found if each.number[0] == k)
-        explained.append(_explained(model, searches.problem(k), least, mine))
+        explained.append(_explained(model, searches, k, least, mine))
     if not explained:
         if stopped:
             raise KeyboardInterrupt
@@ -240,10 +240,12 @@ def identified(
 
 
 def _explained(
-    model: Model, problem: Problem, best: Search, searches: tuple[Search, ...]
+    model: Model, asked: Searches, number: int, best: Search, searches: tuple[Search, ...]
 ) -> Explained:
+    problem = asked.problem(number)
     values = np.array(best.values)
     predicted = problem.predicted(values)
     assert predicted is not None, "the search solved it"
     fit = Fit(values, best.cost, predicted, best.ended)
-    return Explained(model, problem, fit, certainty(problem, fit), searches)
+    sure = certainty(problem, fit, absolute=asked.absolute)
+    return Explained(model, problem, fit, sure, searches)

@@ -74,7 +74,8 @@ def _predictions(found: Identification) -> Iterator[str]:
         )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
         between = (f"{least} to {most}",) if several else ()
-        rows.append((heading, value, f"{low} to {high}", *between, measured))
+        ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else f"{low} to {high}"
+        rows.append((heading, value, ends, *between, measured))
     yield from _table(rows)
     for each in found.predictions:
         if each.lacking:
@@ -106,9 +107,13 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         digits = decimals(*map(unknown.shown, ends))
         shown = number(unknown.shown(value), digits)
         between = (
-            f"{number(unknown.shown(ends[0]), digits)} to {number(unknown.shown(ends[1]), digits)}"
+            ""
+            if word == ON_A_BOUND
+            else " to ".join(
+                f"{AT_BOUND if end == bound else ''} {number(unknown.shown(end), digits)}".strip()
+                for end, bound in zip(ends, (unknown.low, unknown.high), strict=True)
+            )
         )
-        between = "" if word == ON_A_BOUND else between
         profile = (_profiled(found, unknown, digits),) if found.profiles else ()
         yield unknown.heading, shown, between, *profile, word
 

@@ -6,7 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from rotordyn.report.tables import Column, write_table
+from rotordyn.study.identification.certainty import ON_A_BOUND
+from rotordyn.study.identification.prediction import Prediction
 from rotordyn.units import pretty_unit
 
 if TYPE_CHECKING:
@@ -27,6 +31,8 @@ def write_tables(folder: Path, found: Identification) -> None:
         ("standard deviation", sure.deviation),
         ("lower end of 95 %", sure.interval[:, 0]),
         ("upper end of 95 %", sure.interval[:, 1]),
+        ("lower bound", best.problem.bounds[0]),
+        ("upper bound", best.problem.bounds[1]),
     ):
         pairs = zip(unknowns, values.tolist(), strict=True)
         columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
@@ -50,10 +56,20 @@ def write_tables(folder: Path, found: Identification) -> None:
     )
     if found.predictions:
         heads = {n: n for n in ("name", "unit", "value", "low", "high", "measured")}
+        if any(each.bound for each in found.predictions):
+            heads |= {"bound": ON_A_BOUND}
         if any(each.least is not None for each in found.predictions):
             heads |= {n: f"{n} over surviving models" for n in ("least", "most")}
-        rows = [(h, [getattr(each, n) for each in found.predictions]) for n, h in heads.items()]
+        rows = [(h, [_cell(each, n) for each in found.predictions]) for n, h in heads.items()]
         write_table(folder / "predictions.csv", rows)
+
+
+def _cell(of: Prediction, name: str) -> object:
+    """A number or words of a prediction; None for no number."""
+    value = getattr(of, name)
+    if isinstance(value, tuple):
+        return ", ".join(value)
+    return None if isinstance(value, float) and np.isnan(value) else value
 
 
 def _ends_of_profiles(found: Identification) -> Iterator[Column]:

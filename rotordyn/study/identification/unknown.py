@@ -58,6 +58,11 @@ class Sought:
         return flat if self.deviation is None else min(self.deviation, flat)
 
     @property
+    def limited(self) -> bool:
+        """Whether its lower end is 0, that of the quantity itself, which is never negative."""
+        return self.low == 0.0 and self.quantity is not None and self.quantity.low == 0.0
+
+    @property
     def unit(self) -> str:
         """A usual unit for documents."""
         if self.quantity is None:

@@ -14,12 +14,12 @@ import xarray as xr
 import rotordyn
 from rotordyn import Predicted, Unknown, identify
 from rotordyn.case.case import Case
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job import solve
 from rotordyn.study.identification.along_axis import RPM
 from rotordyn.study.identification.identification import Identification
 from rotordyn.study.identification.measurement import Data
-from rotordyn.study.identification.profile import AT_BOUND
+from rotordyn.study.identification.profile import AT_BOUND, NO_MACHINE
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.optimum.criterion import Criterion
 from tests.rotordyn.page.conftest import held
@@ -32,12 +32,16 @@ REPEATED = 10
 
 @dataclass(frozen=True, eq=False)
 class Preloads:
-    """Closed form of both preloads, `a` and `b` [kN], each number read so many times."""
+    """Closed form of both preloads, `a` and `b` [kN], each number read so many times.
+
+    No machine lies in the ``gap``: above its first a, below its second, below its b.
+    """
 
     form: str
     values: tuple[float, ...]
     noise: tuple[float, ...]
     scatter: float = 0.0
+    gap: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @property
     def data(self) -> Data:
@@ -59,6 +63,9 @@ class Preloads:
     def predicted(self, trial: Trial) -> np.ndarray[Any, np.dtype[np.float64]]:
         assert trial.case.spindle is not None
         a, b = (1e-3 * each.spring.preload for each in trial.case.spindle.sleeves)
+        low, high, least = self.gap
+        if low < a < high and b < least:
+            raise NoSolution("no machine there")
         forms = {
             "linear": (a + b, a - 2.0 * b, 0.3 * a + b),
             "ratio": (a * b, b),
@@ -122,6 +129,31 @@ def test_profile_ends_at_a_bound(case: Case) -> None:
     assert profile.interval == pytest.approx((300.0, 1e3 * (0.16 + half) ** 0.5), rel=5e-3)
     assert profile.why == (AT_BOUND, "")
     assert "bound 300 to " in found.summary
+
+
+def test_a_profile_goes_on_where_its_first_start_has_no_machine(case: Case) -> None:
+    """The covariance leads b of a first step onto its lower end, where there is no machine."""
+    s, t = 0.0174, 0.63
+    unknowns = {P1: ENDS[P1], P2: Unknown("140 N", "1000 N", name="P2")}
+    measured = Preloads("ratio", (0.08, 0.2), (s, t), gap=(0.0, 0.56, 0.141))
+    found = solved(case, measured, unknowns, profiles=["P1"])
+    profile, q = found.profiles[P1], found.explained.sure.quantile
+    s, t = s / REPEATED**0.5, t / REPEATED**0.5
+    a, b = np.linspace(0.5, 0.8, 1501), np.linspace(0.14, 0.2, 1501)[:, None]
+    least = np.min(((0.08 - a * b) / s) ** 2 + ((0.2 - b) / t) ** 2, axis=0)
+    assert 1e-3 * profile.interval[1] == pytest.approx(a[least < q * q].max(), rel=5e-3)
+    assert profile.why[1] == ""
+
+
+def test_a_profile_ends_near_the_last_machine(case: Case) -> None:
+    """A first step of 60 N goes beyond 420 N, the last machine; its halves end near it."""
+    unknowns = {P1: replace(ENDS[P1], start="380 N")}
+    measured = Preloads("square", (0.16, 0.0), (0.25, 0.1), gap=(0.42, 1.0, 1.0))
+    found = solved(case, measured, unknowns)
+    profile = found.profiles[P1]
+    assert profile.why[1] == NO_MACHINE
+    assert profile.interval[1] == pytest.approx(420.0, abs=3.0)
+    assert any(line.endswith("N: no machine found beyond") for line in found.verdict)
 
 
 def test_profiles_are_written_and_drawn(case: Case, tmp_path: Path) -> None:

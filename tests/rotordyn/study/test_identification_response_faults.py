@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,6 +26,7 @@ from tests.rotordyn.study.rotor_twin import (
     unknowns,
 )
 
+Values = np.ndarray[Any, np.dtype[np.complex128]]
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 
 
@@ -72,6 +75,27 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
     alone = replace(first, real=tuple(values[0].tolist()), imaginary=tuple(values[1].tolist()))
     with pytest.raises(InvalidInput, match="noise swamps the responses at 0 rpm"):
         assert Responses(name="taps", responses=(alone,), noise=0.02).data
+
+
+@pytest.mark.parametrize("speed", [0.0, 700.0])
+@pytest.mark.parametrize(
+    ("turned", "sentence"),
+    [
+        (np.conj, r"imaginary part is positive: sign convention e\^\{−iωt\}"),
+        (np.negative, "a sensor against the force"),
+    ],
+)
+def test_signs_of_driving_points_are_told(
+    taps: Responses, speed: float, turned: Callable[[Values], Values], sentence: str
+) -> None:
+    """Of a rotor at rest and in rotation; other responses may have any phase."""
+    one = next(r for r in taps.responses if r.speed == speed and r.response == r.excitation)
+    values = turned(np.array(one.real) + 1j * np.array(one.imaginary))
+    wrong = replace(one, real=tuple(values.real.tolist()), imaginary=tuple(values.imag.tolist()))
+    with pytest.raises(InvalidInput, match=rf"tip\.y at .* rpm is no driving point: .*{sentence}"):
+        assert Responses(name="taps", responses=(wrong,), noise=0.02).data
+    across = replace(wrong, response=replace(wrong.response, point="tail"))
+    assert not Responses(name="taps", responses=(across,), noise=0.02)._turned(across)
 
 
 def test_unknown_points_are_refused_before_anything_is_solved(taps: Responses) -> None:
