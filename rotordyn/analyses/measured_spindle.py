@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
@@ -110,7 +111,7 @@ class MeasuredSpindle(Description):
         values = {ends: _turned(one) for ends, one in named.items()}
         active = False
         for ends, one in named.items():
-            fault = fault_at_driving_point(values[ends]) if len(set(ends)) == 1 else None
+            fault = _fault(one) if len(set(ends)) == 1 else None
             if fault:
                 active = True
                 yield ("responses", index[id(one)]), f"{one.pair} is no driving point: {fault}"
@@ -176,6 +177,12 @@ class MeasuredSpindle(Description):
     def stations(self, spindle: Spindle) -> dict[str, float]:
         """Where the named points are [m]."""
         return dict(spindle.points if self.blank is None else self.blank.placed(NOSE))
+
+
+def _fault(one: MeasuredResponse) -> str | None:
+    """What it seems to be instead of a response at a driving point."""
+    omega = [2.0 * math.pi * hertz for hertz in one.frequency]
+    return fault_at_driving_point(as_quantity(one, one.quantity).tolist(), omega, one.quantity)
 
 
 def _turned(one: MeasuredResponse) -> list[complex]:

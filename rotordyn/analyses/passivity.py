@@ -36,23 +36,40 @@ CAUSES: tuple[tuple[Callable[[complex], complex], str], ...] = (
     ),
 )
 NO_DRIVING_POINT = (
-    "its imaginary part is positive at times, as that of no driving point: look whether the files "
-    "of other points or directions were exchanged"
+    "a force would take power from the structure there at times: look whether the files of other "
+    "points or directions were exchanged"
 )
+FACTORS = {"receptance": 1.0, "mobility": -1j, "inertance": -1.0}  # to the phase of a receptance
+POWERS = {"receptance": 1, "mobility": 0, "inertance": -1}  # of ω, to the size of a mobility
 
 
-def fault_at_driving_point(values: Sequence[complex]) -> str | None:
-    """What a receptance (f,) at a driving point seems to be instead, or None where it is one.
+def fault_at_driving_point(
+    values: Sequence[complex], omega: Sequence[float], quantity: str
+) -> str | None:
+    """What a response (f,) at a driving point, named as some ``quantity``, seems to be instead, or
+    None where it is one; ``omega`` (f,) [rad/s].
 
-    Sizes are best those of the mobility, by which stiff and inert ranges weigh the same; phases
-    must be those of a receptance.
+    Receptances are judged in the size of mobilities, by which stiff and inert ranges weigh the
+    same.
     """
-    if _is_passive(values):
+    factor, power = FACTORS[quantity], POWERS[quantity]
+    both = zip(values, omega, strict=True)
+    sized = [factor * value * w**power for value, w in both if w > 0.0]
+    if _is_passive(sized):
         return None
     for turned, sentence in CAUSES:
-        if _is_passive([turned(value) for value in values]):
-            return sentence
+        if _is_passive([turned(value) for value in sized]):
+            return sentence if quantity == "receptance" else misnamed(quantity)
     return NO_DRIVING_POINT
+
+
+def misnamed(quantity: str) -> str:
+    """Of one that is not, or may have been no receptance: several mistakes look alike."""
+    return (
+        f"it takes power from the structure as {quantity}: look whether it is another quantity, a "
+        "sensor stood against the force, the sign convention is e^{−iωt}, or real and imaginary "
+        "columns are exchanged"
+    )
 
 
 def _is_passive(values: Sequence[complex]) -> bool:

@@ -9,18 +9,13 @@ import numpy as np
 
 from rotordyn.analyses.frf.measured import LEAST_POINTS
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.analyses.passivity import fault_at_driving_point
+from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point, misnamed
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
-AS_MOBILITY = {  # factor and power of ω: the size of a mobility with the phase of a receptance
-    "receptance": (1.0, 1),
-    "mobility": (-1j, 0),
-    "inertance": (-1.0, -1),
-}
 MOST = 4  # responses listed
 SAME = 1e-6  # of a speed
 NOISY = 0.3  # of a response: so large an error by noise is warned of
@@ -130,7 +125,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY
     ]
-    sentences += _active(result)
+    sentences += _driving_points(result)
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         pair = result.pair[int(result.error.argmax())]
@@ -141,18 +136,21 @@ def warnings(result: FrequencyResponse) -> list[str]:
     return [*sentences, *_hardly_damped(result)]
 
 
-def _active(result: FrequencyResponse) -> Iterator[str]:
-    """Measured responses at driving points that no passive structure has."""
-    turn, power = AS_MOBILITY[result.kind]
+def _driving_points(result: FrequencyResponse) -> Iterator[str]:
+    """Measured responses at driving points that no passive structure has; of a machine that turns,
+    those of which the mistake is known. The tip of a tool on a measured spindle is computed."""
     for row, name in enumerate(result.measured):
         response, excitation = result.measured_pair[row].split(" / ")
         known = np.nan_to_num(result.measured_frequency[row]) > 0.0
-        if response != excitation or known.sum() < LEAST_POINTS:
+        computed = math.isfinite(result.measured_error[row])
+        if response != excitation or computed or known.sum() < LEAST_POINTS:
             continue
-        size = (2.0 * math.pi * result.measured_frequency[row, known]) ** power
-        values = turn * size * result.measured_response[row, known]
-        if fault := fault_at_driving_point(values.tolist()):
-            yield f"measured response {name} is that of no driving point: {fault}"
+        values = result.measured_response[row, known].tolist()
+        omega = (2.0 * math.pi * result.measured_frequency[row, known]).tolist()
+        fault = fault_at_driving_point(values, omega, result.kind)
+        if fault and not (fault == NO_DRIVING_POINT and result.measured_speed[row] > 0.0):
+            words = fault if fault == NO_DRIVING_POINT else misnamed(result.kind)
+            yield f"measured response {name} is no driving point: {words}"
 
 
 def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:

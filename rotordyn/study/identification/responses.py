@@ -168,8 +168,10 @@ class Responses(AsksNothing):
         is one, or nothing known does: what drives a rotor may come through its films."""
         if one.response != one.excitation or np.median(self._relative(one)) > TELLING:
             return ""
-        mobility = -1j * as_quantity(one, QUANTITIES[1])  # with the phase of the receptance
-        fault = fault_at_driving_point(mobility.tolist())
+        omega = 2.0 * np.pi * np.array(one.frequency)
+        fault = fault_at_driving_point(
+            as_quantity(one, one.quantity).tolist(), omega.tolist(), one.quantity
+        )
         return "" if fault in (None, NO_DRIVING_POINT) else str(fault)
 
     @cached_property

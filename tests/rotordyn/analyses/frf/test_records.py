@@ -298,19 +298,22 @@ def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
     by_kind = {"receptance": 1.0 + 0j * omega, "mobility": 1j * omega, "inertance": -(omega**2)}
     values = by_kind[kind] / (4e4 - omega**2 + 8.0j * omega)
 
-    def told(response: Any, pair: str = "a.y / a.y") -> list[str]:
+    def told(response: Any, pair: str = "a.y / a.y", error: float = math.nan) -> list[str]:
         result: Any = SimpleNamespace(
             kind=kind,
             measured=("tap",),
             measured_pair=(pair,),
+            measured_speed=np.zeros(1),
+            measured_error=np.array([error]),
             measured_frequency=frequency[None],
             measured_response=response[None],
         )
-        return [*frf_summary._active(result)]
+        return [*frf_summary._driving_points(result)]
 
     assert not told(values)
     for turned in (-values, *([] if kind == "mobility" else [values.conj()])):
         (said,) = told(turned)
-        assert said.startswith("measured response tap is that of no driving point: ")
-        assert kind == "mobility" or "sign convention e^{−iωt}" in said
+        assert said.startswith("measured response tap is no driving point: it takes power")
+        assert f"as {kind}: look whether it is another quantity" in said
+        assert not told(turned, error=0.1)  # the tip of a tool on a measured spindle
     assert not told(values.conj(), "a.y / b.y")
