@@ -292,8 +292,8 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
                 common.append(f"{one.name} and {other.name} ({wall * 1e3:.3g} mm of {what})")
     if common:
         yield (
-            f"rings of bearings {', '.join(common)} deform one thin wall together, and are "
-            "computed with one each: what flexible_rings change there may be up to twice as much"
+            f"rings of bearings {', '.join(common)} share one thin wall, and each is computed with "
+            "a wall of its own: what flexible_rings change there may be up to twice as much"
         )
 
 

@@ -22,7 +22,9 @@ RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
 SEEN = 1e-4  # of the load in the preload state: a smaller one beside it is not compared
 TOLD = 0.25  # of the load that the tangent adds
-LINEAR = Absence("of supports, and beside oil films", by=("speed", "support"))
+LINEAR = Absence(
+    "of supports, beside oil films, and without a steady motion", by=("speed", "support")
+)
 
 
 def ring_rows(scene: Scene, part: Linear) -> Array:
@@ -74,6 +76,7 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
         miss = np.linalg.norm((found.load[:, 0] - still.load - linear) * lever, axis=-1)
         least = SEEN * np.linalg.norm(still.load * lever, axis=-1)
         share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)
+        share = np.where((size == 0.0) & (miss > 0.0), np.inf, share)  # of a bearing without load
         lost = np.asarray(found.outcome[:, 0] == "overloaded")
         apart[:, seat] = np.where(lost, np.inf, share).max(axis=-1)
     return apart
@@ -86,7 +89,7 @@ def beyond_tangents(
     result with ``apart`` (speeds, names)."""
     worst = np.nan_to_num(apart, posinf=np.inf).max(axis=0, initial=0.0)
     told = [
-        f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} without bound"
+        f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
         for name, share in zip(names, worst, strict=True)
         if share > TOLD
     ]
@@ -95,6 +98,6 @@ def beyond_tangents(
         yield (
             f"{what}: bearings are moved so far that their loads depart from those of their "
             f"tangents, first at {number(float(first) * RPM.factor, 0)} rpm: {', '.join(told)}; "
-            "results there are of the right kind alone: lower the loads, or see bearing_loads, "
-            "stiffness or time_response, which follow the law of the bearings"
+            "results there are right in kind only, not in size: lower the loads, or see "
+            "bearing_loads, stiffness or time_response, which follow the law of the bearings"
         )

@@ -64,9 +64,7 @@ WARNED = {  # what the case is there to show
         "rings of bearings a and b (5 mm of housing or sleeve), c and d",
     ),
     "grinding_spindle_touch": ("estimate from catalogue values",),
-    "mfw2310_rings": (
-        "rings of bearings d and e (3 mm of housing or sleeve) deform one thin wall",
-    ),
+    "mfw2310_rings": ("rings of bearings d and e (3 mm of housing or sleeve) share one thin wall",),
     "squeeze_film_damper": ("modes are overdamped",),
     "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C from"),
 }

@@ -197,7 +197,7 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
 
 def test_a_thin_wall_is_told_where_rings_are_taken_as_rigid(tmp_path: Path) -> None:
     text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", "  FITS\n")
-    words = "rings of bearing"
+    words = "are taken as rigid"
     for housing, told in (("118 mm", True), ("160 mm", False)):
         fits = f"fits: {{shaft: k5, housing: JS5, housing_diameter: {housing}}}"
         case = rotordyn.load(written(tmp_path, "  preload: {}\n", text=text.replace("FITS", fits)))

@@ -97,6 +97,8 @@ class TimeResponseResult:
         label="largest force over what holds the sleeve",
         absent=(Absence("of a sleeve that nothing holds", by=("speed", "sleeve")),),
     )
+    unbalances: int = quantity(unit="", label="unbalances that act")
+    friction_limit: Array = quantity("sleeve", unit="N", label="limit of dry friction")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",

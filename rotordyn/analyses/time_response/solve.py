@@ -188,6 +188,8 @@ def _result(
         linear_largest=scene.scattered(longest(straight, time)[1]),
         **{name: scene.scattered(each) for name, each in loads.items()},
         **{name: scene.scattered(each) for name, each in margins.items()},
+        unbalances=len(spec.unbalances),
+        friction_limit=np.array([sleeve.friction for sleeve in scene.spindle.sleeves]),
         error=motion.error,
         error_asked=response_accuracy(scene),
     )

@@ -14,6 +14,7 @@ from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounde
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
+CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
 LESS = 0.95  # of the largest displacement: the last quarter is named
 
 
@@ -57,10 +58,10 @@ def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
 def _late(result: TimeResponseResult, row: int, point: int) -> str:
     """What is left of it in the last quarter under forces that go on, where that is less."""
     late, largest = result.late_largest[row, point], result.largest[row, point]
-    goes_on = not result.force or bool(np.abs(result.applied[-1]).max() > 0.0)
-    if not (goes_on and late < LESS * largest):
+    forced = np.abs(result.applied[3 * (len(result.time) // 4) :]).max(initial=0.0) > 0.0
+    if not ((forced or result.unbalances) and late < LESS * largest):
         return ""
-    return f", later {late * MICROMETRE.factor:.4g} µm"
+    return f", in the last quarter {late * MICROMETRE.factor:.4g} µm"
 
 
 def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
@@ -116,6 +117,7 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
     """Stops that would close or open, friction that would give way."""
     for k, name in enumerate(result.sleeve):
         stays = np.isnan(result.stop_force[:, k])
+        rubs = bool(result.friction_limit[k] > 0.0)
         gap = np.where(stays, np.nan_to_num(result.stop_gap[:, k]), 0.0)
         holding = np.nan_to_num(result.holding[:, k])
         row = int(gap.argmin())
@@ -123,14 +125,14 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
             yield (
                 f"time_response: sleeve {name} would go {-gap[row] * MICROMETRE.factor:.3g} µm "
                 f"beyond its end stop at {_rpm(result, row)}; stops stay as they are in the "
-                "response, which is right only up to there: with a stop_stiffness they close"
+                f"response, which is right only up to there{'' if rubs else CLOSES}"
             )
         row = int(holding.argmax())
         if holding[row] > 1.0:
             yield (
-                f"time_response: {holding[row]:.3g} times what holds sleeve {name}, its stop or "
-                f"dry friction, pulls at it at {_rpm(result, row)}; it stays in the response, "
-                "which is right only up to there: with a stop_stiffness stops open"
+                f"time_response: {holding[row]:.3g} times what holds sleeve {name}, "
+                f"{'dry friction' if rubs else 'its stop'}, pulls at it at {_rpm(result, row)}; it "
+                f"stays in the response, which is right only up to there{'' if rubs else OPENS}"
             )
 
 

@@ -134,7 +134,7 @@ class UnbalanceResult:
     film_ratio: Array = quantity(
         "support",
         unit="1",
-        label="the same that its coefficients are computed for",
+        label="orbit over the clearance that the film is computed for",
         absent=(Absence("of bearings and supports", by=("support",)),),
     )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")

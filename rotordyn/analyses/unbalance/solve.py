@@ -68,6 +68,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     apart = np.full(pushed.shape[:2], np.nan)
     if spindle.seats:
         apart[:, : len(spindle.seats)] = departure(scene, _rings(scene, spec, speed))
+        apart[~steady] = np.nan
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)

@@ -17,6 +17,7 @@ from rotordyn.scene.linearity import beyond_tangents
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
 WIDER = 1.2  # than the orbit that its film is computed for
+MOST = 0.99  # of the clearance: an orbit beyond touches
 FLAT = 0.2  # of the clearance: up to there damping changes by 6 %
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
@@ -129,20 +130,24 @@ def warnings(result: UnbalanceResult) -> list[str]:
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:
-    """Orbits in squeeze films that are larger than those their coefficients are computed for."""
+    """Squeeze films whose largest orbit is another one than their coefficients are computed for."""
     for k, name in enumerate(result.support):
         orbit, ratio = np.nan_to_num(result.film_orbit[:, k], posinf=np.inf), result.film_ratio[k]
         row = int(orbit.argmax())
-        if not orbit[row] > max(WIDER * ratio, FLAT):
+        wide, narrow = max(WIDER * ratio, FLAT), ratio / WIDER if ratio > FLAT else 0.0
+        if not np.isfinite(ratio) or narrow <= orbit[row] <= wide:
             continue
         where = f"{number(float(result.fine_speed[row]) * RPM.factor, 0)} rpm"
         remedy = (
             "no film allows that"
-            if orbit[row] >= 1.0
+            if orbit[row] > MOST
+            else f"look for the eccentricity_ratio that comes out, from {100.0 * orbit[row]:.0f} % "
+            f"to {100.0 * ratio:.0f} %"
+            if orbit[row] < ratio
             else f"try eccentricity_ratio: {100.0 * orbit[row]:.0f} %"
         )
         yield (
-            f"unbalance: the orbit in squeeze film {name} is {100.0 * orbit[row]:.0f} % of "
-            f"its clearance at {where}, and the film is computed for {100.0 * ratio:.0f} %: "
+            f"unbalance: the largest orbit in squeeze film {name} is {100.0 * orbit[row]:.0f} % of "
+            f"its clearance, at {where}, and the film is computed for {100.0 * ratio:.0f} %: "
             f"{remedy}"
         )

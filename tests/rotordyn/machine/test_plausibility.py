@@ -174,7 +174,7 @@ def _elastic(housing: float, width: float = 0.018, apart: bool = False) -> str:
 
 def test_rings_that_deform_one_thin_wall_together_are_named() -> None:
     """Both in one sleeve, less than half a width between them, a wall below a tenth of them."""
-    assert "bearings d and e (3 mm of housing or sleeve) deform one thin wall" in _elastic(0.101)
+    assert "bearings d and e (3 mm of housing or sleeve) share one thin wall" in _elastic(0.101)
     assert "one thin wall" not in _elastic(0.120)
     assert "one thin wall" not in _elastic(0.101, width=0.012)
     assert "one thin wall" not in _elastic(0.101, apart=True)
