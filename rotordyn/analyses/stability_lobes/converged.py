@@ -4,7 +4,8 @@ A slender tool has modes at several times the frequencies that other analyses as
 lacks them gives limits that are far too high, most of all between the lobes of the modes it has.
 So limits at some speeds are computed once more with a finer model and twice the frequencies; while
 they change, all are computed with that one. Between modes that are far apart doubling changes
-nothing, so that at the fastest speed and that of the deepest cut the finest model has a say too.
+nothing: at the fastest speed and that of the deepest cut, of few speeds at all that are looked at,
+they are computed with the finest model too.
 
 Theory: docs/theory/lobes.md.
 """
@@ -27,7 +28,7 @@ Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 ALLOWED = 0.05  # of a limit, that it may change
 DOUBLINGS = 4  # of the highest frequency
-LOOKED_AT = 4  # speeds, beside that of the deepest cut; of the faster half, sooner done, of many
+LOOKED_AT = 4  # speeds, beside that of the deepest cut; of many the faster half, which takes less
 
 
 class Converged(NamedTuple):

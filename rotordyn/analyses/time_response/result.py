@@ -91,6 +91,12 @@ class TimeResponseResult:
         label="largest force of the end stop",
         absent=(Absence("of a sleeve without a stop that closes", by=("speed", "sleeve")),),
     )
+    stop_error: Array = quantity(
+        *SLEEVE,
+        unit="1",
+        label="its change by the last halving of the steps, over it",
+        absent=(Absence("of a sleeve without a stop that closes", by=("speed", "sleeve")),),
+    )
     holding: Array = quantity(
         *SLEEVE,
         unit="1",

@@ -35,10 +35,13 @@ ENDINGS = {True: "no balance of the bearings is found", False: "it grows without
 
 class Motion(NamedTuple):
     """A path at the instants of the result, and its estimated error over the largest displacement
-    of each point (points,)."""
+    of each point (points,); displacements of the ``sleeves`` (s, t, sleeves) at all instants
+    computed, and in the run before, ``coarser``."""
 
     path: Path
     error: Array
+    sleeves: Array
+    coarser: Array
 
 
 def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
@@ -79,14 +82,19 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
     equation, count = Equation.of(scene, spec), spec.samples - 1
     path = _path(scene, spec, equation, count).every(2)
     if not scene.checks.wanted:
-        return Motion(path, np.full(len(spec.points), np.nan))
+        return _motion(path, np.full(len(spec.points), np.nan))
 
     def moved(one: Scene, rows: Indices) -> Array:
         finer = 2 if one is not scene else 1
         found = _path(one, spec, Equation.of(one, spec, rows), finer * count)
         return np.nan_to_num(_displacement(found.every(2 * finer)))
 
-    return Motion(path, changes(scene, moved, 2))
+    return _motion(path, changes(scene, moved, 2))
+
+
+def _motion(path: Path, error: Array) -> Motion:
+    """Of one run alone."""
+    return Motion(path, error, path.sleeves, path.sleeves)
 
 
 def _nonlinear(
@@ -97,7 +105,7 @@ def _nonlinear(
     count = spec.samples // 4
     if not scene.checks.wanted:
         path = _path(scene, spec, equation, 2 * count, nonlinear)
-        return Motion(path, np.full(len(spec.points), np.nan))
+        return _motion(path, np.full(len(spec.points), np.nan))
     path, wanted = _path(scene, spec, equation, count, nonlinear), HALF * response_accuracy(scene)
     for halving in range(HALVINGS):
         if halving:
@@ -108,7 +116,7 @@ def _nonlinear(
         ended = len(path.points[0])
         if error.max() <= wanted and (path.ended == ended).all():
             break
-    return Motion(path.every(2**halving), error)
+    return Motion(path.every(2**halving), error, path.sleeves, before.sleeves)
 
 
 def _path(
@@ -166,7 +174,7 @@ def _result(
         if path.ended[row] < spec.samples:
             ending[one] = ENDINGS[bool(path.unbalanced[row])]
     loads = loads_and_peaks(scene, path, time, bearings)
-    margins = sleeve_margins(scene, equation, path.sleeves)
+    margins = sleeve_margins(scene, equation, path.sleeves, motion.sleeves, motion.coarser)
     applied = [values(each, time) for each in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,

@@ -17,8 +17,8 @@ from rotordyn.scene.scene import Scene
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stops:
-    """At some speeds (s,), springs of a ``stiffness`` [N/m] away from which sleeves are pushed in
-    ``direction`` (sleeves,), ±1 along the axis.
+    """Stops at some speeds (s,): springs of a ``stiffness`` [N/m] that push sleeves along the axis
+    in a ``direction`` (sleeves,), ±1.
 
     ``gap`` (s, sleeves) [m]: in the preload state, negative where its force presses the stop
     together; infinite of sleeves that have none or do not slide.

@@ -15,6 +15,7 @@ from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
+UNSURE = 0.1  # of the force of a stop
 LESS = 0.95  # of the largest displacement: the last quarter is named
 
 
@@ -126,6 +127,14 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
                 f"time_response: sleeve {name} would go {-gap[row] * MICROMETRE.factor:.3g} µm "
                 f"beyond its end stop at {_rpm(result, row)}; stops stay as they are in the "
                 f"response, which is right only up to there{'' if rubs else CLOSES}"
+            )
+        error = np.nan_to_num(result.stop_error[:, k])
+        worst = int(error.argmax())
+        if error[worst] > UNSURE:
+            yield (
+                f"time_response: the largest force of the stop of sleeve {name} is known to "
+                f"{100.0 * error[worst]:.0f} % only at {_rpm(result, worst)}: its knocks are "
+                "shorter than the steps resolve; raise max_frequency, or take a softer stop"
             )
         row = int(holding.argmax())
         if holding[row] > 1.0:

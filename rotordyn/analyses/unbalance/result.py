@@ -25,13 +25,14 @@ class UnbalanceResult:
     below zero where the orbit runs against the spindle; ``inclination`` of the major one from y to
     z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the major half axis
     of its hodograph. ``departure``: how far what a bearing's law adds to its load along the orbit
-    differs from what its tangent adds, over the latter. ``unstable``: some motion grows by itself
-    there, so that the steady solution given is not reached. ``fine_…``: at the speeds of the case
-    and at more of them about every peak, so that the highest values are the true ones; NaN at a
-    speed at which a stop closes, where lines break. ``peak_…``: every peak of a point, ascending,
-    NaN where it has fewer, infinite at a critical speed without damping. ``critical_speed``:
-    synchronous criticals among the speeds. ``grade_speed``: of the spindle, for which a balance
-    grade is given; 0 without one.
+    differs from what its tangent adds, over the latter. ``film_orbit``: of journals in squeeze
+    films, and ``film_ratio`` the one that these are computed for. ``unstable``: some motion grows
+    by itself there, so that the steady solution given is not reached. ``fine_…``: at the speeds of
+    the case and at more of them about every peak, so that the highest values are the true ones; NaN
+    at a speed at which a stop closes, where lines break. ``peak_…``: every peak of a point,
+    ascending, NaN where it has fewer, infinite at a critical speed without damping.
+    ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
+    which a balance grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

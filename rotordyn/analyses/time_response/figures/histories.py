@@ -90,7 +90,7 @@ def stop_figure(result: TimeResponseResult) -> Figure:
             gap = result.gap[row, :, look] * MICROMETRE.factor
             if np.isfinite(gap).any():
                 axes.plot(result.time * 1e3, gap, label=name, **{**line_of(look), "lw": 1.0})
-        axes.axhline(0.0, color=GREY, lw=0.8, label="stop closed below")
+        axes.axhline(0.0, color=GREY, lw=0.8, label="closed below")
         _name(axes, result, row, first=True, last=True)
     panels[0].set_ylabel("gap of the end stop [µm]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
