@@ -87,17 +87,13 @@ class Criterion:
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]
-        fields = {
-            key: each.metadata
-            for key, each in declared(result).items()
-            if each.metadata["role"] == "quantity" and _is_number(getattr(result, key))
-        }
+        fields = variables(result)
         if name not in fields:
             raise InvalidInput(
                 f"{shown(self.of)}: {self.analysis} has no such variable; allowed: "
                 f"{', '.join(fields)}{suggestion(name, fields)}"
             )
-        dims, printed = fields[name]["dims"], fields[name]["printed"]
+        dims, printed = fields[name], declared(result)[name].metadata["printed"]
         values = np.asarray(getattr(result, name))
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
         written = {dim: _written(result, dim) for dim in dims}
@@ -119,6 +115,15 @@ class Criterion:
             printed.unit,
             tuple(f"{self.of} {words}".strip() for words in compress(names, known)),
         )
+
+
+def variables(result: Any) -> dict[str, tuple[str, ...]]:
+    """Variables of a result that are numbers, with their dimensions."""
+    return {
+        key: each.metadata["dims"]
+        for key, each in declared(result).items()
+        if each.metadata["role"] == "quantity" and _is_number(getattr(result, key))
+    }
 
 
 def _is_number(values: Any) -> bool:
