@@ -35,8 +35,9 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class Criterion:
-    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, or
-    ``of`` "analysis.variable" a variable of its dataset, by its size where it is complex.
+    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, of
+    those in several units the ones whose whole name they are; or ``of`` "analysis.variable" a
+    variable of its dataset, by its size where it is complex.
 
     ``where``: entries of its coordinates, by name a word (``*`` any letters), a number, or a pair
     of numbers that bound a range; numbers in SI units or text with a unit.
@@ -74,6 +75,8 @@ class Criterion:
             )
         if self.where:
             raise InvalidInput(f"{shown(self.of)}: where selects of a variable, not of a number")
+        if len({each.unit for each in found}) > 1:
+            found = [each for each in found if each.name == words] or found
         if len({each.unit for each in found}) > 1:
             several = ", ".join(dict.fromkeys(each.name for each in found))
             raise InvalidInput(

@@ -236,6 +236,20 @@ def test_a_number_without_a_speed_is_measured_at_any(case: Case) -> None:
     assert "words" not in str([*replace(stop, of="preload").faults(case)])
 
 
+def test_a_whole_name_is_not_another_that_begins_so() -> None:
+    """`nose_face` is in µm, `nose_face at` in rpm."""
+    case = rotordyn.load(STUDIES.parent / "mfw2310_unbalance.yaml")
+    few = rotordyn.vary(case, {"speeds": [100.0, 1000.0]})
+    trial = Trial(few, few.speeds, few.analyses)
+    one = Numbers(
+        name="nose", of="unbalance: nose_face", speed=np.array([1000.0]), values=np.ones(1),
+        deviation=1.0, unit="um",
+    )  # fmt: skip
+    result = trial.results["unbalance"]
+    wanted = np.nanmax(result.fine_major_axis[:, list(result.point).index("nose_face")])
+    assert one.predicted(trial) == pytest.approx([wanted])
+
+
 def test_two_ends_without_a_speed_are_the_first_and_the_last(
     case: Case, monkeypatch: pytest.MonkeyPatch
 ) -> None:
