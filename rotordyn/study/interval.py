@@ -120,7 +120,7 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
         usual, worst = _tails(drawn), _ends(drawn)
-        together = np.full_like(together, np.nan)  # of no account beside these
+        together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
     without[np.isnan(value)] = 0

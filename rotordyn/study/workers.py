@@ -21,8 +21,8 @@ T = TypeVar("T")
 
 
 def pack(whole: object) -> bytes:
-    """A whole whose points are tasks, told from the same one another time: what processes keep of
-    one, such as when they check a model next, is not that of the other."""
+    """A whole whose points are tasks, pickled with a new mark: packed twice it counts as two, and
+    processes carry nothing over from one to the other, such as when to check a model next."""
     return pickle.dumps((whole, uuid4().hex))
 
 

@@ -29,6 +29,7 @@ VAGUE = 0.5  # of what was known before: a deviation above says nothing
 BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
 PART = 0.2  # of the largest part of a direction: named
 TIED = 0.95  # correlation from which two unknowns are named together
+REFUTED = 0.05  # probability of a χ² as large by the stated noise, below which that is not it
 QUARTILE = 0.6745  # median of absolute values of a normal distribution, over its deviation
 LOST = 1e-6  # least singular value: along one that is 0 the deviation is a million scales
 
@@ -47,7 +48,8 @@ class Certainty:
     verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
     determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
     of all deviations, √reduced (or the scale by absolute differences) where above 1; ``quantile``:
-    at 97.5 %, of Student's t where that factor sets the scale, else of the normal distribution.
+    at 97.5 %, of the normal distribution where that factor is 1, of Student's t where noise as
+    stated would hardly leave such residuals, between them in between.
     """
 
     values: Array
@@ -72,8 +74,6 @@ class Certainty:
 
 def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certainty:
     """How sure the values of a fit are, of least squares or of least ``absolute`` differences."""
-    from scipy.stats import t
-
     unknowns, scale = problem.unknowns, problem.scale
     free = ~on_bound(problem, fit.values)
     slopes = problem.slopes(fit.values, fit.predicted, central=True)
@@ -85,12 +85,11 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
     nuisances = [d for m in problem.measurements for d in m.data.column_deviation]
     degrees = problem.count + priors - int(free.sum()) - int(np.isinf(nuisances).sum())
     reduced = fit.cost / max(degrees, 1)
-    birge = max(1.0, _by_median(problem, fit) if absolute else float(np.sqrt(reduced)))
+    birge = max(1.0, _by_median(problem, fit, free) if absolute else float(np.sqrt(reduced)))
     covariance = np.zeros((len(scale), len(scale)))
     covariance[np.ix_(free, free)] = _inverse(rows) * birge**2
     deviation = scale * np.sqrt(np.diag(covariance))
-    freedom = max(degrees, 1) if birge > 1.0 else np.inf  # the stated noise is known
-    quantile = float(t.ppf(0.5 + 0.5 * COVERED, freedom))
+    quantile = _quantile(birge, max(degrees, 1))
     half = quantile * deviation
     low, high = problem.bounds
     ends = np.clip(fit.values + half * np.array([[-1.0], [1.0]]), low, high).T
@@ -114,13 +113,25 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
     )
 
 
-def _by_median(problem: Problem, fit: Fit) -> float:
+def _quantile(birge: float, degrees: int) -> float:
+    """At 97.5 %: of the normal distribution at a factor of 1, where the stated noise is taken as
+    known, and of Student's t where the probability of a χ² as large is below ``REFUTED``; between
+    these linear in that probability, so that no interval jumps."""
+    from scipy.stats import chi2, norm, t
+
+    usual, chance = chi2.sf(degrees * np.array([1.0, birge**2]), degrees)
+    share = np.clip((usual - chance) / (usual - REFUTED), 0.0, 1.0)
+    level = 0.5 + 0.5 * COVERED
+    return float((1.0 - share) * norm.ppf(level) + share * t.ppf(level, degrees))
+
+
+def _by_median(problem: Problem, fit: Fit, free: Flags) -> float:
     """Deviation of the differences over the stated noise, by the median of absolute ones; as many
-    of the smallest left out as values were found, which these make 0 (W. DuMouchel and F. O'Brien,
-    Proc. 21st Symp. Interface, 1989)."""
+    of the smallest left out as there are ``free`` values, which make these 0 (W. DuMouchel and F.
+    O'Brien, Proc. 21st Symp. Interface, 1989)."""
     pairs = zip(problem.weighings, fit.predicted, strict=True)
     sizes = np.abs(np.concatenate([w.residual(one) / w.data.deviation for w, one in pairs]))
-    left = np.sort(sizes)[len(fit.values) :]
+    left = np.sort(sizes)[int(free.sum()) :]
     return float(np.median(left)) / QUARTILE if len(left) else 0.0
 
 

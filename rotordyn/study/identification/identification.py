@@ -151,7 +151,7 @@ class Identification:
 
     @property
     def intervals(self) -> dict[str, tuple[float, float]]:
-        """Their 95 % intervals [SI]; of one on a bound both ends are that bound."""
+        """Their 95 % intervals [SI]; of one on a bound both ends are its value."""
         best = self.explained
         pairs = zip(best.problem.unknowns, best.sure.interval.tolist(), strict=True)
         return {unknown.path: (ends[0], ends[1]) for unknown, ends in pairs}
@@ -220,8 +220,8 @@ class Identification:
 
     @property
     def sufficient(self) -> bool:
-        """Whether the best model explains the measurements with no value on a bound, but for one
-        at 0 whose quantity is never negative."""
+        """Whether the best model explains the measurements, and no value stands on a bound; 0 is
+        allowed for a quantity that is never negative, such as friction."""
         return not self._insufficient
 
     @property

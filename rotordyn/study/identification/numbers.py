@@ -17,7 +17,7 @@ from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.trial import Trial
-from rotordyn.study.optimum.criterion import Criterion
+from rotordyn.study.optimum.criterion import Criterion, variables
 from rotordyn.units import parse_unit, pretty_unit
 
 Array = NDArray[np.float64]
@@ -30,9 +30,10 @@ class Numbers:
     """Numbers ``of`` an analysis over ``speed`` [rad/s].
 
     ``of``, ``where``: as of ``Criterion``, besides the speed; headline numbers, "analysis: words",
-    are those of the first and the last of all speeds that measurements ask for. ``values`` (n,) and
-    ``deviation`` in ``unit``. ``nearest``: of several numbers at a speed the nearest to the
-    measured one counts.
+    are those of the first and the last of all speeds that measurements ask for; those without a
+    speed of their own, such as a limit, are taken at any, in the order of the analysis, and may
+    depend on all speeds that are asked for. ``values`` (n,) and ``deviation`` in ``unit``.
+    ``nearest``: of several numbers at a speed the nearest to the measured one counts.
     """
 
     name: str
@@ -84,8 +85,8 @@ class Numbers:
             )
         elif not ({":", "."} & set(self.of)):
             yield (
-                f"measurement {self.name}: of {shown(self.of)}: name a number, '{self.of}: words', "
-                f"or a variable, '{self.of}.variable'"
+                f"measurement {self.name}: of {shown(self.of)}: names an analysis alone: a number "
+                "of it follows after a colon, a variable of its dataset after a point"
             )
 
     def speeds(self, case: Case) -> Iterator[float]:
@@ -115,9 +116,10 @@ class Numbers:
 
     def _by_words(self, trial: Trial, observed: Array) -> Array:
         """Headline numbers, each of the speed at which it was measured."""
-        values, speeds = self._read(trial, {})
+        values, speeds, names = self._read(trial, {})
         if None in speeds:
-            self._require_ends(trial.speeds)
+            if len({*names}) < len(names) or {*speeds} != {None}:  # of several speeds
+                self._require_ends(trial)
             return self._picked(values, observed)
         rpm = np.array(speeds, dtype=float)
         at = [np.isclose(rpm, asked, ALIKE, ALIKE) for asked in (self.speed / RPM).tolist()]
@@ -126,27 +128,33 @@ class Numbers:
                 raise InvalidInput(
                     f"measurement {self.name}: {self.of} is known at "
                     f"{' and '.join(f'{each:.6g}' for each in sorted(set(rpm.tolist())))} rpm, the "
-                    f"first and the last of all speeds measured, not at {asked:.6g} rpm: name a "
-                    f"variable, '{self._criterion.analysis}.variable'"
+                    f"first and the last of all speeds measured, not at {asked:.6g} rpm: "
+                    f"{self._variables(trial)}"
                 )
         parts = [self._picked(values[here], observed[[k]]) for k, here in enumerate(at)]
         return np.concatenate(parts)
 
-    def _require_ends(self, solved: tuple[float, ...]) -> None:
-        """Go on only where the speeds are the first and the last of all that are ``solved``."""
-        ends = np.array(sorted({solved[0], solved[-1]}))
+    def _require_ends(self, trial: Trial) -> None:
+        """Go on only where the speeds are the first and the last of all that are solved."""
+        ends = np.array(sorted({trial.speeds[0], trial.speeds[-1]}))
         if len(ends) != len(self.speed) or not np.allclose(self.speed, ends, ALIKE, ALIKE):
             listed = ", ".join(f"{each:.6g} rpm" for each in ends / RPM)
             raise InvalidInput(
-                f"measurement {self.name}: {self.of} has no speed of its own and hangs on all "
-                f"speeds measured: give as speeds the first and the last of these, {listed}, or "
-                f"name a variable, '{self._criterion.analysis}.variable'"
+                f"measurement {self.name}: {self.of} is several numbers, not each of a speed of "
+                f"its own: give as speeds the first and the last of all measured, {listed}, or "
+                f"{self._variables(trial)}"
             )
+
+    def _variables(self, trial: Trial) -> str:
+        """What may be named instead: variables over speed."""
+        name = self._criterion.analysis
+        known = [key for key, dims in variables(trial.results[name]).items() if "speed" in dims]
+        return f"name a variable of {name} after a point instead of words: {', '.join(known)}"
 
     def _read(
         self, trial: Trial, where: Mapping[str, object]
-    ) -> tuple[Array, tuple[float | None, ...]]:
-        """Values [SI] of the machine, and speeds [rpm] of headline numbers."""
+    ) -> tuple[Array, tuple[float | None, ...], tuple[str, ...]]:
+        """Values [SI] of the machine, speeds [rpm] of headline numbers, and names."""
         criterion = Criterion(self.of, {**self.where, **where})
         reading = criterion.read(trial.case, trial.results)
         unit = parse_unit(reading.unit) if reading.unit not in ("", "-") else parse_unit("")
@@ -154,15 +162,18 @@ class Numbers:
             raise InvalidInput(
                 f"measurement {self.name}: in {self.unit}, but {self.of} is in {reading.unit}"
             )
-        return reading.values * unit.scale, reading.speeds
+        return reading.values * unit.scale, reading.speeds, reading.names
 
     def _picked(self, values: Array, observed: Array) -> Array:
         """Of the values of the machine one for each that was observed."""
         if self.nearest and len(values):
             return values[np.abs(values[:, None] - observed).argmin(axis=0)]
         if len(values) != len(observed):
+            count = f"{len(values)} value{'s' if len(values) != 1 else ''}"
+            select = "name one of them" if ":" in self.of else "select with where"
+            remedy = f": {select}, or give nearest: true" if len(values) > len(observed) else ""
             raise InvalidInput(
-                f"measurement {self.name}: {self.of} has {len(values)} values for "
-                f"{len(observed)} measured: select with where, or give nearest: true"
+                f"measurement {self.name}: {self.of} has {count} for {len(observed)} measured"
+                f"{remedy}"
             )
         return values

@@ -138,11 +138,12 @@ def _values(held: Held) -> Table:
     rows = []
     for k, name in enumerate(held.unknowns):
         ends = [float(of[f"{end} end of 95 %"].values[k]) for end in ("lower", "upper")]
-        digits, unit, word = decimals(*ends), of["unit"].words[k], of["verdict"].words[k]
+        value, unit = float(of["value"].values[k]), of["unit"].words[k]
+        digits, word = decimals(ends[0], ends[1], value), of["verdict"].words[k]
         bounds = [float(of[f"{end} bound"].values[k]) for end in ("lower", "upper")]
         between = "–" if word == ON_A_BOUND else _between(ends, digits, bounds)
         cells = [f"{name} [{unit}]" if unit else name]
-        cells += [number(float(of["value"].values[k]), digits), between]
+        cells += [number(value, digits), between]
         if profiled:
             other = [float(of[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
             cells.append(_between(other, digits, bounds) if np.isfinite(other).all() else "–")
@@ -243,7 +244,7 @@ def _predictions(held: Held) -> Table:
     rows = []
     for k, name in enumerate(of["name"].words):
         unit = of["unit"].words[k]
-        digits = decimals(*(float(of[end].values[k]) for end in ("low", "high")))
+        digits = decimals(*(float(of[end].values[k]) for end in ("low", "high", "value")))
         cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
         bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
         parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]

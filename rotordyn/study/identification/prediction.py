@@ -1,7 +1,8 @@
 """What the identified machine would show: headline numbers of its case, with their intervals.
 
-By the delta method: the derivatives of a number by the unknowns, and the covariance of these. One
-that follows an unknown on a bound, whose covariance nobody knows, has none.
+By the delta method: the derivatives of a number by the unknowns, and the covariance of these. An
+unknown on a bound is not in that: a number that would change over all that was known of it before
+by more than a small share of its interval has none.
 """
 
 from __future__ import annotations
@@ -20,10 +21,12 @@ from rotordyn.field import shown
 from rotordyn.study.identification.certainty import ON_A_BOUND, Certainty
 from rotordyn.study.identification.problem import STEP, Problem
 from rotordyn.study.identification.trial import Known
+from rotordyn.study.identification.unknown import FLAT
 from rotordyn.study.optimum.criterion import Criterion, amount
 
 Array = NDArray[np.float64]
-FOLLOWS = 1e-6  # of a number, by the scale of an unknown: below, it does not hang on that
+FOLLOWS = 0.05  # of half an interval: a change below it is left out
+ROUNDING = 1e-6  # of a number: a change below it is none
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,9 +123,10 @@ def predictions(
     found = []
     for name, (unit, value, measured) in best.items():
         half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
-        least = FOLLOWS * abs(value)
-        triples = zip(problem.unknowns, sure.words, slopes[name], strict=True)
-        bound = tuple(u.name for u, w, slope in triples if w == ON_A_BOUND and abs(slope) > least)
+        least = max(FOLLOWS * half, ROUNDING * abs(value))
+        changes = FLAT * np.abs(slopes[name])  # over the whole range known before
+        triples = zip(problem.unknowns, sure.words, changes, strict=True)
+        bound = tuple(u.name for u, w, change in triples if w == ON_A_BOUND and change > least)
         half = np.nan if bound else half
         found.append(
             Prediction(name, unit, value, value - half, value + half, measured, bound=bound)

@@ -67,7 +67,7 @@ def _predictions(found: Identification) -> Iterator[str]:
     rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured" * beside)]
     for each in found.predictions:
         measured = "" if each.measured is None else f"{each.measured:.4g}"
-        digits = decimals(each.low, each.high)
+        digits = decimals(each.low, each.high, each.value)
         value, low, high, least, most = (
             "" if v is None else number(v, digits)
             for v in (each.value, each.low, each.high, each.least, each.most)
@@ -104,7 +104,7 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         sure.words,
         strict=True,
     ):
-        digits = decimals(*map(unknown.shown, ends))
+        digits = decimals(*map(unknown.shown, (*ends, value)))
         shown = number(unknown.shown(value), digits)
         between = (
             ""
@@ -118,10 +118,14 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         yield unknown.heading, shown, between, *profile, word
 
 
-def decimals(low: float, high: float) -> int:
-    """With which half of an interval has two digits."""
-    half = abs(high - low) / 2.0
-    return int(np.clip(1 - np.floor(np.log10(half)), 0, 6)) if 0.0 < half < np.inf else 3
+def decimals(low: float, high: float, value: float) -> int:
+    """With which half of an interval has two digits; where there is none, a value four."""
+    half, size = abs(high - low) / 2.0, abs(value)
+    known = 0.0 < half < np.inf
+    if not known and not 0.0 < size < np.inf:
+        return 0
+    last = np.floor(np.log10(half)) - 1 if known else np.floor(np.log10(size)) - 3
+    return int(np.clip(-last, 0, 6))
 
 
 def _differences(model: Explained) -> Iterator[tuple[str, ...]]:

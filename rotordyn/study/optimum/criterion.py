@@ -35,8 +35,9 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class Criterion:
-    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, or
-    ``of`` "analysis.variable" a variable of its dataset, by its size where it is complex.
+    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, of
+    those in several units the ones whose whole name they are; or ``of`` "analysis.variable" a
+    variable of its dataset, by its size where it is complex.
 
     ``where``: entries of its coordinates, by name a word (``*`` any letters), a number, or a pair
     of numbers that bound a range; numbers in SI units or text with a unit.
@@ -75,6 +76,8 @@ class Criterion:
         if self.where:
             raise InvalidInput(f"{shown(self.of)}: where selects of a variable, not of a number")
         if len({each.unit for each in found}) > 1:
+            found = [each for each in found if each.name == words] or found
+        if len({each.unit for each in found}) > 1:
             several = ", ".join(dict.fromkeys(each.name for each in found))
             raise InvalidInput(
                 f"{shown(self.of)}: these numbers have several units: name one of {several}"
@@ -87,17 +90,13 @@ class Criterion:
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]
-        fields = {
-            key: each.metadata
-            for key, each in declared(result).items()
-            if each.metadata["role"] == "quantity" and _is_number(getattr(result, key))
-        }
+        fields = variables(result)
         if name not in fields:
             raise InvalidInput(
                 f"{shown(self.of)}: {self.analysis} has no such variable; allowed: "
                 f"{', '.join(fields)}{suggestion(name, fields)}"
             )
-        dims, printed = fields[name]["dims"], fields[name]["printed"]
+        dims, printed = fields[name], declared(result)[name].metadata["printed"]
         values = np.asarray(getattr(result, name))
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
         written = {dim: _written(result, dim) for dim in dims}
@@ -119,6 +118,15 @@ class Criterion:
             printed.unit,
             tuple(f"{self.of} {words}".strip() for words in compress(names, known)),
         )
+
+
+def variables(result: Any) -> dict[str, tuple[str, ...]]:
+    """Variables of a result that are numbers, with their dimensions."""
+    return {
+        key: each.metadata["dims"]
+        for key, each in declared(result).items()
+        if each.metadata["role"] == "quantity" and _is_number(getattr(result, key))
+    }
 
 
 def _is_number(values: Any) -> bool:

@@ -27,7 +27,7 @@ from rotordyn.study.identification.solve import identified
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import sought
 from rotordyn.study.identification.weighing import Weighing
-from rotordyn.study.optimum.criterion import Criterion
+from rotordyn.study.optimum.criterion import Criterion, Reading
 from tests.rotordyn.study.axial_twin import (
     FRONT,
     KNOWN,
@@ -209,16 +209,62 @@ def test_words_are_held_at_their_own_speed(case: Case) -> None:
         deviation=1.0, unit="N",
     )  # fmt: skip
     slow = replace(sums, name="slow", speed=np.array([0.0, 4000.0]) * RPM)
-    stop = replace(sums, name="stop", of="preload: stop", unit="rpm")
     trial = Trial(plain, (0.0, 24000.0 * RPM), {"preload": case.analyses["preload"]})
     whole = Criterion("preload: sum").read(plain, trial.results).values
     assert sums.predicted(trial) == pytest.approx(whole[::-1])
     one = replace(sums, speed=sums.speed[:1], values=np.ones(1))
     assert one.predicted(trial) == pytest.approx(whole[1:])
-    with pytest.raises(InvalidInput, match=r"0 and 24000 rpm, the first and .* not at 4000 rpm"):
+    with pytest.raises(
+        InvalidInput, match=r"0 and 24000 rpm, .* at 4000 rpm: .* words: .* position, "
+    ):
         slow.predicted(trial)
-    with pytest.raises(InvalidInput, match="the first and the last of these, 0 rpm, 24000 rpm"):
-        stop.predicted(trial)
+
+
+def test_a_number_without_a_speed_is_measured_at_any(case: Case) -> None:
+    """When a stop is met, whatever speed it was noted at."""
+    asked = {"preload": case.analyses["preload"]}
+    trial = Trial(replace(case, analyses=asked), (*SPEEDS, 24000.0 * RPM), asked)
+    stop = Numbers(
+        name="stop", of="preload: stop", speed=SPEEDS[1:], values=np.ones(1), deviation=9.0,
+        unit="rpm",
+    )  # fmt: skip
+    (value,) = Criterion("preload: stop").read(trial.case, trial.results).values
+    assert stop.predicted(trial) == pytest.approx([value * RPM])
+    two = replace(stop, speed=np.array(SPEEDS), values=np.ones(2))
+    with pytest.raises(InvalidInput, match=r"has 1 value for 2 measured$"):
+        two.predicted(trial)
+    assert "words" not in str([*replace(stop, of="preload").faults(case)])
+
+
+def test_a_whole_name_is_not_another_that_begins_so() -> None:
+    """`nose_face` is in µm, `nose_face at` in rpm."""
+    case = rotordyn.load(STUDIES.parent / "mfw2310_unbalance.yaml")
+    few = rotordyn.vary(case, {"speeds": [100.0, 1000.0]})
+    trial = Trial(few, few.speeds, few.analyses)
+    one = Numbers(
+        name="nose", of="unbalance: nose_face", speed=np.array([1000.0]), values=np.ones(1),
+        deviation=1.0, unit="um",
+    )  # fmt: skip
+    result = trial.results["unbalance"]
+    wanted = np.nanmax(result.fine_major_axis[:, list(result.point).index("nose_face")])
+    assert one.predicted(trial) == pytest.approx([wanted])
+
+
+def test_two_ends_without_a_speed_are_the_first_and_the_last(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = {"preload": case.analyses["preload"]}
+    trial = Trial(replace(case, analyses=asked), (*SPEEDS, 24000.0 * RPM), asked)
+    reading = Reading(np.array([1.0, 2.0]), "N", ("sum", "sum"), (None, None))
+    monkeypatch.setattr(Criterion, "read", lambda *_: reading)
+    ends = np.array([SPEEDS[0], 24000.0 * RPM])
+    sums = Numbers(
+        name="sums", of="preload: sum", speed=ends, values=np.ones(2), deviation=1.0, unit="N"
+    )
+    assert sums.predicted(trial) == pytest.approx([1.0, 2.0])
+    for speed in (ends[::-1], np.array(SPEEDS)):
+        with pytest.raises(InvalidInput, match="last of all measured, 4000 rpm, 24000 rpm"):
+            replace(sums, speed=speed).predicted(trial)
 
 
 @pytest.mark.parametrize("conditions", ["films", "static"])

@@ -7,12 +7,16 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 from scipy.optimize import linprog
+from scipy.stats import norm, t
 
 import rotordyn
-from rotordyn import Unknown
-from rotordyn.study.identification.certainty import certainty
+from rotordyn import Predicted, Unknown
+from rotordyn.results.display import number
+from rotordyn.study.identification import prediction
+from rotordyn.study.identification.certainty import QUARTILE, certainty
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.summary import decimals
 from rotordyn.study.identification.unknown import sought
 from tests.rotordyn.study.axial_twin import FRONT, REAR, Array
 from tests.rotordyn.study.made_up import MadeUp
@@ -52,6 +56,73 @@ def test_intervals_cover_as_they_say(degrees: int, noise: float) -> None:
         assert sure.degrees == degrees
         held.append((sure.interval[:, 0] <= TRUE) & (sure.interval[:, 1] >= TRUE))
     assert 0.92 < np.mean(held) < 0.98
+
+
+@pytest.mark.parametrize("absolute", [False, True])
+@pytest.mark.parametrize("degrees", [1, 8])
+def test_intervals_do_not_jump(degrees: int, *, absolute: bool) -> None:
+    """Over the size of residuals: normal at those of the stated noise, Student's t well above."""
+    forms = np.random.default_rng(2).normal(size=(degrees + 2, 2))
+    apart = np.linalg.svd(forms)[0][:, -1]  # what no values explain
+    apart /= np.median(np.sort(np.abs(apart))[2:]) / QUARTILE if absolute else degrees**-0.5
+    scale = np.geomspace(0.5, 20.0, 4000)
+    half, quantile = [], []
+    for size in scale:
+        y = forms @ TRUE + size * apart
+        problem = Linear(CASE, UNKNOWNS, (MadeUp(y, 1.0),), forms=forms)
+        predicted = problem.predicted(TRUE)
+        rows = problem.rows(predicted, TRUE)
+        sure = certainty(problem, Fit(TRUE, float(rows @ rows), predicted), absolute=absolute)
+        half.append(float(sure.quantile * sure.birge))
+        quantile.append(sure.quantile)
+    assert quantile[0] == pytest.approx(norm.ppf(0.975))
+    assert quantile[-1] == pytest.approx(t.ppf(0.975, degrees))
+    assert np.diff(half).min() >= 0.0
+    assert (np.diff(half) / half[1:]).max() < 0.05
+
+
+def test_a_value_on_a_bound_makes_no_residual_0() -> None:
+    """Of three residuals beside one free value two count."""
+    values = np.array([500.0, 1000.0])
+    y = np.array([500.0, 1.0, 3.0])
+    problem = Linear(CASE, UNKNOWNS, (MadeUp(y, 1.0),), forms=np.diag([1.0, 0.0, 0.0])[:, :2])
+    fit = Fit(values, 10.0, problem.predicted(values))
+    sure = certainty(problem, fit, absolute=True)
+    assert sure.words[1] == "on a bound"
+    assert sure.birge == pytest.approx(2.0 / QUARTILE)
+
+
+def test_a_value_on_a_bound_takes_the_interval_of_what_follows_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """By 0.01 N over its whole range it does not, beside ± 2 N; by 1 N it does."""
+    values = np.array([500.0, 1000.0])
+    problem = Linear(CASE, UNKNOWNS, (MadeUp(values, 1.0),), forms=np.eye(2))
+    sure = certainty(problem, Fit(values, 0.0, problem.predicted(values)))
+
+    def numbers(_: Problem, at: Array, *__: object) -> dict[str, tuple[str, float, None]]:
+        return {f"{by:g}": ("N", float(at @ [1.0, by]), None) for by in (1e-5, 1e-3)}
+
+    monkeypatch.setattr(prediction, "numbers", numbers)
+    hardly, much = prediction.predictions(problem, sure, (Predicted("preload: sum"),))
+    assert hardly.bound == ()
+    assert 0.5 * (hardly.high - hardly.low) == pytest.approx(1.96, rel=1e-3)
+    assert much.bound == ("rear spring preload",)
+    assert np.isnan([much.low, much.high]).all()
+
+
+@pytest.mark.parametrize(
+    ("ends", "value", "printed"),
+    [
+        ((85.82, 86.85), 86.339, "86.34"),
+        ((np.nan, np.nan), 86.339, "86.34"),
+        ((np.nan, np.nan), 2190.4, "2190"),
+        ((np.nan, np.nan), 0.0123456, "0.01235"),
+        ((0.0, 0.0), 0.0, "0"),
+    ],
+)
+def test_digits(ends: tuple[float, float], value: float, printed: str) -> None:
+    assert number(value, decimals(*ends, value)) == printed
 
 
 @pytest.mark.parametrize("outliers", [0.0, 0.06])
