@@ -3,8 +3,8 @@
 Every bearing has three nodes (``bearings.heat.temperature``); the preload joins them, since growth
 of one ring loads all. Preload and temperatures are found in turn: at the state of each turn the
 temperatures that its contacts and the thinning of the oil lead to, at these the next state. Where
-turns come nearer by less than half, as close to the limit, they are extrapolated by the last two
-(D. G. Anderson, J. ACM 12 (1965) 547, with a depth of one).
+a turn changes temperatures by more than half of what the last one did, as close to the limit, they
+are extrapolated by the last two (D. G. Anderson, J. ACM 12 (1965) 547, with a depth of one).
 """
 
 from __future__ import annotations
@@ -103,8 +103,8 @@ def _along(a: Array, b: Array) -> Array:
 
 
 def _ahead(step: Array, change: Array, further: Array) -> Array:
-    """How far the next turns would lead beyond this one, where every step changes by as much as the
-    last one did, and so do its temperatures (``further``)."""
+    """How far the next turns lead beyond this one if ``step`` goes on to change as by the last
+    turn, ``change``, which moved temperatures by ``further``."""
     share = _along(change, step) / np.maximum(_along(change, change), 1e-300)
     return -share[:, None, None] * further
 
