@@ -7,6 +7,8 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+import numpy as np
+
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
@@ -15,6 +17,7 @@ from rotordyn.results.headline import Curve, curves_of
 code = partial(Code, __name__)
 
 MOST_POINTS = 3
+SEEN = 1e-6  # of the largest orbit: less, next to rest, would stretch the axis
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
@@ -31,4 +34,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     field, how = "fine_major_axis", {"figure": "unbalance", "along": "fine_speed"}
     for curve in islice(curves_of(variant.result, field, panels="point", **how), MOST_POINTS):
         title = f"{curve.panel}, major half axis, zero to peak"
-        yield curve._replace(label="half axis of the orbit", title=title, log=True)
+        y = np.asarray(curve.y)
+        largest = np.max(y, where=np.isfinite(y), initial=0.0)
+        seen = np.where(y > SEEN * largest, y, np.nan)
+        yield curve._replace(y=seen, label="half axis of the orbit", title=title, log=True)
