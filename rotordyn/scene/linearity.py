@@ -76,7 +76,7 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
         miss = np.linalg.norm((found.load[:, 0] - still.load - linear) * lever, axis=-1)
         least = SEEN * np.linalg.norm(still.load * lever, axis=-1)
         share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)
-        share = np.where((size == 0.0) & (miss > 0.0), np.inf, share)  # of a bearing without load
+        share = np.where((size == 0.0) & (miss > least), np.inf, share)  # of a bearing without load
         lost = np.asarray(found.outcome[:, 0] == "overloaded")
         apart[:, seat] = np.where(lost, np.inf, share).max(axis=-1)
     return apart

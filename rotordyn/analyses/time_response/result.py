@@ -94,7 +94,7 @@ class TimeResponseResult:
     stop_error: Array = quantity(
         *SLEEVE,
         unit="1",
-        label="change of the stop force by the last halving of the steps, over it",
+        label="change of the stop force by the last halving of the steps, over the larger",
         absent=(Absence("of a sleeve without a stop that closes", by=("speed", "sleeve")),),
     )
     holding: Array = quantity(

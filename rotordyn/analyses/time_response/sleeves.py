@@ -43,7 +43,7 @@ def sleeve_margins(
         "gap": begun[:, None] + way * moved,
         "stop_gap": gap,
         "stop_force": force,
-        "stop_error": np.abs(force - other) / np.maximum(force, LEAST),
+        "stop_error": np.abs(force - other) / np.maximum(np.maximum(force, other), LEAST),
         "holding": np.where(rubs, of_friction, np.where(stands, of_stop, np.nan)),
     }
 
