@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from bearings.errors import NoEquilibrium as NoEquilibrium
     from bearings.flexible_rings.describe import ElasticRing as ElasticRing
     from bearings.flexible_rings.describe import FlexibleRings as FlexibleRings
+    from bearings.flexible_rings.describe import Neighbour as Neighbour
     from bearings.follower import Followed as Followed
     from bearings.follower import Follower as Follower
     from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
@@ -49,7 +50,7 @@ _NAMES = {
     "catalogue.estimate": ("EstimatedBearing", "estimate"),
     "catalogue.printed": ("Catalogue",),
     "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
-    "flexible_rings.describe": ("ElasticRing", "FlexibleRings"),
+    "flexible_rings.describe": ("ElasticRing", "FlexibleRings", "Neighbour"),
     "follower": ("Followed", "Follower"),
     "lubricant": ("Lubricant",),
     "materials": ("SILICON_NITRIDE", "STEEL", "Material"),

@@ -45,6 +45,11 @@ class Compliance:
     cardinal: Array
     outward: float
 
+    def mirrored(self) -> Compliance:
+        """Of the same ring with its neighbours on the other side: φ is −φ, and of two grooves each
+        is the other."""
+        return replace(self, between=self.between[..., ::-1, ::-1], own=self.own[::-1, ::-1])
+
     def for_equal_loads(self, harmonic: int) -> Compliance:
         """For one ball that stands for all, loaded alike: ball k answers with cos(harmonic ψ_k)."""
         around = np.cos(2.0 * np.pi * harmonic * np.arange(len(self.between)) / len(self.between))

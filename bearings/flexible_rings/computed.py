@@ -5,11 +5,15 @@ mean normal displacement over that line, weighted like the load: the compliance 
 what a load does at its own place, the part is taken out that Hertz's law counts already, the
 displacement of a half-space under the same load; the difference converges with few harmonics and a
 coarse section.
+
+Neighbours of a ring are loaded as it is. All of them hold the energy ½ Σ_rs Q C_rs Q, of which half
+of what two do to one another counts for each: C = C_00 + ½ Σ_r (C_0r + C_r0).
 """
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -38,6 +42,9 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     ------
     InvalidBearing : as ``outline``
     """
+    opposite = tuple(sorted(each._replace(distance=-each.distance) for each in ring.neighbours))
+    if opposite > ring.neighbours:  # front and rear of a set are images of one another
+        return compliance(grooves, replace(ring, neighbours=opposite), inner=inner).mirrored()
     shape = section(grooves, ring, inner=inner)
     body = Body(shape, grooves.ring_material, ring.backing_material, held=ring.ends == "clamped")
     half_length = PATCH * grooves.ball_diameter
@@ -47,10 +54,17 @@ def compliance(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Complianc
     cardinal[0] = np.linalg.inv(np.polynomial.chebyshev.chebvander(points, ANGLES - 1))
     for order in (1, 2):
         cardinal[order, :-order] = np.polynomial.chebyshev.chebder(cardinal[0], order)
-    limits = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs])
+    limits = np.array([(at[0] + margin, at[-1] - margin) for _, at, _ in shape.arcs[0]])
     angles = 0.5 * (limits.sum(axis=1)[:, None] + np.diff(limits, axis=1) * points)
+    ways = (False, *(each.mirrored for each in ring.neighbours))
     patches = np.array(
-        [_down(phi, shape) @ body.patch(arc, phi, half_length) for arc, phi in _places(angles)]
+        [
+            [
+                _down(phi, shape) @ body.patch(k, arc, phi, half_length)
+                for arc, phi in _places(angles, mirrored=mirrored)
+            ]
+            for k, mirrored in enumerate(ways)
+        ]
     )
     z = grooves.balls
     highest = _highest(z)
@@ -78,12 +92,14 @@ def _highest(balls: int) -> int:
 
 
 def _by_harmonics(body: Body, loads: Array, highest: int) -> Array:
-    """Responses by all harmonics (n, k, k) up to the ``highest``. The higher ones are ever
-    smoother over n: some are solved, the others lie on a spline (3e-4 of a deflection)."""
+    """Responses (n, k, k) to ``loads`` (rings, k, unknowns), alike on all rings, by all harmonics
+    up to the ``highest``. The higher ones are ever smoother over n: some are solved, the others lie
+    on a spline (3e-4 of a deflection)."""
     solved = [*range(DENSE)]
     while solved[-1] < highest:
         solved.append(min(highest, solved[-1] + max(1, round(SPARSER * solved[-1]))))
-    known = body.responses(loads, solved)
+    known = body.responses(loads, solved).sum(axis=1)
+    known = 0.5 * (known + known.swapaxes(-1, -2))
     found = np.empty((highest + 1, *known.shape[1:]))
     found[:SMOOTH] = known[:SMOOTH]
     spline = CubicSpline(solved[SMOOTH:], known[SMOOTH:])
@@ -91,7 +107,10 @@ def _by_harmonics(body: Body, loads: Array, highest: int) -> Array:
     return found
 
 
-def _places(angles: Array) -> list[tuple[int, float]]:
+def _places(angles: Array, *, mirrored: bool = False) -> list[tuple[int, float]]:
+    """Arc and φ of the known angles (g, k); of those at the same places in a mirror."""
+    if mirrored:
+        return [(len(angles) - 1 - arc, -phi) for arc, phi in _places(angles)]
     return [(arc, float(phi)) for arc, row in enumerate(angles) for phi in row]
 
 
@@ -102,4 +121,4 @@ def _down(phi: float, shape: Section) -> Array:
 
 def _radius(shape: Section, arc: int, phi: float) -> float:
     """Of the circle around the axis on which a place of a groove lies [m]."""
-    return float(shape.arcs[arc][2][1] + shape.outward * shape.radius * np.cos(phi))
+    return float(shape.arcs[0][arc][2][1] + shape.outward * shape.radius * np.cos(phi))

@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from itertools import pairwise
+from typing import NamedTuple
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
 from bearings.materials import STEEL, Material
 
 ENDS = ("free", "clamped")
+TOUCHING = 1e-3  # of the width: rings so close touch
 LENGTHS = ("width", "seat_diameter", "backing_diameter", "backing_length", "shoulder_diameter")
+
+
+class Neighbour(NamedTuple):
+    """Another ring of the same shape on the same shaft or in the same housing, its balls loaded
+    alike; ``distance`` of the middles [m], towards +x of the bearing; ``mirrored``: its bearing
+    takes thrust the other way."""
+
+    distance: float
+    mirrored: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,17 +35,20 @@ class ElasticRing:
     backing_diameter : bore of the shaft under an inner ring (0: solid), outside of the housing
         around an outer ring [m]
     backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: its
-        diameter beyond the ring on either side, along which what the ring does decays
+        diameter beyond the ring on either side, along which what the ring does decays. With
+        neighbours it reaches as far beyond the outermost of them
     ends : "free": the groove moves against the mean motion of the backing under the ring, which
         is what a beam model knows as the motion of its axis; "clamped": the far ends of the
         backing are held, and grooves move against these
     shoulder_diameter : where the groove ends, on both sides alike [m]; None: that of the bearing,
         else at 60°, or 20° beyond the free contact angle if that is more
     backing_material : isotropic; the ring is of the ring material of its bearing, as its contacts
+    neighbours : rings that deform the same backing
 
     Raises
     ------
-    InvalidBearing : a number that is not finite or out of range, an unknown word
+    InvalidBearing : a number that is not finite or out of range, an unknown word, neighbours that
+        overlap
     """
 
     width: float
@@ -43,6 +58,7 @@ class ElasticRing:
     ends: str = "free"
     shoulder_diameter: float | None = None
     backing_material: Material = STEEL
+    neighbours: tuple[Neighbour, ...] = ()
 
     def __post_init__(self) -> None:
         for name in LENGTHS:
@@ -69,6 +85,26 @@ class ElasticRing:
                 f"backing_length must be at least the width of the ring, {self.width * 1e3:g} mm, "
                 f"got {self.length * 1e3:g} mm"
             )
+        self._check_neighbours()
+
+    def _check_neighbours(self) -> None:
+        given: tuple[object, ...] = self.neighbours
+        for each in given:
+            if not (isinstance(each, Neighbour) and finite(each.distance)):
+                raise InvalidBearing(
+                    f"neighbours of a ring must be Neighbour(distance, mirrored), got {shown(each)}"
+                )
+        row = sorted(self.places)
+        if any(b - a < (1.0 - TOUCHING) * self.width for a, b in pairwise(row)):
+            raise InvalidBearing(
+                f"rings {self.width * 1e3:g} mm wide would overlap: neighbours must be at least so "
+                f"far apart, got {shown([each.distance for each in self.neighbours])} m"
+            )
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """Middles of the rings on this backing along the axis [m], its own first, at 0."""
+        return 0.0, *(each.distance for each in self.neighbours)
 
     @property
     def length(self) -> float:

@@ -16,11 +16,12 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from scipy.sparse import csc_matrix
+from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
-from skfem import Basis, BilinearForm, ElementQuad2, ElementVector, LinearForm, MeshQuad
+from skfem import Basis, ElementQuad2, ElementVector, LinearForm, MeshQuad
 
 from bearings.arrays import Array, Index
+from bearings.flexible_rings.describe import TOUCHING
 from bearings.flexible_rings.section import Section
 from bearings.materials import Material
 
@@ -30,8 +31,8 @@ POINTS = 24  # along a patch
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A section with its materials, ``held`` at its far ends or nowhere: then it moves against the
-    mean motion of its backing under the ring."""
+    """A section with its materials, ``held`` at its far ends or nowhere: then every ring moves
+    against the mean motion of its backing."""
 
     section: Section
     material: Material
@@ -47,37 +48,52 @@ class Body:
     @cached_property
     def stiffness(self) -> tuple[csc_matrix, ...]:
         """K₀, K₁, K₂ per radian."""
+        basis = self.basis
+        r = np.asarray(basis.global_coordinates())[1]
         first, shear = (
-            np.where(self.section.backing, back, ring)[:, None]
+            np.where(self.section.backing, back, ring)[:, None] * r * basis.dx
             for ring, back in zip(_lame(self.material), _lame(self.backing), strict=True)
         )
-        parts = (_constant, _linear, _quadratic)
-        given = {"first": first, "shear": shear}
-        wide = {k: np.broadcast_to(v, self.basis.dx.shape) for k, v in given.items()}
-        return tuple(BilinearForm(part).assemble(self.basis, **wide).tocsc() for part in parts)
+        still, turned = zip(*(_strains(each, r) for (each,) in basis.basis), strict=True)
+        a, b = (np.moveaxis(np.array(part), 2, 0) for part in (still, turned))
+        stress_a, stress_b = (_stress(part, first, shear) for part in (a, b))
+        mixed = _work(stress_a, b)
+        works = _work(stress_a, a), mixed + mixed.swapaxes(1, 2), _work(stress_b, b)
+        rows, columns = np.broadcast_arrays(
+            basis.element_dofs.T[:, :, None], basis.element_dofs.T[:, None, :]
+        )
+        where, shape = (rows.ravel(), columns.ravel()), (basis.N, basis.N)
+        return tuple(coo_matrix((work.ravel(), where), shape).tocsc() for work in works)
 
     def responses(self, loads: Array, harmonics: Sequence[int]) -> Array:
-        """What unit loads at θ = 0 do to one another (harmonics, k, k) [m/N], by each harmonic n.
+        """What unit loads at θ = 0 on the first ring do at the places of all (harmonics, rings, k,
+        k) [m/N], by each harmonic n; the last k is that of the loads.
 
-        ``loads`` (k, unknowns): each as weights of the displacements that it works on.
+        ``loads`` (rings, k, unknowns): each as weights of the displacements that it works on.
         """
-        found = np.empty((len(harmonics), len(loads), len(loads)))
+        rings, count = loads.shape[:2]
+        found = np.empty((len(harmonics), rings, count, count))
         for place, n in enumerate(harmonics):
-            balanced = loads - loads @ self._rigid(n).T @ self._mean(n)
+            rigid = self._rigid(n)
+            balanced = np.stack(
+                [
+                    each - each @ rigid.T @ self._mean(n, ring)
+                    for each, ring in zip(loads, self.section.rings, strict=True)
+                ]
+            )
             free = self._free(n)
             whole = self.stiffness[0] + n * self.stiffness[1] + n * n * self.stiffness[2]
             part = ((2.0 if n == 0 else 1.0) * math.pi * whole[free][:, free]).tocsc()
             factors = splu(
                 part, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=_SYMMETRIC
             )
-            response = balanced[:, free] @ factors.solve(balanced[:, free].T.copy())
-            found[place] = 0.5 * (response + response.T)
+            found[place] = balanced[..., free] @ factors.solve(balanced[0][:, free].T.copy())
         return found
 
-    def patch(self, arc: int, angle: float, half_length: float) -> Array:
+    def patch(self, ring: int, arc: int, angle: float, half_length: float) -> Array:
         """Mean axial and radial displacement (2, unknowns) over a parabola of a ``half_length`` [m]
-        along the groove, its middle at φ = ``angle``."""
-        corners, at, _ = self.section.arcs[arc]
+        along a groove of a ring, its middle at φ = ``angle``."""
+        corners, at, _ = self.section.arcs[ring][arc]
         node, weight = np.polynomial.legendre.leggauss(POINTS)
         share = 0.75 * weight * (1.0 - node**2)
         phi = angle + node * half_length / self.section.radius
@@ -105,10 +121,9 @@ class Body:
         """Unknowns that are solved for; of a body that is held nowhere all but those that fix where
         it is, to which balanced loads are blind."""
         basis, held = self.basis, np.zeros(self.basis.N, dtype=bool)
-        corners, x = self.section.corners, self.basis.doflocs[0]
         if self.held:
-            far = np.abs(corners[0, self.section.far]).max()
-            held |= np.abs(np.abs(x) - far) < 1e-9 * far
+            x, ends = self.basis.doflocs[0], self.section.far
+            held |= np.abs(np.subtract.outer(x, ends)).min(axis=1) < 1e-9 * (ends[1] - ends[0])
         elif n < 2:
             held[basis.nodal_dofs[0, 0]] = True
             if n == 1:
@@ -136,20 +151,19 @@ class Body:
         moves[1, along], moves[1, out], moves[1, around] = r[along], -x[out], x[around]
         return moves
 
-    def _mean(self, n: int) -> Array:
-        """The same motions as means over the backing under the ring (m, unknowns)."""
+    def _mean(self, n: int, ring: float) -> Array:
+        """The same motions as means over the backing under the ring there (m, unknowns)."""
         if self.held or n > 1:
             return np.zeros((0, self.basis.N))
-        x = self.section.corners[0]
-        reach = np.abs(x[self.section.seat]).max() * (1.0 + 1e-9)
-        quads = self.section.quads
-        under = (np.abs(x[quads]) <= reach).all(axis=0) & self.section.backing
+        away = np.abs(self.section.corners[0] - ring)
+        reach = self.section.half_width * (1.0 + TOUCHING)
+        under = (away[self.section.quads] <= reach).all(axis=0) & self.section.backing
         basis = Basis(
             self.basis.mesh, self.basis.elem, elements=np.flatnonzero(under), intorder=ORDER
         )
         forms = (_along,) if n == 0 else (_across, _tilting)
         means = np.stack([LinearForm(form).assemble(basis) for form in forms])
-        return np.asarray(means / (means * self._rigid(n)).sum(axis=1, keepdims=True))
+        return np.linalg.solve(means @ self._rigid(n).T, means)
 
 
 _SYMMETRIC = {"SymmetricMode": True}
@@ -165,40 +179,33 @@ def _lame(material: Material) -> tuple[float, float]:
     return 2.0 * material.shear_modulus * nu / (1.0 - 2.0 * nu), material.shear_modulus
 
 
-def _strains(u: Any, r: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+def _strains(u: Any, r: Array) -> tuple[list[Array], list[Array]]:
     """(εx, εr, εθ, γxr, γrθ, γxθ): what does not depend on n, and what is proportional to it."""
-    axial, radial, around, slope = u[0], u[1], u[2], u.grad
+    (axial, radial, around), slope = u, u.grad
     zero = 0.0 * r
-    still = (
+    still = [
         slope[0, 0],
         slope[1, 1],
         radial / r,
         slope[0, 1] + slope[1, 0],
         slope[2, 1] - around / r,
         slope[2, 0],
-    )
-    return still, (zero, zero, around / r, zero, -radial / r, -axial / r)
+    ]
+    return still, [zero, zero, around / r, zero, -radial / r, -axial / r]
 
 
-def _work(a: tuple[Any, ...], b: tuple[Any, ...], w: Any) -> Any:
-    """Stress of one strain on another, times r."""
-    swelling = (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2])
-    stretch = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-    shear = a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
-    return w.x[1] * (w["first"] * swelling + w["shear"] * (2.0 * stretch + shear))
+def _stress(strain: Array, first: Array, shear: Array) -> Array:
+    """Of strains (q, functions, 6, points), by λ and μ (q, points) times the area."""
+    found = shear[:, None, None] * strain
+    found[:, :, :3] *= 2.0
+    found[:, :, :3] += first[:, None, None] * strain[:, :, :3].sum(axis=2, keepdims=True)
+    return found
 
 
-def _constant(u: Any, v: Any, w: Any) -> Any:
-    return _work(_strains(u, w.x[1])[0], _strains(v, w.x[1])[0], w)
-
-
-def _linear(u: Any, v: Any, w: Any) -> Any:
-    (a, b), (c, d) = _strains(u, w.x[1]), _strains(v, w.x[1])
-    return _work(a, d, w) + _work(b, c, w)
-
-
-def _quadratic(u: Any, v: Any, w: Any) -> Any:
-    return _work(_strains(u, w.x[1])[1], _strains(v, w.x[1])[1], w)
+def _work(stress: Array, strain: Array) -> Array:
+    """Of every function on every other one (q, functions, functions)."""
+    flat = (*strain.shape[:2], -1)
+    return stress.reshape(flat) @ strain.reshape(flat).swapaxes(1, 2)
 
 
 def _along(v: Any, w: Any) -> Any:

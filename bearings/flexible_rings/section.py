@@ -1,4 +1,4 @@
-"""Quadrilaterals that fill the section of a ring and of what it sits on.
+"""Quadrilaterals that fill the section of a ring, its neighbours, and what they sit on.
 
 Columns run from the raceway straight to the seat, and on through shaft or housing; the groove is
 followed in equal steps of its angle φ, counted from the radial direction through the groove centre,
@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arrays import Array, Index
-from bearings.flexible_rings.describe import ElasticRing
+from bearings.flexible_rings.describe import TOUCHING, ElasticRing
 from bearings.flexible_rings.outline import outline
 from bearings.grooves import Grooves
 
@@ -24,25 +25,29 @@ DEEP = 3  # layers of the backing
 FIRST, WIDER = 10.0, 1.5  # of the width: the first column beside the ring, and how they widen
 SOLID = 0.02  # of the seat's radius: the hole in a solid shaft, without measurable effect
 
+Arc = tuple[Index, Array, tuple[float, float]]
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Section:
     """Corners (2, v) [m] (axial, radial), quadrilaterals (4, q), and which (q,) are backing.
 
-    ``arcs``: of every groove, that with its centre at +x first as contacts are counted: corners
-    (k,), angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of
-    the radial direction into the material; ``seat``, ``far``: corners on the seat, and at the far
-    ends of the backing.
+    ``rings``: middles of the rings along the axis [m], as ``ElasticRing.places``; ``arcs``: of each
+    of these every groove, that with its centre at +x first as contacts are counted: corners (k,),
+    angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of the
+    radial direction into the material; ``half_width`` of a ring; ``far``: ends of the backing along
+    the axis.
     """
 
     corners: Array
     quads: NDArray[np.intp]
     backing: NDArray[np.bool_]
-    arcs: tuple[tuple[Index, Array, tuple[float, float]], ...]
+    rings: tuple[float, ...]
+    arcs: tuple[tuple[Arc, ...], ...]
     radius: float
     outward: float
-    seat: Index
-    far: Index
+    half_width: float
+    far: tuple[float, float]
 
 
 def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
@@ -67,51 +72,82 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
     depth = np.concatenate([[0.0], np.cumsum(GROWTH ** np.arange(LAYERS))])
     share = (depth / depth[-1])[:, None, None]
     body = (1.0 - share) * raceway + share * seat
-    corners = body.reshape(-1, 2)
-    number = np.arange(len(corners)).reshape(body.shape[:2])
-    quads = _quads(number)
-    more, grid = _backing(ring, outward, seat[:, 0], number[-1], len(corners))
+    single = np.arange(body.shape[0] * body.shape[1]).reshape(body.shape[:2])
+    corners = np.concatenate([(body + np.array([x, 0.0])).reshape(-1, 2) for x in ring.places])
+    numbers = [single + k * single.size for k in range(len(ring.places))]
+    in_row = np.argsort(ring.places)
+    for left, right in pairwise(in_row):
+        if ring.places[right] - ring.places[left] < (1.0 + TOUCHING) * ring.width:
+            numbers[right][-1, 0] = numbers[left][-1, -1]  # one corner of the seat is of both
+    rings = np.concatenate([_quads(number) for number in numbers])
+    grid, more = _backing(ring, outward, [numbers[k][-1] for k in in_row], corners)
     corners, beyond = np.concatenate([corners, more]), _quads(grid)
-    backing = np.arange(len(quads) + len(beyond)) >= len(quads)
-    quads = np.concatenate([quads, beyond])
-    on_seat, far = number[-1], np.concatenate([grid[:, 0], grid[:, -1]])
+    backing = np.arange(len(rings) + len(beyond)) >= len(rings)
+    quads = np.concatenate([rings, beyond])
+    used, place_of = np.unique(quads, return_inverse=True)  # corners that two rings share are one
+    corners, quads = corners[used], place_of.reshape(quads.shape)
     middle, turned = len(raceway) // 2, len(half)
-    first = number[0, middle : middle + turned], half, (-offset, centre)
-    second = number[0, middle - turned + 1 : middle + 1], -half[::-1], (offset, centre)
-    if offset > 0.0:
-        arcs: tuple[tuple[Index, Array, tuple[float, float]], ...] = (second, first)
-    else:
-        whole = np.concatenate([second[0], first[0][1:]]), np.concatenate([second[1], half[1:]])
-        arcs = ((*whole, (0.0, centre)),)
+    arcs = []
+    for number, place in zip(numbers, ring.places, strict=True):
+        along = np.searchsorted(used, number[0])
+        first = along[middle : middle + turned], half, (place - offset, centre)
+        second = along[middle - turned + 1 : middle + 1], -half[::-1], (place + offset, centre)
+        whole = np.append(second[0], first[0][1:]), np.append(second[1], half[1:]), (place, centre)
+        arcs.append((second, first) if offset > 0.0 else (whole,))
     return Section(
-        corners.T, _right_handed(corners, quads).T, backing, arcs, radius, outward, on_seat, far
+        corners.T,
+        _right_handed(corners, quads).T,
+        backing,
+        ring.places,
+        tuple(arcs),
+        radius,
+        outward,
+        0.5 * ring.width,
+        (float(corners[:, 0].min()), float(corners[:, 0].max())),
     )
 
 
 def _backing(
-    ring: ElasticRing, outward: float, seat: Array, taken: Index, count: int
-) -> tuple[Array, NDArray[np.intp]]:
-    """More corners, from number ``count``, and the grid of all, its first row that of the seat."""
+    ring: ElasticRing, outward: float, seats: list[Index], corners: Array
+) -> tuple[NDArray[np.intp], Array]:
+    """The grid of all corners of the backing, its first row with the ``seats`` of the rings from
+    left to right, and those that are new, numbered on from ``corners``."""
+    first = ring.width / FIRST
     beside = 0.5 * (ring.length - ring.width)
-    x = seat
-    columns = 0
-    if beside > 1e-6 * ring.width:
-        first = ring.width / FIRST
-        columns = max(1, math.ceil(math.log1p((WIDER - 1.0) * beside / first) / math.log(WIDER)))
-        out = np.cumsum(WIDER ** np.arange(columns))
-        out = 0.5 * ring.width + beside * out / out[-1]
-        x = np.concatenate([-out[::-1], seat, out])
+    left, right = corners[seats[0][0], 0], corners[seats[-1][-1], 0]
+    top = [np.full(0, -1), seats[0]]
+    x = [left - _graded(beside, first)[::-1], corners[seats[0], 0]]
+    for one, other in pairwise(seats):
+        start, end = corners[one[-1], 0], corners[other[0], 0]
+        half = _graded(0.5 * (end - start), first)
+        between = np.concatenate([start + half, end - half[-2::-1]])
+        shared = int(one[-1] == other[0])
+        x += [between, corners[other[shared:], 0]]
+        top += [np.full(len(between), -1), other[shared:]]
+    x.append(right + _graded(beside, first))
+    top[0] = np.full(len(x[0]), -1)
+    top.append(np.full(len(x[-1]), -1))
+    along = np.concatenate(x)
     start = 0.5 * ring.seat_diameter
     end = 0.5 * ring.backing_diameter
     if outward < 0.0:
         end = max(end, SOLID * start)
     r = np.linspace(start, end, DEEP + 1)
-    grid = np.full((DEEP + 1, len(x)), -1, dtype=np.intp)
-    grid[0, columns : len(x) - columns] = taken
+    grid = np.full((DEEP + 1, len(along)), -1, dtype=np.intp)
+    grid[0] = np.concatenate(top)
     new = grid < 0
-    grid[new] = count + np.arange(new.sum())
-    place = np.stack(np.broadcast_arrays(x, r[:, None]), axis=-1)
-    return place[new], grid
+    grid[new] = len(corners) + np.arange(new.sum())
+    place = np.stack(np.broadcast_arrays(along, r[:, None]), axis=-1)
+    return grid, place[new]
+
+
+def _graded(length: float, first: float) -> Array:
+    """Ends (k,) of columns along a ``length``, each ``WIDER`` than the last; none along nothing."""
+    if length < TOUCHING * first:
+        return np.empty(0)
+    columns = max(1, math.ceil(math.log1p((WIDER - 1.0) * length / first) / math.log(WIDER)))
+    out = np.cumsum(WIDER ** np.arange(columns))
+    return np.asarray(length * out / out[-1])
 
 
 def _quads(number: NDArray[np.intp]) -> NDArray[np.intp]:

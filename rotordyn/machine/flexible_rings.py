@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Annotated
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Annotated, NamedTuple
 
 from bearings.bearing import BallBearing
-from bearings.flexible_rings.describe import ENDS, ElasticRing, FlexibleRings
+from bearings.flexible_rings.describe import (
+    ENDS,
+    TOUCHING,
+    ElasticRing,
+    FlexibleRings,
+    Neighbour,
+)
 from bearings.materials import STEEL, Material
 from rotordyn.description import Description, Faults
 from rotordyn.machine.fits import AROUND, Fits, InnerSize, OuterSize, RingWidth, no_housing
@@ -15,6 +22,16 @@ from rotordyn.units import format_quantity
 
 WHICH = ("both", "inner", "outer")
 SIZES = ("bore_diameter", "outside_diameter", "width")
+NEIGHBOURS = ("alike", "apart")
+
+
+class Beside(NamedTuple):
+    """A bearing beside another one of the same kind and size: its ``rings``, its ``place`` relative
+    to that one, and whether one sleeve or housing carries both."""
+
+    rings: FlexibleRings
+    place: Neighbour
+    carried_alike: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +73,12 @@ class RingBodies(Description):
         "`free`: grooves move against the mean motion of what is under the ring; `clamped`: "
         "against the held ends of that piece, as in a test rig",
     ] = ENDS[0]
+    neighbours: Annotated[
+        str,
+        Choice(NEIGHBOURS),
+        "rings of equal bearings that the same wall carries within `length`: `alike`: they deform "
+        "it together, under equal ball loads; `apart`: each has a wall of its own",
+    ] = NEIGHBOURS[0]
 
     @property
     def inner(self) -> bool:
@@ -72,7 +95,13 @@ class RingBodies(Description):
         """Whether every value was taken; faults of the others are reported by their keys."""
         named = (*SIZES, "shaft_bore", "housing_diameter", "length")
         sizes = [getattr(self, name) for name in named]
-        return self.which in WHICH and self.ends in ENDS and all(size == size for size in sizes)
+        words = self.which in WHICH and self.ends in ENDS and self.neighbours in NEIGHBOURS
+        return words and all(size == size for size in sizes)
+
+    @property
+    def joins(self) -> bool:
+        """Whether they deform their wall together with their neighbours."""
+        return self.neighbours == NEIGHBOURS[0] and self.sound and not any(self._faults())
 
     def _faults(self) -> Faults:
         for key, needs in zip(SIZES, (self.inner, self.outer, True), strict=True):
@@ -149,3 +178,23 @@ class RingBodies(Description):
                 backing_material=material,
             )
         return FlexibleRings(inner, outer)
+
+
+def together(rings: FlexibleRings, others: Iterable[Beside]) -> FlexibleRings:
+    """The rings of a bearing with those beside them that deform the same piece of wall."""
+    others = [*others]
+    inner, outer = rings.inner, rings.outer
+    if inner is not None:
+        places = [each.place for each in others if each.rings.inner == inner]
+        inner = _with(inner, places)
+    if outer is not None:
+        places = [each.place for each in others if each.rings.outer == outer and each.carried_alike]
+        outer = _with(outer, places)
+    return FlexibleRings(inner, outer)
+
+
+def _with(ring: ElasticRing, places: Iterable[Neighbour]) -> ElasticRing:
+    """A ring with its neighbours of these ``places``, those within its piece of the wall."""
+    nearest, furthest = (1.0 - TOUCHING) * ring.width, 0.5 * (ring.length + ring.width)
+    near = [place for place in places if nearest <= abs(place.distance) <= furthest]
+    return replace(ring, neighbours=tuple(sorted(near)))

@@ -278,7 +278,8 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
 
 
 def _common_walls(spindle: Spindle) -> Iterator[str]:
-    """Rings side by side that deform one thin wall, of which each has its own here."""
+    """Rings side by side that deform one thin wall, of which each has its own here: they differ,
+    or are taken apart."""
     row = sorted(spindle.seats, key=lambda seat: seat.x)
     common = []
     for one, other in pairwise(row):
@@ -286,6 +287,8 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
         for which, what in (("inner", "shaft"), ("outer", "housing or sleeve")):
             near, far = (getattr(each, which, None) for each in pair)
             if near is None or far is None or not _side_by_side(spindle, one, other, which):
+                continue
+            if abs(other.x - one.x) in {abs(each.distance) for each in near.neighbours}:
                 continue
             wall, seat = 0.5 * abs(near.backing_diameter - near.seat_diameter), near.seat_diameter
             if wall < COMMON * seat and near.backing_diameter == far.backing_diameter:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from typing import Annotated
 
 from bearings.bearing import BallBearing
+from bearings.flexible_rings.describe import FlexibleRings, Neighbour
 from rotordyn.description import Description, Faults, require
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import spindle_faults
 from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.flexible_rings import Beside, RingBodies, together
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
@@ -103,8 +105,29 @@ class Spindle(Description):
         known = seat.flexible_rings
         if known is None:
             return seat.bearing
+        rings = self._rings(seat, known)
+        if known.joins:
+            rings = together(rings, self._beside(seat))
+        return replace(seat.bearing, rings=rings)
+
+    def _rings(self, seat: BearingSeat, known: RingBodies) -> FlexibleRings:
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
-        return replace(seat.bearing, rings=known.bodies(seat.bearing, hole, material, seat.fits))
+        return known.bodies(seat.bearing, hole, material, seat.fits)
+
+    def _beside(self, seat: BearingSeat) -> Iterator[Beside]:
+        """Equal bearings with rings that deform besides that of a seat."""
+        low, high = self.shaft.reach
+        for other in self.seats:
+            known = other.flexible_rings
+            if other.name == seat.name or known is None or not known.joins:
+                continue
+            if other.known_bearing == seat.bearing and low <= other.x <= high:
+                away = seat.thrust * (other.x - seat.x)
+                yield Beside(
+                    self._rings(other, known),
+                    Neighbour(away, mirrored=other.thrust != seat.thrust),
+                    self.sleeve_of(other.name) == self.sleeve_of(seat.name),
+                )
 
     @property
     def damped(self) -> bool:

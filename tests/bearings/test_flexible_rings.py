@@ -15,6 +15,7 @@ import pytest
 import bearings.flexible_rings.computed as computed
 import bearings.flexible_rings.section as sections
 from bearings import (
+    STEEL,
     AngularContactBallBearing,
     DeepGrooveBallBearing,
     ElasticRing,
@@ -30,6 +31,7 @@ from bearings import (
 from bearings.errors import InvalidBearing
 from bearings.film import film
 from bearings.flexible_rings.computed import compliance
+from bearings.flexible_rings.describe import Neighbour
 from bearings.flexible_rings.harmonics import Body
 from bearings.flexible_rings.section import Section, section
 from bearings.on_film import softened
@@ -88,8 +90,11 @@ def angular() -> AngularContactBallBearing:
     return AngularContactBallBearing(**SPINDLE, contact_angle=math.radians(25.0))
 
 
-def tube(inner: float, outer: float, width: float, cells: tuple[int, int]) -> Section:
-    """A plain ring as a section: all of it is backing, its "groove" the surface within."""
+def tube(
+    inner: float, outer: float, width: float, cells: tuple[int, int], rings: int = 1
+) -> Section:
+    """A plain tube as a section, each part of its length a ring: all of it is backing, its
+    "grooves" the surface within."""
     x = np.linspace(-0.5 * width, 0.5 * width, cells[0] + 1)
     r = np.linspace(inner, outer, cells[1] + 1)
     corners = np.stack([part.ravel() for part in np.broadcast_arrays(x, r[:, None])])
@@ -98,20 +103,26 @@ def tube(inner: float, outer: float, width: float, cells: tuple[int, int]) -> Se
         4, -1
     )
     every = np.ones(quads.shape[1], dtype=bool)
-    arcs = ((number[0], x, (0.0, inner)),)
-    return Section(corners, quads, every, arcs, 1.0, 1.0, number[0], number[0, :0])
+    parts = np.split(np.arange(cells[0]), rings)
+    places = [float(x[[part[0], part[-1] + 1]].mean()) for part in parts]
+    ends = [slice(part[0], part[-1] + 2) for part in parts]
+    arcs = tuple(
+        ((number[0, end], x[end], (at, inner)),) for end, at in zip(ends, places, strict=True)
+    )
+    far = (-0.5 * width, 0.5 * width)
+    return Section(corners, quads, every, tuple(places), arcs, 1.0, 1.0, 0.5 * width / rings, far)
 
 
 def pushed(body: Body, width: float) -> np.ndarray:
-    """An even radial push on the surface within, of 1 N in all."""
-    corners, at, _ = body.section.arcs[0]
-    load = np.zeros((1, body.basis.N))
+    """An even radial push on the surface within every ring, of 1 N in all."""
     dofs = body.basis
-    edges = [tuple(sorted(pair)) for pair in pairwise(corners)]
-    for (a, b), h in zip(edges, np.diff(at), strict=True):
-        load[0, dofs.nodal_dofs[1, a]] += h / 6.0 / width
-        load[0, dofs.nodal_dofs[1, b]] += h / 6.0 / width
-        load[0, dofs.facet_dofs[1, body._facets[(int(a), int(b))]]] += 4.0 * h / 6.0 / width
+    load = np.zeros((len(body.section.rings), 1, dofs.N))
+    for row, [(corners, at, _)] in zip(load, body.section.arcs, strict=True):
+        edges = [tuple(sorted(pair)) for pair in pairwise(corners)]
+        for (a, b), h in zip(edges, np.diff(at), strict=True):
+            row[0, dofs.nodal_dofs[1, a]] += h / 6.0 / width
+            row[0, dofs.nodal_dofs[1, b]] += h / 6.0 / width
+            row[0, dofs.facet_dofs[1, body._facets[(int(a), int(b))]]] += 4.0 * h / 6.0 / width
     return load
 
 
@@ -131,7 +142,7 @@ def test_rigid_motions_store_no_energy() -> None:
 def test_a_tube_under_pressure_is_lames(outer: float) -> None:
     inner, width = 50e-3, 20e-3
     body = Body(tube(inner, outer, width, (2, 8)), THESIS, THESIS, held=False)
-    found = body.responses(pushed(body, width), [0])[0, 0, 0]
+    found = body.responses(pushed(body, width), [0])[0, 0, 0, 0]
     pressure = 1.0 / (2.0 * math.pi * inner * width)
     ratio = (outer**2 + inner**2) / (outer**2 - inner**2)
     assert found == pytest.approx(pressure * inner / 200e9 * (ratio + 0.3), rel=2e-5)
@@ -145,10 +156,113 @@ def test_a_thin_ring_bends_by_its_closed_form(n: int) -> None:
     body = Body(
         tube(radius - thick / 2.0, radius + thick / 2.0, width, (1, 2)), THESIS, THESIS, held=False
     )
-    found = body.responses(pushed(body, width), [n])[0, 0, 0]
+    found = body.responses(pushed(body, width), [n])[0, 0, 0, 0]
     inertia = width * thick**3 / 12.0
     thin = radius**3 / (math.pi * 200e9 * inertia * (n * n - 1) ** 2)
     assert found == pytest.approx(thin, rel=2.0 * (n * thick / radius) ** 2 + 2e-3)
+
+
+@pytest.mark.parametrize("n", [0, 1, 2, 5])
+def test_two_rings_loaded_alike_are_one_of_twice_the_width(n: int) -> None:
+    # One tube, as two rings under 1 N each and as one under 2 N: where the mean over both is read,
+    # the same; of either, which is the image of the other, also. Motions of the whole are those of
+    # each ring, against which it is read: they drop out.
+    width = 10e-3
+    pair = Body(tube(40e-3, 44e-3, 2.0 * width, (4, 3), 2), THESIS, THESIS, held=False)
+    whole = Body(tube(40e-3, 44e-3, 2.0 * width, (4, 3)), THESIS, THESIS, held=False)
+    each = pair.responses(pushed(pair, width), [n])[0, :, 0, 0].sum()
+    known = 2.0 * whole.responses(pushed(whole, 2.0 * width), [n])[0, 0, 0, 0]
+    assert each == pytest.approx(known, rel=1e-9)
+
+
+GROOVED = AngularContactBallBearing(
+    ball_diameter=12e-3, pitch_diameter=90e-3, balls=19, contact_angle=0.44
+).grooves
+BESIDE = (Neighbour(20e-3), Neighbour(-24e-3, mirrored=True), Neighbour(50e-3))
+
+
+@pytest.mark.parametrize("inner", [False, True])
+def test_a_set_fills_its_piece_of_the_wall_once(inner: bool) -> None:
+    # Rings that touch, and rings with a gap; their areas and that of the wall between.
+    ring = THIN.inner if inner else THIN.outer
+    assert ring is not None
+    alone, row = (
+        section(GROOVED, each, inner=inner) for each in (ring, replace(ring, neighbours=BESIDE))
+    )
+    area = []
+    for shape in (alone, row):
+        x, r = shape.corners[:, shape.quads]
+        each = 0.5 * ((x[2] - x[0]) * (r[3] - r[1]) - (x[3] - x[1]) * (r[2] - r[0]))
+        assert (each > 0.0).all()
+        area.append([float(each[~shape.backing].sum()), float(each[shape.backing].sum())])
+    wall = 0.5 * abs(ring.backing_diameter - ring.seat_diameter)
+    assert area[1][0] == pytest.approx(4.0 * area[0][0], rel=1e-9)
+    assert area[1][1] == pytest.approx(area[0][1] + wall * 74e-3, rel=1e-9)
+    assert np.diff(row.far) == pytest.approx(ring.length + 74e-3)
+
+
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_equal_loads_on_a_set_hold_the_energy_of_all_they_do(held: bool, mirrored: bool) -> None:
+    """Front and rear of a pair together have Σ C of all four blocks, by reciprocity one matrix."""
+    ring = replace(THIN.outer, ends="clamped" if held else "free", backing_length=90e-3)
+    z, harmonics = GROOVED.balls, np.arange(computed._highest(GROOVED.balls) + 1)
+    blocks = {}
+    total = np.zeros((z, z, 9, 9))
+    for away in (22e-3, -22e-3):
+        beside = replace(ring, neighbours=(Neighbour(away, mirrored),))
+        found = compliance(GROOVED, beside, inner=False)
+        total += found.between
+        shape = section(GROOVED, beside, inner=False)
+        body = Body(shape, STEEL, STEEL, held=held)
+        ways = [(0, 1.0), (1, -1.0 if mirrored else 1.0)]
+        angles = 0.5 * (found.limits.sum() + np.diff(found.limits) * _chebyshev(9)).ravel()
+        patches = [
+            [
+                np.array([math.sin(s * phi), math.cos(phi)])
+                @ body.patch(k, 0, s * phi, 0.1 * GROOVED.ball_diameter)
+                for phi in angles
+            ]
+            for k, s in ways
+        ]
+        blocks[away] = body.responses(np.array(patches), harmonics)
+    ahead, back = blocks.values()
+    if not mirrored:
+        size = np.abs(ahead[:, 1]).max()
+        assert np.abs(ahead[:, 1] - back[:, 1].swapaxes(1, 2)).max() < 1e-9 * size
+    else:
+        skew = ahead[:, 1] - ahead[:, 1].swapaxes(1, 2)
+        assert np.abs(skew).max() < 1e-9 * np.abs(ahead[:, 1]).max()
+    turn = np.cos(2.0 * np.pi * harmonics * 3 / z)  # of balls three places apart
+    known = np.einsum("n,nrab->ab", turn, ahead + back)
+    known = 0.5 * (known + known.T)
+    assert np.abs(total[0, 3] - known).max() < 1e-3 * np.abs(known).max()
+
+
+def _chebyshev(count: int) -> np.ndarray:
+    return np.cos(np.pi * (np.arange(count) + 0.5) / count)
+
+
+def test_under_a_load_across_the_axis_neighbours_make_a_thin_wall_give_more() -> None:
+    # They make it oval together; far away they do nothing.
+    load, work = [1000.0, 800.0, 0.0, 0.0, 0.0], []
+    for beside in ((), (BESIDE[0],), (Neighbour(-20e-3), BESIDE[0]), (Neighbour(900e-3),)):
+        ring = replace(THIN.outer, neighbours=beside, backing_length=1.0)
+        state = replace(angular(), rings=FlexibleRings(outer=ring)).equilibrium(load=load)
+        work.append(float(state.displacement @ load))
+    rigid = replace(angular(), rings=None).equilibrium(load=load).displacement @ load
+    alone, pair, triple, far = np.array(work) - rigid
+    assert 1.03 * alone < pair < 2.0 * alone
+    assert 1.05 * pair < triple < 3.0 * alone
+    assert far == pytest.approx(alone, rel=1e-3)
+
+
+def test_neighbours_that_overlap_are_refused() -> None:
+    for away, words in ((19e-3, "would overlap"), (math.nan, "must be Neighbour")):
+        with pytest.raises(InvalidBearing, match=words):
+            replace(THIN.outer, neighbours=(Neighbour(away),))
+    with pytest.raises(InvalidBearing, match="must be Neighbour"):
+        replace(THIN.outer, neighbours=(20e-3,))
 
 
 def _own(angle: float, ring: ElasticRing, *, inner: bool) -> float:

@@ -59,12 +59,11 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_catalogue": ("estimate from catalogue values",),
     "grinding_spindle_knock": ("estimate from catalogue values",),
     "grinding_spindle_rings": (
-        "cartridge: bearing a: its ball 13, at 180°",
+        "bearing a: its ball 13, at 180°",
         "has play in its housing by its fit",
-        "rings of bearings a and b (5 mm of housing or sleeve), c and d",
+        "apart: rings of bearings a and b (5 mm of housing or sleeve), c and d",
     ),
     "grinding_spindle_touch": ("estimate from catalogue values",),
-    "mfw2310_rings": ("rings of bearings d and e (3 mm of housing or sleeve) share one thin wall",),
     "squeeze_film_damper": ("modes are overdamped",),
     "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C from"),
 }

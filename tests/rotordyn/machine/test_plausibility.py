@@ -160,10 +160,18 @@ def test_a_mass_with_the_inertia_of_a_smaller_one(polar: float, said: bool) -> N
     assert ("mass pulley: its polar inertia of 9e-08 kg m^2 is far below" in words) == said
 
 
-def _elastic(housing: float, width: float = 0.018, apart: bool = False) -> str:
+def _elastic(
+    housing: float, width: float = 0.018, apart: bool = False, neighbours: str = "apart"
+) -> str:
     """What is said of the rear pair of the flagship in a sleeve with an outer diameter."""
     machine = mfw2310()
-    rings = RingBodies("outer", outside_diameter=0.095, width=width, housing_diameter=housing)
+    rings = RingBodies(
+        "outer",
+        outside_diameter=0.095,
+        width=width,
+        housing_diameter=housing,
+        neighbours=neighbours,
+    )
     seats = [
         replace(seat, flexible_rings=rings) if seat.name in "de" else seat for seat in machine.seats
     ]
@@ -178,3 +186,4 @@ def test_rings_that_deform_one_thin_wall_together_are_named() -> None:
     assert "one thin wall" not in _elastic(0.120)
     assert "one thin wall" not in _elastic(0.101, width=0.012)
     assert "one thin wall" not in _elastic(0.101, apart=True)
+    assert "one thin wall" not in _elastic(0.101, neighbours="alike")
