@@ -288,7 +288,7 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
             near, far = (getattr(each, which, None) for each in pair)
             if near is None or far is None or not _side_by_side(spindle, one, other, which):
                 continue
-            if abs(other.x - one.x) in {abs(each.distance) for each in near.neighbours}:
+            if spindle.joined(one, other, which):
                 continue
             wall, seat = 0.5 * abs(near.backing_diameter - near.seat_diameter), near.seat_diameter
             if wall < COMMON * seat and near.backing_diameter == far.backing_diameter:

@@ -110,6 +110,12 @@ class Spindle(Description):
             rings = together(rings, self._beside(seat))
         return replace(seat.bearing, rings=rings)
 
+    def joined(self, one: BearingSeat, other: BearingSeat, which: str) -> bool:
+        """Whether the ``inner`` or ``outer`` rings of two bearings deform one wall together."""
+        ring = getattr(self.mounted(one).rings, which, None)
+        away = one.thrust * (other.x - one.x)
+        return ring is not None and away in [each.distance for each in ring.neighbours]
+
     def _rings(self, seat: BearingSeat, known: RingBodies) -> FlexibleRings:
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
         return known.bodies(seat.bearing, hole, material, seat.fits)

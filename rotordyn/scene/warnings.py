@@ -5,7 +5,8 @@ Nothing is solved for them: they read the description and what the analyses had 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from rotordyn.arrays import Array, Flags
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import gripping, preloaded, pressed, slipping
@@ -93,6 +95,7 @@ def ring_notes(scene: Scene) -> Iterator[str]:
     from bearings.ring.deflection import ring_deflection  # finite elements, for these alone
 
     state, parts = scene.preload, []
+    largest: dict[str, Array] = {}
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
         if seat.flexible_rings is None:
             continue
@@ -106,9 +109,30 @@ def ring_notes(scene: Scene) -> Iterator[str]:
             f"{outer:.2g}" if known.outer else "rigid",
         )
         parts.append(f"{seat.name} {' and '.join(words)}")
+        largest[seat.name] = np.nanmax(balls.inner_load[state.usable, column], axis=1, initial=0.0)
     yield (
-        "rings deform, every bearing with walls of its own; raceways give at most [µm], inner and "
+        f"rings deform, {_walls(scene.spindle, largest)}; raceways give at most [µm], inner and "
         f"outer, bearing {', '.join(parts)}"
+    )
+
+
+def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
+    """Which bearings share their walls, and how far their ``largest`` ball loads (speeds,) differ:
+    they are computed as if these were alike."""
+    pairs, apart = [], 0.0
+    for one, other in combinations([s for s in spindle.seats if s.name in largest], 2):
+        if not any(spindle.joined(one, other, which) for which in ("inner", "outer")):
+            continue
+        pairs.append(f"{one.name} and {other.name}")
+        loads = np.stack([largest[one.name], largest[other.name]])
+        most = loads.max(axis=0)
+        differ = np.ptp(loads, axis=0) / np.where(most > 0.0, most, 1.0)
+        apart = max(apart, float(differ.max(initial=0.0)))
+    if not pairs:
+        return "every bearing with walls of its own"
+    return (
+        f"those of {', '.join(pairs)} on common walls as if loaded alike (largest ball loads up to "
+        f"{100.0 * apart:.0f} % apart)"
     )
 
 

@@ -165,10 +165,21 @@ def test_small_motion_over_time_is_that_of_linear_bearings(tmp_path: Path) -> No
 
 
 def test_how_far_rings_give_is_said(tmp_path: Path) -> None:
-    results = rotordyn.run(rotordyn.load(written(tmp_path, "  preload: {}\n")))
+    load = "conditions: {loads: [{at: nose, Fy: 500 N}]}\n"
+    results = rotordyn.run(rotordyn.load(written(tmp_path, "  bearing_loads: {}\n", load)))
     (note,) = (line for line in results.notes if "rings deform" in line)
     assert "bearing a" in note
     assert "d " in note
+    largest = results["bearing_loads"].ball_inner_load.max("ball").values
+    pairs = largest.reshape(2, 2, 2)  # speeds, pairs, bearings
+    apart = 100.0 * (np.ptp(pairs, axis=2) / pairs.max(axis=2)).max()
+    pair = f"(largest ball loads up to {apart:.0f} % apart)"
+    assert f"a and b, c and d on common walls as if loaded alike {pair}" in note
+    alone = written(
+        tmp_path, "  preload: {}\n", text=SPINDLE.replace("118 mm", "118 mm, neighbours: apart")
+    )
+    (note,) = (line for line in rotordyn.run(rotordyn.load(alone)).notes if "rings deform" in line)
+    assert "every bearing with walls of its own" in note
 
 
 SINGLE = """
