@@ -244,7 +244,7 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
         results = rotordyn.run(case.variants[name])
         stiffness[name] = float(results["stiffness"].tangent[-1, 0])
     assert 0.85 < stiffness["apart"] / stiffness["rigid"] < 0.95
-    assert 0.85 < stiffness["cartridge"] / stiffness["rigid"]
+    assert stiffness["cartridge"] / stiffness["rigid"] > 0.85
     assert stiffness["cartridge"] < 0.99 * stiffness["apart"]
 
 
