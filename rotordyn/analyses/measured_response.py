@@ -44,7 +44,9 @@ class MeasuredResponse(Description):
     frequency: Annotated[tuple[Frequency, ...], HIDDEN]
     real: Annotated[tuple[float, ...], HIDDEN]
     imaginary: Annotated[tuple[float, ...], HIDDEN]
-    speed: Annotated[Speed, "at which it was measured"] = 0.0
+    speed: Annotated[
+        Speed, "at which it was measured; by default that in its record, if any, else at rest"
+    ] = 0.0
     quantity: Annotated[str, Choice(QUANTITIES), HIDDEN] = QUANTITIES[0]
     coherence: Annotated[tuple[float, ...], HIDDEN] = ()
 

@@ -36,10 +36,12 @@ from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Items, Quantity, Sweep, suggestion
+from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
 # The kind of quantity read for the unit in which a reference is kept.
+SAME_SPEED = 1e-3  # of a speed: what a record of a measurement may be off what the case says
 KIND_OF_UNIT = {
     "N/m": "stiffness",
     "N": "force",
@@ -173,6 +175,15 @@ def measured(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
         with unchecked():
             return MeasuredResponse(**values)  # its pair is still held against the others
     reading.files.contents[path] = path.read_bytes()
+    if record.speed is not None:
+        given = node.child("speed")
+        if given is not None and abs(values["speed"] - record.speed) > SAME_SPEED * record.speed:
+            reading.faults.at(
+                given,
+                f"{name.value} was measured at {record.speed * RPM.factor:.6g} rpm by its record: "
+                f"given {given.value}; leave speed out",
+            )
+        values["speed"] = record.speed
     values |= {
         "quantity": record.quantity,
         "frequency": record.frequency,

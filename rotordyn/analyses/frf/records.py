@@ -15,11 +15,12 @@ from typing import Any, NamedTuple
 from rotordyn.analyses.measured_response import NO_RESPONSE, QUANTITIES
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
-from rotordyn.results.display import response_unit
+from rotordyn.results.display import is_rotation, response_unit
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
 _FRF, _COHERENCE, _COMPLEX = 4, 6, (5, 6)
+_ROTATION, AXES = 19, 3  # kind of the third axis; directions beyond three are rotations
 _COLUMN = re.compile(r"\s*(.*?)\s*\[([^\[\]]*)\]\s*")
 _WORDS = {
     "frequency": "frequency",
@@ -35,13 +36,14 @@ _FORMS = "frequency with real and imaginary, or with amplitude and phase"
 
 
 class Record(NamedTuple):
-    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² where the file has
-    it."""
+    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² and ``speed``
+    [rad/s] of the spindle where the file has them."""
 
     quantity: str
     frequency: tuple[float, ...]
     values: tuple[complex, ...]
     coherence: tuple[float, ...] = ()
+    speed: float | None = None
 
 
 def read_record(path: Path, pair: str, number: int | None) -> Record:
@@ -76,9 +78,44 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     if _label(data_set, "abscissa") not in ("", "Hz"):
         raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
     quantity, scale = _uff_unit(data_set, pair)
+    scale *= _sign(data_set, pair)
     coherence = next((own for own in sets if _coherence_of(data_set, own)), None)
     known = () if coherence is None else [complex(value).real for value in coherence["data"]]
-    return _record(quantity, frequency, [scale * value for value in values], known)
+    found = _record(quantity, frequency, [scale * value for value in values], known)
+    return found._replace(speed=_speed(data_set))
+
+
+def _sign(data_set: dict[str, Any], pair: str) -> float:
+    """−1 where motion and force were counted in opposite directions, such as −y and +y.
+
+    Axes of the record may have other names than those of the case, but the same for both ends; a
+    direction of 0 is unknown.
+    """
+    ways = [int(data_set.get(key) or 0) for key in ("rsp_dir", "ref_dir")]
+    ends = [port.rpartition(".")[2] for port in pair.split(" / ")]
+    for way, end, what in zip(ways, ends, ("response", "excitation"), strict=True):
+        if way and (abs(way) > AXES) != is_rotation(end):
+            raise InvalidInput(
+                f"{what} in direction {way} of the record, a "
+                f"{'rotation' if abs(way) > AXES else 'translation'}: no {end} as of {pair}"
+            )
+    if all(ways) and ends[0] == ends[1] and abs(ways[0]) != abs(ways[1]):
+        raise InvalidInput(
+            f"response in direction {ways[0]} of the record, excitation in {ways[1]}: no {pair}, "
+            "whose directions are one"
+        )
+    return -1.0 if ways[0] * ways[1] < 0 else 1.0
+
+
+def _speed(data_set: dict[str, Any]) -> float | None:
+    """Of the spindle [rad/s], where that is what the third axis says in a unit that is known."""
+    if data_set.get("z_axis_spec_data_type") != _ROTATION:
+        return None
+    try:
+        scale = _plain(_label(data_set, "z_axis"), "rpm", "speed", "rpm, rad/s")
+    except InvalidInput:
+        return None
+    return float(data_set["z_axis_value"]) * scale
 
 
 def _coherence_of(data_set: dict[str, Any], other: dict[str, Any]) -> bool:

@@ -167,6 +167,50 @@ def test_foreign_records(
     np.testing.assert_allclose(record.values, np.array([1.0 + 2.0j, 3.0, 4.0]) * scale)
 
 
+@pytest.mark.parametrize(
+    ("response", "excitation", "sign"),
+    [(2, 2, 1.0), (-2, 2, -1.0), (2, -2, -1.0), (-2, -2, 1.0), (-3, 3, -1.0), (0, -2, 1.0)],
+)
+def test_opposite_directions_of_a_record_turn_its_sign(
+    tmp_path: Path, response: int, excitation: int, sign: float
+) -> None:
+    path = uff(tmp_path / "tap.uff", rsp_dir=response, ref_dir=excitation)
+    values = read_record(path, PAIR, None).values
+    np.testing.assert_allclose(values, sign * np.array([1.0 + 2.0j, 3.0, 4.0]))
+
+
+@pytest.mark.parametrize(
+    ("response", "excitation", "words"),
+    [
+        (3, 2, f"response in direction 3 of the record, excitation in 2: no {PAIR}"),
+        (2, -1, f"response in direction 2 of the record, excitation in -1: no {PAIR}"),
+        (5, 2, f"response in direction 5 of the record, a rotation: no y as of {PAIR}"),
+    ],
+)
+def test_a_record_of_other_directions_is_refused(
+    tmp_path: Path, response: int, excitation: int, words: str
+) -> None:
+    path = uff(tmp_path / "tap.uff", rsp_dir=response, ref_dir=excitation)
+    with pytest.raises(InvalidInput, match=words):
+        read_record(path, PAIR, None)
+
+
+TURNING = {"z_axis_value": 600.0, "z_axis_spec_data_type": 19, "z_axis_axis_units_lab": "rpm"}
+
+
+def test_the_speed_of_a_record_is_that_of_the_response(tmp_path: Path) -> None:
+    uff(tmp_path / "tap.uff", **TURNING)
+    for more in ("", ", speed: 600 rpm", ", speed: 62.83 rad/s"):
+        asked = MEASURED % ("tap.uff", more)
+        (known,) = case(tmp_path, measured=asked).analyses["frf"].measured
+        assert known.speed == pytest.approx(20.0 * np.pi)
+    with pytest.raises(InvalidInput, match="was measured at 600 rpm by its record: given 0 rpm"):
+        case(tmp_path, measured=MEASURED % ("tap.uff", ", speed: 0 rpm"))
+    uff(tmp_path / "tip.uff", **TURNING | {"z_axis_axis_units_lab": "turns"})
+    (known,) = case(tmp_path, measured=MEASURED % ("tip.uff", "")).analyses["frf"].measured
+    assert known.speed == 0.0
+
+
 TABLES = {
     "frequency [Hz],real [m/N]\n1,2\n": "columns missing: given 'frequency .*; allowed: frequency",
     "frequency [Hz],real [m/N],imag [m/N]\n1,2,3\n2,2\n": "row 3 has 2 values where the header has",
