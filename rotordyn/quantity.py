@@ -315,6 +315,7 @@ ThermalExpansion = Annotated[
 ThermalConductance = Annotated[
     float, Quantity("thermal conductance", at_least="0 W/K", at_most="100000 W/K")
 ]
+HeatCapacity = Annotated[float, Quantity("heat capacity", at_least="0.1 J/K", at_most="1e9 J/K")]
 Instant = Annotated[float, Quantity("time", at_least="0 s", at_most="1000 s")]
 LastInstant = Annotated[float, Quantity("time", at_least="0 s", at_most="1000 s", infinite="none")]
 TimeSpan = Annotated[float, Quantity("time", above="0 s", at_most="1000 s")]

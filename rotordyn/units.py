@@ -50,6 +50,7 @@ _NAMED: dict[str, Unit] = {
     "K": Unit(0, 1.0, (0, 0, 0, 0, 0, 0, 1)),
     "cSt": Unit(-6, 1.0, (2, 0, -1, 0, 0, 0, 0)),
     "W": Unit(0, 1.0, (2, 1, -3, 0, 0, 0, 0)),
+    "J": Unit(0, 1.0, (2, 1, -2, 0, 0, 0, 0)),
     "rpm": Unit(0, math.pi / 30.0, (0, 0, -1, 1, 0, 0, 0)),
     "Hz": Unit(0, 1.0, (0, 0, -1, 0, 1, 0, 0)),
     "N": Unit(0, 1.0, (1, 1, -2, 0, 0, 0, 0)),
@@ -61,7 +62,7 @@ _NAMED: dict[str, Unit] = {
     "lbf": Unit(0, 4.4482216152605, (1, 1, -2, 0, 0, 0, 0)),
 }
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "c": -2, "m": -3, "u": -6, "n": -9}
-_PREFIXED = ("m", "g", "s", "rad", "Hz", "N", "Pa", "W")
+_PREFIXED = ("m", "g", "s", "rad", "Hz", "N", "Pa", "W", "J")
 _WHOLE = {"1/min": "rpm", "min^-1": "rpm", "r/min": "rpm", "rev/min": "rpm"}
 _SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -90,6 +91,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "temperature difference": ("K",),
     "thermal expansion": ("1/K", "um/m/K"),
     "thermal conductance": ("W/K",),
+    "heat capacity": ("J/K", "kJ/K"),
     "duration": ("h", "min", "s"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),

@@ -84,11 +84,11 @@ def balanced(
     ------
     InvalidBearing : conductances below 0, or nothing through which heat leaves
     """
-    matrix, outside = _network(conductances, surroundings)
+    matrix, outside = network(conductances, surroundings)
 
     def gap(temperature: Array) -> tuple[Array, Array]:
         power = np.broadcast_to(np.asarray(heat(temperature), float), temperature.shape)
-        warmed = np.linalg.solve(matrix, (outside + _sources(power))[..., None])[..., 0]
+        warmed = np.linalg.solve(matrix, (outside + sources(power))[..., None])[..., 0]
         return warmed - temperature, power
 
     here = np.broadcast_to(np.linalg.solve(matrix, outside), (*shape, 3)).copy()
@@ -131,7 +131,7 @@ def _step(gaps: Array) -> Array:
     return np.asarray(step * np.minimum(1.0, LONGEST / np.maximum(size, 1e-300)))
 
 
-def _network(c: Conductances, t: Surroundings) -> tuple[Array, Array]:
+def network(c: Conductances, t: Surroundings) -> tuple[Array, Array]:
     """Conductance matrix of the nodes balls, inner and outer ring (3, 3) [W/K], and the heat that
     the surroundings give to them at 0 °C (3,) [W]."""
     if min(c) < 0.0 or not (c.inner_shaft + c.outer_housing + c.balls_oil) > 0.0:
@@ -152,7 +152,7 @@ def _network(c: Conductances, t: Surroundings) -> tuple[Array, Array]:
     return matrix, outside
 
 
-def _sources(power: Array) -> Array:
+def sources(power: Array) -> Array:
     """Heat that enters the nodes (…, 3) [W]."""
     inner, outer, oil = np.moveaxis(power, -1, 0)
     return np.stack([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer], axis=-1)

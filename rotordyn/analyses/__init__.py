@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+    from rotordyn.analyses.warm_up.spec import WarmUpSpec
     from rotordyn.scene.conditions import Conditions
     from rotordyn.scene.heat_flow import MountedHeatFlow, SpindleHeatFlow
     from rotordyn.scene.loads import (
@@ -93,6 +94,7 @@ __all__ = [
     "TwistLimit",
     "Unbalance",
     "UnbalanceSpec",
+    "WarmUpSpec",
     "Workpiece",
 ]
 

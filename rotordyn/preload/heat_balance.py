@@ -57,14 +57,13 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
     """
     names = tuple(seat.name for seat in spindle.seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
-    cold = balanced(lambda t: 0.0 * t, flow.conductances, flow.surroundings, (1,))
-    here = np.broadcast_to(np.stack(cold[:3], axis=-1), (len(speed), len(names), 3)).copy()
+    here = np.broadcast_to(cold(flow), (len(speed), len(names), 3)).copy()
     damping, before = np.ones(len(speed)), np.full(len(speed), np.inf)
     last, moved = np.zeros_like(here), np.zeros_like(here)
     words = np.full(len(speed), "", dtype=object)
     active = np.ones(len(speed), dtype=bool)
     for _ in range(MOST):
-        contacts, known = _contact_heat(solve(_tables(here, speed, names, flow)), flow)
+        contacts, known = contact_heat(solve(tables(here, speed, names, flow)), flow)
         lost = active & ~known
         words[lost] = (
             f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C, raise the "
@@ -85,7 +84,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         before = np.where(active, size, before)
         over = active & (here.max(axis=(1, 2)) > HOTTEST)
         for row in np.flatnonzero(over):
-            words[row] = _run_away(here[row], names)
+            words[row] = run_away(here[row], names)
         active &= ~over & (size >= TOLERANCE)
         if not active.any():
             break
@@ -94,7 +93,13 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         f"bearings at {rpm:.0f} rpm: {word}" if word else ""
         for word, rpm in zip(words, speed * 30.0 / np.pi, strict=True)
     )
-    return HeatBalance(_tables(here, speed, names, flow), said)
+    return HeatBalance(tables(here, speed, names, flow), said)
+
+
+def cold(flow: Flow) -> Array:
+    """Temperatures of balls, inner and outer ring without any heat (3,) [°C]."""
+    found = balanced(lambda t: 0.0 * t, flow.conductances, flow.surroundings)
+    return np.stack(found[:3], axis=-1)
 
 
 def _along(a: Array, b: Array) -> Array:
@@ -113,7 +118,7 @@ def _hottest(here: Array, rows: NDArray[np.bool_]) -> float:
     return float(here[rows].max(initial=MEASURED))
 
 
-def _run_away(here: Array, names: tuple[str, ...]) -> str:
+def run_away(here: Array, names: tuple[str, ...]) -> str:
     hot = [name for name, values in zip(names, here, strict=True) if values.max() > HOTTEST]
     return (
         f"temperatures run away at bearing{'s' * (len(hot) > 1)} {', '.join(hot)}, "
@@ -121,7 +126,7 @@ def _run_away(here: Array, names: tuple[str, ...]) -> str:
     )
 
 
-def _tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Temperatures:
+def tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Temperatures:
     """Temperatures (speeds, bearings, 3) of balls, inner and outer rings as files give them."""
     by_name = {
         name: BearingTemperatures(
@@ -137,7 +142,7 @@ def _tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Te
     )
 
 
-def _contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, NDArray[np.bool_]]:
+def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, NDArray[np.bool_]]:
     """Heat of inner and outer contacts (speeds, bearings, 2) [W], and where there is a state."""
     heat = np.zeros((len(state.speed), len(state.spindle.seats), 2))
     done: dict[int, Array] = {}
@@ -157,11 +162,18 @@ def _reached(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array
     """Temperatures that given heat of contacts leads to, the oil thinning (speeds, bearings, 3)."""
 
     def heat(temperature: Array) -> Array:
-        viscosity = flow.lubricant.kinematic(temperature[..., 0])
-        oil = bearings.heat.viscous_moment(pitches, viscosity, speed[:, None], flow.oil_factor)
-        shape = temperature.shape[:-1]
-        given = np.broadcast_to(contacts, (*shape, 2))
-        return np.concatenate([given, (oil * speed[:, None])[..., None]], axis=-1)
+        return with_oil(contacts, temperature, pitches, speed, flow)
 
     found = balanced(heat, flow.conductances, flow.surroundings, contacts.shape[:2])
     return np.stack(found[:3], axis=-1)
+
+
+def with_oil(
+    contacts: Array, temperature: Array, pitches: Array, speed: Array, flow: Flow
+) -> Array:
+    """Heat of inner contacts, outer contacts and oil (…, speeds, bearings, 3) [W], of ``contacts``
+    (speeds, bearings, 2) and of the oil at ``temperature`` (…, speeds, bearings, 3) [°C]."""
+    viscosity = flow.lubricant.kinematic(temperature[..., 0])
+    oil = bearings.heat.viscous_moment(pitches, viscosity, speed[:, None], flow.oil_factor)
+    given = np.broadcast_to(contacts, (*temperature.shape[:-1], 2))
+    return np.concatenate([given, (oil * speed[:, None])[..., None]], axis=-1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -230,15 +231,17 @@ class Statics(Staged):
         passed = self.past.speeds if self.spindle.rubs else ()
         speed = np.union1d(self.bearing_speed, passed)
 
-        def solve(temperatures: Temperatures) -> PreloadState:
-            force = self.axial_force
-            return operating_state(self.grounded, speed, self.law, force, temperatures, self.past)
-
-        found = heat_balance(solve, speed, self.grounded, asked.flow)
+        found = heat_balance(self.warm(speed), speed, self.grounded, asked.flow)
         words, every = dict(zip(speed.tolist(), found.outcome, strict=True)), self.bearing_speed
         lost = next((word for at, word in words.items() if word and at not in every), "")
         before = lost and f"on the way there, {lost}"
         return found._replace(outcome=tuple(words[at] or before for at in every.tolist()))
+
+    def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
+        """The preload state without loads across the axis at ``speed`` [rad/s], a function of
+        temperatures."""
+        machine, force = self.grounded, self.axial_force
+        return lambda given: operating_state(machine, speed, self.law, force, given, self.past)
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:

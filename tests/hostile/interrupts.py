@@ -59,6 +59,10 @@ CASES = {
     "thermal_preload": _rotor(
         "thermal_preload: {differences: {from: -10 K, to: 10 K, count: 2000}}", MANY
     ),
+    "warm_up": _rotor("warm_up: {duration: 10 h, inner: 1 J/K, outer: 1 J/K}", MANY)
+    + "conditions: {heat_flow: {inner_shaft: 3 W/K, outer_housing: 6 W/K, shaft: 30 degC, housing: "
+    "25 degC, oil: 30 degC, lubricant: {viscosity_40: 32 mm^2/s, viscosity_100: 5.4 mm^2/s, "
+    "temperature: 50 degC}}}\n",
     "axial_cycle": _rotor("axial_cycle: {highest: 2 kN, lowest: -2 kN, steps: 400}", MANY),
     "stability_lobes": _rotor(
         "stability_lobes: {point: nose, teeth: 4, diameter: 40 mm, tangential: 600 MPa, radial: "

@@ -110,7 +110,7 @@ def test_heat_that_falls_as_steeply_as_it_may_still_settles(
         rise = rings.transpose(2, 0, 1) - 30.0
         return most[..., None] - steep[..., None] * rise, np.ones(4, dtype=bool)
 
-    monkeypatch.setattr("rotordyn.preload.heat_balance._contact_heat", contacts)
+    monkeypatch.setattr("rotordyn.preload.heat_balance.contact_heat", contacts)
     flow = Flow(OIL.oil, Conductances(1.0, 1.0), Surroundings(30.0, 30.0, 30.0), 0.0, NEXT_TO_NONE)
     found = heat_balance(lambda t: t, np.arange(4.0) * 100.0, grinding(), flow)  # type: ignore[arg-type,return-value]
     assert found.outcome == ("",) * 4
@@ -138,7 +138,7 @@ def test_a_speed_without_a_state_is_named_with_how_hot_it_was(
     def contacts(_: Any, __: Flow) -> tuple[np.ndarray, np.ndarray]:
         return np.zeros((2, 4, 2)), np.array([True, False])
 
-    monkeypatch.setattr("rotordyn.preload.heat_balance._contact_heat", contacts)
+    monkeypatch.setattr("rotordyn.preload.heat_balance.contact_heat", contacts)
     flow = Flow(OIL.oil, Conductances(1.0, 1.0), Surroundings(30.0, 30.0, 30.0), 0.0, NEXT_TO_NONE)
     speed = np.array([700.0, 1500.0]) * RPM
     found = heat_balance(lambda t: t, speed, grinding(), flow)  # type: ignore[arg-type,return-value]

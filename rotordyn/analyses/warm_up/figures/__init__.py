@@ -1,0 +1,39 @@
+"""Figures: axial loads and temperatures over time from the start."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import Any
+
+from rotordyn.analyses.contract import Code
+from rotordyn.figures.draw import Job
+from rotordyn.results.described import Described, Shown
+from rotordyn.results.display import RPM
+from rotordyn.results.headline import Curve
+
+code = partial(Code, __name__)
+
+
+def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    """The figures of a result."""
+    yield "warm_up", partial(code("over_time:warming_figure"), result)
+
+
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Axial loads over time at the first and last speed."""
+    result, rpm = variant.result, variant.result.speed * RPM.factor
+    for row in sorted({0, len(rpm) - 1}):
+        at = f"{rpm[row]:.0f} rpm"
+        for k, name in enumerate(result.bearing):
+            yield Curve(
+                "warm_up",
+                "axial load",
+                "N",
+                result.time / 60.0,
+                result.axial_load[row, :, k],
+                series=name,
+                panel=at,
+                along="time from the start [min]",
+                title=at,
+            )

@@ -1,0 +1,47 @@
+"""Temperatures and preload over time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotordyn.results.declaration import Absence, coordinate, quantity
+from rotordyn.results.kinds import Array, Words
+
+OVER = ("speed", "time", "bearing")
+BY = ("speed", "bearing")
+LATER = Absence("after its end, where it ends early", last="time")
+UNBALANCED = Absence("where temperatures reach no balance", by=BY)
+
+
+@dataclass(frozen=True)
+class WarmUpResult:
+    """Every bearing over time from the start.
+
+    ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
+    ``largest_load`` at ``largest_time``; ``steady_load``: in the end, where temperatures are in
+    balance. ``error``: largest change of a temperature when the steps were halved [K].
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    time: Array = coordinate("time", unit="s", label="time from the start")
+    bearing: Words = coordinate("bearing", unit="", label="bearing")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    ended: Array = quantity("speed", unit="s", label="last instant with values")
+    ending: Words = quantity("speed", unit="", label="why it ends there")
+    axial_load: Array = quantity(*OVER, unit="N", label="axial load", absent=(LATER,))
+    ball_temperature: Array = quantity(
+        *OVER, unit="degC", label="temperature of the balls", absent=(LATER,)
+    )
+    inner_temperature: Array = quantity(
+        *OVER, unit="degC", label="temperature of the inner ring", absent=(LATER,)
+    )
+    outer_temperature: Array = quantity(
+        *OVER, unit="degC", label="temperature of the outer ring", absent=(LATER,)
+    )
+    heat: Array = quantity(*OVER, unit="W", label="heat", absent=(LATER,))
+    largest_load: Array = quantity(*BY, unit="N", label="largest axial load")
+    largest_time: Array = quantity(*BY, unit="s", label="time of the largest axial load")
+    steady_load: Array = quantity(
+        *BY, unit="N", label="axial load in thermal balance", absent=(UNBALANCED,)
+    )
+    error: float = quantity(unit="K", label="estimated error of temperatures")

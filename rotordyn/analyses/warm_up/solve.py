@@ -1,0 +1,103 @@
+"""Temperatures and preload over time from the start, the steps halved until temperatures stay."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.bearing import BallBearing
+from rotordyn.allowance import require_history, require_time
+from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.analyses.warm_up.spec import WarmUpSpec
+from rotordyn.preload.heat_balance import Flow, cold
+from rotordyn.preload.warming import Begin, Warming, warming
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
+ENOUGH = 1.0  # K: a change of temperatures by the last halving that is small beside all hypotheses
+STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them
+
+
+def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
+    """Every bearing at every speed, also where temperatures will run away.
+
+    Raises
+    ------
+    TooCostly : that takes more time than is allowed
+    """
+    heat = scene.conditions.heat_flow
+    assert heat is not None, "a fault of the case"
+    begin, speed = _begin(scene, spec, heat.flow), scene.speed
+
+    def run(steps: int) -> Warming:
+        require_history(f"warm_up: {steps} steps at {len(speed)} speeds", 0, steps * len(speed))
+        solve, length = scene.warm(speed), spec.duration
+        return warming(
+            solve, speed, scene.spindle, heat.flow, begin, length, steps, _watch(scene, steps)
+        )
+
+    steps, found = STEPS, run(STEPS)
+    while True:
+        before, steps = found, 2 * steps
+        found = run(steps)
+        through = np.array([not word for word in found.ending])  # what runs away leaves any bound
+        gaps = np.abs(found.temperature[through, ::2] - before.temperature[through])
+        error = float(np.nanmax(gaps, initial=0.0))
+        if error <= ENOUGH or steps >= MOST_STEPS:
+            break
+    return _result(scene, found, error)
+
+
+def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
+    def watch(step: int) -> None:
+        require_time("warm_up", "broken off")
+        scene.progress(f"{step} of {steps} steps")
+
+    return watch
+
+
+def _begin(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
+    at = cold(flow) if spec.start is None else np.full(3, spec.start)
+    capacity = [
+        [spec.balls or ball_capacity(seat.bearing), spec.inner, spec.outer]
+        for seat in scene.spindle.seats
+    ]
+    return Begin(np.tile(at, (len(capacity), 1)), np.array(capacity))
+
+
+def ball_capacity(bearing: BallBearing) -> float:
+    """Heat capacity of all balls by their mass [J/K]."""
+    density = bearing.ball_material.density
+    mass = bearing.balls * density * math.pi / 6.0 * bearing.ball_diameter**3
+    return mass * (CERAMIC if density < LIGHT else STEEL)
+
+
+def _result(scene: Scene, found: Warming, error: float) -> WarmUpResult:
+    seats = scene.spindle.seats
+    none = np.isnan(found.load[:, 0, 0]).tolist()
+    load = np.where(np.isnan(found.load), -np.inf, found.load)
+    place = load.argmax(axis=1)
+    largest = np.take_along_axis(found.load, place[:, None], axis=1)[:, 0]
+    steady = scene.solved_only(scene.preload.seat_load())
+    balls, inner, outer = np.moveaxis(found.temperature, -1, 0)
+    return WarmUpResult(
+        speed=scene.speed,
+        time=found.time,
+        bearing=tuple(seat.name for seat in seats),
+        outcome=tuple(word if gone else "" for word, gone in zip(found.ending, none, strict=True)),
+        ended=found.time[found.last],
+        ending=found.ending,
+        axial_load=found.load,
+        ball_temperature=balls,
+        inner_temperature=inner,
+        outer_temperature=outer,
+        heat=found.heat,
+        largest_load=largest,
+        largest_time=np.where(np.isnan(largest), np.nan, found.time[place]),
+        steady_load=steady,
+        error=error,
+    )

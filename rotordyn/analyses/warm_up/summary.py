@@ -1,0 +1,116 @@
+"""The warming in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM
+from rotordyn.results.headline import Number, ends
+from rotordyn.results.text import unbroken
+
+OVERSHOOT = 1.2  # of the load at the end, from which the largest one is worth a word
+EARLY = 0.02  # of a load: closer to the steady one than that, it is reached
+
+
+def summary(result: WarmUpResult) -> list[str]:
+    """Axial loads at the start, at most and at the end at the first and the last speed, and the
+    hottest part."""
+    lines = []
+    for row in sorted({0, len(result.speed) - 1}):
+        if result.outcome[row]:
+            continue
+        last = _last(result, row)
+        words = ", ".join(
+            unbroken(
+                f"{name} {result.axial_load[row, 0, k]:.0f} → {result.largest_load[row, k]:.0f} "
+                f"({minutes(result.largest_time[row, k])}) → {result.axial_load[row, last, k]:.0f}"
+            )
+            for k, name in enumerate(result.bearing)
+        )
+        lines.append(
+            f"warm-up    at {result.speed[row] * RPM.factor:.0f} rpm, axial load [N] at the start, "
+            f"largest, after {minutes(result.time[last])}: {words}"
+        )
+        lines.append(f"           {_hottest(result, row)}")
+    return lines
+
+
+def _last(result: WarmUpResult, row: int) -> int:
+    return int(np.searchsorted(result.time, result.ended[row]))
+
+
+def minutes(seconds: float) -> str:
+    """A time in words."""
+    return f"{seconds:.3g} s" if seconds < 60.0 else f"{seconds / 60.0:.3g} min"
+
+
+def _hottest(result: WarmUpResult, row: int) -> str:
+    """The hottest part at a speed, where and when."""
+    parts = {
+        "balls": result.ball_temperature,
+        "inner ring": result.inner_temperature,
+        "outer ring": result.outer_temperature,
+    }
+    part = max(parts, key=lambda name: float(np.nanmax(parts[name][row])))
+    values = parts[part][row]
+    at, k = np.unravel_index(int(np.nanargmax(values)), values.shape)
+    return (
+        f"hottest {values[at, k]:.0f} °C, {part} of bearing {result.bearing[k]} after "
+        f"{minutes(result.time[at])}"
+    )
+
+
+def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
+    """Largest axial load at the first and last speed, for each bearing."""
+    for k, name in enumerate(result.bearing):
+        yield from ends(result, "load", "N", result.largest_load[:, k], part=name)
+
+
+def accuracy(result: WarmUpResult) -> list[str]:
+    """How far the steps of time move temperatures."""
+    return [f"temperatures over time within {max(result.error, 0.001):.2g} K"]
+
+
+def warnings(result: WarmUpResult) -> Iterator[str]:
+    """Where it ends early, and loads on the way that the end does not show."""
+    for row, why in enumerate(result.ending):
+        if why and not result.outcome[row]:
+            yield f"at {result.speed[row] * RPM.factor:.0f} rpm {why}"
+    yield from _on_the_way(result)
+    late = np.abs(result.axial_load[:, -1] / result.steady_load - 1.0)
+    late = np.where(np.isfinite(late), late, 0.0)
+    if late.max(initial=0.0) > EARLY:
+        row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
+        yield (
+            f"bearing {result.bearing[k]} is still warming up at the end: "
+            f"{result.axial_load[row, -1, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
+            f"{result.steady_load[row, k]:.0f} N in balance; take a longer duration"
+        )
+
+
+def _on_the_way(result: WarmUpResult) -> Iterator[str]:
+    """Loads while the spindle warms up that are larger than those in the end."""
+    rows = np.arange(len(result.speed))
+    last = [_last(result, int(row)) for row in rows]
+    end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
+    after = np.fmax(end, result.steady_load)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(after > 0.0, result.largest_load / after, 0.0)
+    above = share > OVERSHOOT
+    if not above.any():
+        return
+    worst = np.where(above, result.largest_load, 0.0)
+    row, k = (int(place) for place in np.unravel_index(int(worst.argmax()), worst.shape))
+    others = [name for j, name in enumerate(result.bearing) if j != k and above[:, j].any()]
+    also = f" (so, less, {', '.join(others)})" if others else ""
+    yield (
+        f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N along its axis "
+        f"{minutes(result.largest_time[row, k])} after the start at "
+        f"{result.speed[row] * RPM.factor:.0f} rpm, {share[row, k]:.2g} times that of the warm "
+        f"spindle{also}: pressure, friction and life are worse there than in the steady state; "
+        "warm it up at lower speeds, or take springs"
+    )

@@ -1,0 +1,149 @@
+"""Temperatures of all bearings of a spindle over time from its start, with the preload meanwhile.
+
+Every bearing has the three nodes of its heat balance, each with a heat capacity C: C Ṫ = heat of
+the state at T + what the surroundings give − G T. Instants lie closer together at the start. At
+each one preload state gives the heat of the contacts, which goes on from there along a straight
+line; with it, and with the oil that thins, temperatures are integrated to the next instant by a
+Rosenbrock method of second order, which quick balls do not limit (J. G. Verwer et al., SIAM J. Sci.
+Comput. 20 (1999) 1456: ROS2).
+
+Theory: docs/theory/life.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.heat.temperature import HOTTEST, network, sources
+from rotordyn.preload.heat_balance import Flow, Solve, contact_heat, run_away, tables, with_oil
+
+if TYPE_CHECKING:
+    from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+PARTS = 16  # steps of temperatures between two instants
+GAMMA = 1.0 + math.sqrt(0.5)  # of ROS2: what decays neither grows nor swings, however long the step
+NUDGE = 0.02  # K: for the slope of the heat of the oil
+
+
+class Warming(NamedTuple):
+    """Over ``time`` (t,) [s]: ``temperature`` (speeds, t, bearings, 3) of balls, inner and outer
+    ring [°C], ``heat`` (speeds, t, bearings) [W], axial ``load`` (speeds, t, bearings) [N]; NaN
+    after the instant ``last`` (speeds,), and per speed the ``ending``: empty, or why it ends."""
+
+    time: Array
+    temperature: Array
+    heat: Array
+    load: Array
+    last: NDArray[np.intp]
+    ending: tuple[str, ...]
+
+
+class Begin(NamedTuple):
+    """``temperature`` [°C] and ``capacity`` [J/K] of balls, inner and outer ring at the start, each
+    (bearings, 3)."""
+
+    temperature: Array
+    capacity: Array
+
+
+def warming(
+    solve: Solve,
+    speed: Array,
+    spindle: Spindle,
+    flow: Flow,
+    begin: Begin,
+    duration: float,
+    steps: int,
+    watch: Callable[[int], None],
+) -> Warming:
+    """At every ``speed`` [rad/s], turning at it from the start on for a ``duration`` [s].
+
+    ``solve`` gives the preload state at temperatures; ``watch`` is called before every step.
+    """
+    names = tuple(seat.name for seat in spindle.seats)
+    pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
+    time = duration * np.linspace(0.0, 1.0, steps + 1) ** 3
+    oiled = _Oiled(pitches, speed, flow, begin.capacity)
+    here = np.broadcast_to(begin.temperature, (len(speed), *begin.temperature.shape)).copy()
+    shape = len(speed), steps + 1, len(names)
+    temperature = np.full((*shape, 3), np.nan)
+    heat, load = np.full((2, *shape), np.nan)
+    words, last = np.full(len(speed), "", dtype=object), np.full(len(speed), steps)
+    active, before = np.ones(len(speed), dtype=bool), np.zeros((*here.shape[:2], 2))
+
+    def end(rows: NDArray[np.bool_], k: int) -> None:
+        """Where there is no state, or one too hot, at the instant k."""
+        for row in np.flatnonzero(active & rows):
+            hottest, minutes = here[row].max(), time[k] / 60.0
+            words[row] = (
+                run_away(here[row], names)
+                if hottest > HOTTEST
+                else f"no axial state {minutes:.3g} min after the start, at temperatures up to "
+                f"{hottest:.0f} °C: raise the preload, or cool more"
+            )
+            last[row] = max(k - 1, 0)
+        active[rows] = False
+
+    for k in range(steps + 1):
+        watch(k)
+        state = solve(tables(np.minimum(here, HOTTEST), speed, names, flow))  # hotter ones end
+        contacts, known = contact_heat(state, flow)
+        end(~known | (here.max(axis=(1, 2)) > HOTTEST), k)
+        if not active.any():
+            break
+        temperature[active, k], load[active, k] = here[active], state.seat_load()[active]
+        heat[active, k] = oiled.heat(contacts, here).sum(axis=-1)[active]
+        if k == steps:
+            break
+        slope = (contacts - before) / (time[k] - time[k - 1]) if k else 0.0 * contacts
+        ahead = oiled.onward(here, contacts, slope, time[k + 1] - time[k])
+        here, before = np.where(active[:, None, None], ahead, here), contacts
+    return Warming(time, temperature, heat, load, last, tuple(words))
+
+
+class _Oiled(NamedTuple):
+    """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, oiled and cooled by a ``flow``,
+    with ``capacity`` (bearings, 3) [J/K]."""
+
+    pitches: Array
+    speed: Array
+    flow: Flow
+    capacity: Array
+
+    def heat(self, contacts: Array, at: Array) -> Array:
+        """Of inner contacts, outer contacts and oil (speeds, bearings, 3) [W]."""
+        return with_oil(contacts, at, self.pitches, self.speed, self.flow)
+
+    def onward(self, at: Array, contacts: Array, slope: Array, length: float) -> Array:
+        """Temperatures (speeds, bearings, 3) after a ``length`` of time [s], the heat of the
+        ``contacts`` (speeds, bearings, 2) changing by ``slope`` [W/s]."""
+        matrix, outside = network(self.flow.conductances, self.flow.surroundings)
+        cooling, h = matrix / self.capacity[:, :, None], length / PARTS
+        drift = sources(np.concatenate([slope, 0.0 * slope[..., :1]], axis=-1)) / self.capacity
+
+        def rate(t: float, here: Array) -> Array:
+            power = sources(self.heat(contacts + t * slope, here))
+            return (power + outside) / self.capacity - np.einsum("bij,sbj->sbi", cooling, here)
+
+        def oil(here: Array) -> Array:
+            return self.heat(contacts, here)[..., 2]
+
+        for part in range(PARTS):
+            warmer = (oil(at + NUDGE) - oil(at)) / NUDGE
+            jacobian = np.broadcast_to(-cooling, (*at.shape, 3)).copy()
+            jacobian[..., 0, 0] += warmer / self.capacity[:, 0]
+            left, t = np.eye(3) - GAMMA * h * jacobian, part * h
+            one = _solved(left, rate(t, at) + GAMMA * h * drift)
+            two = _solved(left, rate(t + h, at + h * one) - 2.0 * one - GAMMA * h * drift)
+            at = at + h * (1.5 * one + 0.5 * two)
+        return at
+
+
+def _solved(left: Array, right: Array) -> Array:
+    return np.asarray(np.linalg.solve(left, right[..., None])[..., 0])

@@ -1,0 +1,306 @@
+"""Bearings of a spindle over time from its start, with the preload meanwhile."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+import rotordyn
+from bearings.heat.temperature import Conductances, Surroundings, network
+from rotordyn.analyses import WarmUpSpec
+from rotordyn.analyses.warm_up.figures import figures
+from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.analyses.warm_up.solve import answer, ball_capacity
+from rotordyn.analyses.warm_up.summary import numbers, summary, warnings
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
+from rotordyn.preload.warming import Begin, _Oiled, warming
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.heat_flow import SpindleHeatFlow
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import RPM, case
+from tests.verification.test_heat_balance import FLOW, NEXT_TO_NONE, OIL, grinding
+
+Array = NDArray[np.float64]
+LENGTH = 40.0  # s
+INNER, OUTER, START = 500.0, 3000.0, 20.0
+COOLED = Flow(
+    OIL.oil, Conductances(3.0, 6.0, 1.0, 1.5, 0.8), Surroundings(30.0, 25.0, 32.0), 0.05, 1.0
+)
+
+
+def held(*, rigid: bool) -> Spindle:
+    """The grinding spindle with fits that hold at all speeds."""
+    machine = grinding(rigid=rigid)
+    seats = tuple(
+        replace(seat, growth=replace(seat.growth, fit=replace(fit, interference=12e-6)))
+        for seat in machine.seats
+        if (fit := seat.growth.fit) is not None
+    )
+    return replace(machine, seats=seats)
+
+
+def scene(*rpm: float, rigid: bool = True, flow: SpindleHeatFlow = FLOW) -> Scene:
+    return Scene(held(rigid=rigid), Conditions(heat_flow=flow), np.array(rpm) * RPM)
+
+
+def spec(minutes: float, **more: float) -> WarmUpSpec:
+    given = {"inner": INNER, "outer": OUTER, "start": START} | more
+    return WarmUpSpec(duration=60.0 * minutes, **given)  # type: ignore[arg-type]
+
+
+@cache
+def warmed() -> tuple[Scene, WarmUpResult]:
+    here = scene(12e3)
+    return here, answer(here, spec(90.0))
+
+
+def test_given_heat_leads_where_the_exact_solution_does() -> None:
+    """Without heat of the oil the nodes are linear: a matrix exponential, heat that grows along a
+    straight line included; errors fall with the square of the step."""
+    flow = COOLED._replace(oil_factor=NEXT_TO_NONE)
+    capacity = np.array([[40.0, 500.0, 3000.0], [25.0, 300.0, 900.0]])
+    oiled = _Oiled(np.array([0.09, 0.06]), np.array([900.0, 300.0]), flow, capacity)
+    start = np.array(
+        [[[20.0, 20.0, 20.0], [35.0, 25.0, 20.0]], [[60.0, 50.0, 40.0], [20.0, 30.0, 40.0]]]
+    )
+    contacts = np.array([[[80.0, 60.0], [10.0, 15.0]], [[30.0, 20.0], [5.0, 2.0]]])
+    slope = np.array([[[0.2, -0.1], [0.0, 0.05]], [[0.1, 0.1], [-0.02, 0.0]]])
+    matrix, outside = network(flow.conductances, flow.surroundings)
+    exact = np.empty_like(start)
+    for s, b in np.ndindex(2, 2):
+        known = np.zeros((5, 5))  # (T, 1, t)
+        known[:3, :3] = -matrix / capacity[b][:, None]
+        for column, (inner, outer) in ((3, contacts[s, b]), (4, slope[s, b])):
+            given = np.array([0.5 * (inner + outer), 0.5 * inner, 0.5 * outer])
+            known[:3, column] = (given + (outside if column == 3 else 0.0)) / capacity[b]
+        known[4, 3] = 1.0
+        exact[s, b] = (expm(LENGTH * known) @ [*start[s, b], 1.0, 0.0])[:3]
+    errors = []
+    for parts in (4, 8, 16, 32):
+        found, each = start, LENGTH / parts
+        for k in range(parts):
+            found = oiled.onward(found, contacts + k * each * slope, slope, each)
+        errors.append(np.abs(found - exact).max())
+    assert errors[0] < 0.02
+    assert np.array(errors[:-1]) / errors[1:] == pytest.approx(4.0, rel=0.12)
+
+
+def test_oil_that_thins_is_followed_however_little_the_balls_hold() -> None:
+    """Balls of hardly any capacity are at once where oil, rings and balls are in balance."""
+    capacity = np.array([[0.1, 500.0, 3000.0]])
+    oiled = _Oiled(np.array([0.09]), np.array([1200.0]), COOLED, capacity)
+    start, none = np.array([[[20.0, 20.0, 20.0]]]), np.zeros((1, 1, 2))
+    here = oiled.onward(start, none, none, 5.0)
+    matrix, outside = network(COOLED.conductances, COOLED.surroundings)
+
+    def gap(at: Array) -> Array:
+        power = with_oil(none, at, oiled.pitches, oiled.speed, COOLED)
+        return np.asarray(power[0, 0, 2] + outside[0] - matrix[0] @ at[0, 0])
+
+    scale = matrix[0, 0] * (here[0, 0, 0] - START)
+    assert here[0, 0, 0] > 40.0
+    assert abs(gap(here)) < 0.02 * scale
+
+
+def test_it_ends_where_heat_and_cooling_are_in_balance() -> None:
+    here, result = warmed()
+    given = here.heat_balance.temperatures.bearings
+    for k, name in enumerate(result.bearing):
+        known = given[name]
+        pairs = (
+            (result.ball_temperature, known.balls),
+            (result.inner_temperature, known.inner_ring),
+            (result.outer_temperature, known.outer_ring),
+        )
+        for found, there in pairs:
+            assert found[:, -1, k] == pytest.approx(np.array(there), abs=0.02)
+    assert result.axial_load[:, -1] == pytest.approx(result.steady_load, rel=1e-3)
+    assert not any(result.outcome)
+    assert not any(result.ending)
+
+
+def test_what_is_produced_is_stored_or_flows_off() -> None:
+    here, result = warmed()
+    flow = FLOW.conductances
+    around = FLOW.surroundings
+    off = (
+        flow.inner_shaft * (result.inner_temperature - around.shaft)
+        + flow.outer_housing * (result.outer_temperature - around.housing)
+        + flow.balls_oil * (result.ball_temperature - around.oil)
+    )
+    made, gone = (np.trapezoid(each, result.time, axis=1) for each in (result.heat, off))
+    balls = [ball_capacity(seat.bearing) for seat in here.spindle.seats]
+    stored = sum(
+        capacity * (each[:, -1] - each[:, 0])
+        for capacity, each in (
+            (np.array(balls), result.ball_temperature),
+            (INNER, result.inner_temperature),
+            (OUTER, result.outer_temperature),
+        )
+    )
+    assert made - gone == pytest.approx(stored, abs=3e-3 * made.max())
+
+
+def test_twice_the_capacity_takes_twice_as_long() -> None:
+    here, capacity = scene(9e3), np.array([[30.0, INNER, OUTER]] * 4)
+    short, long = (
+        warming(
+            here.warm(here.speed),
+            here.speed,
+            here.spindle,
+            FLOW.flow,
+            Begin(np.full((4, 3), START), times * capacity),
+            times * 300.0,
+            8,
+            lambda _: None,
+        )
+        for times in (1.0, 2.0)
+    )
+    assert long.time == pytest.approx(2.0 * short.time)
+    assert long.load == pytest.approx(short.load, rel=1e-9)
+    assert long.temperature == pytest.approx(short.temperature, rel=1e-9)
+
+
+@pytest.mark.long
+def test_a_general_integrator_finds_the_same() -> None:
+    """The whole system by SciPy's, with the preload state at every one of its steps; errors of the
+    coarse steps fall with their square."""
+    speed, minutes = 12e3, 4.0
+    here = scene(speed)
+    at, flow = np.array([speed * RPM]), FLOW.flow
+    seats = here.spindle.seats
+    names = tuple(seat.name for seat in seats)
+    pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
+    capacity = np.array([[ball_capacity(seat.bearing), INNER, OUTER] for seat in seats])
+    matrix, outside = network(flow.conductances, flow.surroundings)
+    solve = here.warm(at)
+
+    def rate(_: float, flat: Array) -> Array:
+        temperature = flat.reshape(1, -1, 3)
+        contacts, known = contact_heat(solve(tables(temperature, at, names, flow)), flow)
+        assert known.all()
+        inner, outer, oil = with_oil(contacts, temperature, pitches, at, flow)[0].T
+        power = np.stack([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer], axis=1)
+        return np.asarray(((power + outside - temperature[0] @ matrix) / capacity).ravel())
+
+    start = np.full((len(seats), 3), START)
+    exact = solve_ivp(rate, (0.0, 60.0 * minutes), start.ravel(), rtol=1e-5, atol=1e-4).y[:, -1]
+    errors = []
+    for steps in (20, 40):
+        found = warming(
+            solve,
+            at,
+            here.spindle,
+            flow,
+            Begin(start, capacity),
+            60.0 * minutes,
+            steps,
+            lambda _: None,
+        )
+        errors.append(np.abs(found.temperature[0, -1].ravel() - exact).max())
+    assert errors[1] < 0.05
+    assert errors[0] > 2.5 * errors[1]
+    told = answer(here, spec(minutes))
+    worst = np.abs(told.inner_temperature[0, -1] - exact.reshape(-1, 3)[:, 1]).max()
+    assert worst < told.error + 1e-3
+
+
+def test_rigid_preload_passes_through_a_peak_that_a_spring_has_not() -> None:
+    _, result = warmed()
+    assert (result.largest_load > 1.5 * result.steady_load).all()
+    assert (result.largest_time < 300.0).all()
+    (told,) = (line for line in warnings(result) if "carries" in line)
+    k = int(result.largest_load[0].argmax())
+    assert f"bearing {result.bearing[k]} carries {result.largest_load[0, k]:.0f} N" in told
+    sprung = answer(scene(12e3, rigid=False), spec(90.0))
+    assert (sprung.largest_load < 1.15 * sprung.steady_load).all()
+    assert not [*warnings(sprung)]
+
+
+def test_temperatures_that_run_away_end_with_their_time() -> None:
+    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
+    result = answer(scene(3e3, 15e3, flow=weak), spec(30.0))
+    assert result.ending[0] == ""
+    assert "temperatures run away" in result.ending[1]
+    assert result.outcome == ("", "")
+    last = int(np.searchsorted(result.time, result.ended[1]))
+    assert 0 < last < len(result.time) - 1
+    assert np.isfinite(result.axial_load[1, : last + 1]).all()
+    assert np.isnan(result.axial_load[1, last + 1 :]).all()
+    assert result.inner_temperature[1, last].max() <= 250.0
+    assert any("at 15000 rpm temperatures run away" in line for line in warnings(result))
+
+
+def test_a_duration_too_short_says_so() -> None:
+    result = answer(scene(9e3), spec(3.0))
+    assert any("still warming up at the end" in line for line in warnings(result))
+
+
+def test_balls_hold_what_their_mass_does() -> None:
+    bearing = grinding().seats[0].bearing
+    mass = bearing.balls * bearing.ball_material.density * math.pi * bearing.ball_diameter**3 / 6.0
+    assert bearing.ball_material.density < 4000.0
+    assert ball_capacity(bearing) == pytest.approx(700.0 * mass)
+    steel = replace(bearing, ball_material=bearing.ring_material)
+    assert ball_capacity(steel) == pytest.approx(
+        460.0 * mass * bearing.ring_material.density / bearing.ball_material.density
+    )
+
+
+def test_it_begins_where_everything_is_cold() -> None:
+    here = scene(3e3)
+    result = answer(here, replace(spec(1.0), start=None))
+    assert result.inner_temperature[0, 0] == pytest.approx(29.0, abs=1.5)
+    assert result.outer_temperature[0, 0] == pytest.approx(25.6, abs=1.0)
+    told = "\n".join(summary(result))
+    assert "at 3000 rpm, axial load [N] at the start, largest, after 1 min" in told
+    assert [number.part for number in numbers(result, None)] == list("abcd") * 1  # type: ignore[arg-type]
+    assert [name for name, _ in figures(None, result, {})] == ["warm_up"]  # type: ignore[arg-type]
+
+
+FAULTY = {
+    "": ("analyses.warm_up", "give heat_flow in the conditions"),
+    "conditions: {heat_flow: HEAT}\noverride: {sleeves.rear.friction: 100 N}\n": (
+        "analyses.warm_up",
+        "leave their friction out",
+    ),
+    "conditions: {heat_flow: HEAT}\n#inner: 0 J/K\n": ("analyses.warm_up.inner", "out of range"),
+    "conditions: {heat_flow: HEAT}\n#inner: 3 W/K\n": ("analyses.warm_up.inner", "J/K"),
+}
+HEAT = (
+    "{inner_shaft: 3 W/K, outer_housing: 6 W/K, shaft: 30 degC, housing: 25 degC, oil: 30 degC, "
+    "lubricant: {viscosity_40: 32 mm^2/s, viscosity_100: 5.4 mm^2/s, temperature: 50 degC}}"
+)
+
+
+@pytest.mark.parametrize("more", FAULTY)
+def test_what_it_cannot_do_is_refused(tmp_path: Path, more: str) -> None:
+    path, words = FAULTY[more]
+    more, _, inner = more.partition("#inner: ")
+    text = (
+        "spindle: grinding_spindle\nspeeds: [3000 rpm]\n"
+        + more.replace("HEAT", HEAT)
+        + f"analyses:\n  warm_up: {{duration: 5 min, inner: {inner.strip() or '500 J/K'}, "
+        "outer: 3 kJ/K}\n"
+    )
+    (tmp_path / "case.yaml").write_text(text)
+    with pytest.raises(InvalidInput, match=words) as caught:
+        rotordyn.load(tmp_path / "case.yaml")
+    assert [fault.path for fault in caught.value.faults] == [path]
+
+
+@pytest.mark.parametrize("name", ["grinding_spindle_warm_up", "mfw2310_warm_up"])
+def test_shipped_cases_ask_for_it(name: str) -> None:
+    asked = case(name).analyses["warm_up"]
+    assert isinstance(asked, WarmUpSpec)
+    assert asked.start == START
