@@ -139,7 +139,8 @@ def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[
     """Bearings whose lost preload leaves play: without any load, and no force from outside presses
     the shaft against others."""
     load = net.response.load[row]
-    if network.arrangement.force and net.converged[row] and (load > 0.0).any():
+    pressed = np.where(network.both_ways, load != 0.0, load > 0.0)
+    if network.arrangement.force and net.converged[row] and pressed.any():
         return []
     least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
     return np.flatnonzero((load <= least) & ~network.both_ways).tolist()

@@ -81,7 +81,8 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
 def _stops(scene: Scene) -> Flags:
     """Which stops are closed at every speed (n, sleeves); none where there is no equilibrium."""
     held = np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
-    held[scene.usable] = scene.stopped
+    if not all(scene.outcome):
+        held[scene.usable] = scene.stopped
     return held
 
 
