@@ -18,7 +18,7 @@ from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
 from rotordyn.preload.mounting import mounted_preload
 from rotordyn.preload.on_films import Films
-from rotordyn.preload.shortening import seat_shifts, thermal_shifts
+from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
 Array = NDArray[np.float64]
 HOUSING = -1
@@ -62,6 +62,7 @@ class Push:
 class Arrangement:
     """Bodies (shaft first, then sleeves), bearings and springs; ``force`` [N] on the shaft.
 
+    ``support_shift`` (speeds,): shift of the shaft where supports hold it along the axis [m].
     Of several machines ``side_by_side`` the ``pushes`` are those of the first, of which only the
     directions hold for all.
     """
@@ -71,6 +72,7 @@ class Arrangement:
     pushes: tuple[Push, ...]
     speed: Array
     force: float
+    support_shift: Array
 
     @property
     def bearing_of_seat(self) -> list[int]:
@@ -105,7 +107,8 @@ class Arrangement:
             )
             for bearing in self.bearings
         )
-        return replace(self, bearings=bearings, speed=self.speed[index])
+        shift = self.support_shift[index]
+        return replace(self, bearings=bearings, speed=self.speed[index], support_shift=shift)
 
 
 def arrangement(
@@ -158,6 +161,7 @@ def arrangement(
         pushes=tuple(_push(spindle, k) for k in range(len(spindle.sleeves))),
         speed=speed,
         force=force,
+        support_shift=support_shift(spindle, speed, temperatures),
     )
 
 
@@ -201,7 +205,8 @@ def as_mounted(joined: Arrangement) -> Arrangement:
         )
         for b in joined.bearings
     )
-    return replace(joined, bearings=bearings, speed=np.zeros(1), force=0.0)
+    none = np.zeros(1)
+    return replace(joined, bearings=bearings, speed=none, force=0.0, support_shift=none)
 
 
 def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
@@ -224,4 +229,5 @@ def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
             )
         )
     speed = np.concatenate([each.speed for each in machines])
-    return replace(first, bearings=tuple(bearings), speed=speed)
+    shift = np.concatenate([each.support_shift for each in machines])
+    return replace(first, bearings=tuple(bearings), speed=speed, support_shift=shift)

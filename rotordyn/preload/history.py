@@ -179,12 +179,11 @@ def history(preload: PreloadState, reach: float) -> History:
     loads, models = mounted.response.load[0].tolist(), [b.model for b in joined.bearings]
     each = zip(laws.at(0.0, warm=False)[0], models, loads, near, strict=True)
     network = _network(preload, np.array([deflection_of(*one) for one in each]))
-    gap = np.zeros(len(network.springs.force))
 
     def load(at: Moment) -> Load:
-        push = np.zeros(len(joined.bodies))
-        push[SHAFT] = at.force
-        of_bearings, shift = laws.at(at.speed, warm=at.warm)
+        push, gap = np.zeros((2, len(joined.bodies)))
+        of_bearings, shift, at_supports = laws.at(at.speed, warm=at.warm)
+        push[SHAFT], gap[SHAFT] = at.force, -at_supports
         return Load(push, shift, gap, of_bearings)
 
     before, through, after = moments(past, joined.speed.tolist(), preload.force)
@@ -274,30 +273,33 @@ class BearingLaws:
 
     def __init__(self, preload: PreloadState, most: float) -> None:
         self.preload, self.most = preload, most
-        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array]] = {}
+        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
-    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array]:
-        """Laws, and shifts (bearings,) [m], at a speed [rad/s], at operating temperature or not."""
+    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
+        """Laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
+        [rad/s], at operating temperature or not."""
         key = speed, warm and self.preload.temperatures is not None
         if key not in self._known:
-            bearings = self._bearings(*key)
+            bearings, at_supports = self._deformed(*key)
             shift = np.array([bearing.shortening[0] for bearing in bearings])
             laws = tuple(axial_table(bearing, speed, self.most) for bearing in bearings)
-            self._known[key] = laws, shift
+            self._known[key] = laws, shift, at_supports
         return self._known[key]
 
-    def _bearings(self, speed: float, warm: bool) -> list[AxialBearing]:
-        """Those of the preload state, deformed by that speed and temperature."""
+    def _deformed(self, speed: float, warm: bool) -> tuple[list[AxialBearing], float]:
+        """Bearings of the preload state at that speed and temperature, and the shift of the shaft
+        at its supports [m]."""
         state = self.preload
         temperatures = state.temperatures if warm else None
         there = arrangement(
             state.spindle, np.array([speed]), 0.0, state.law, temperatures, state.films
         )
         of_seat = there.bearing_of_seat
-        return [
+        bearings = [
             replace(there.bearings[of_seat[bearing.seats[0]]], seats=bearing.seats)
             for bearing in state.network.arrangement.bearings
         ]
+        return bearings, float(there.support_shift[0])
 
 
 def _network(preload: PreloadState, deflection: Array) -> Network:

@@ -27,8 +27,8 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all
-    (speeds, bodies), or (1, bodies) where they are the same at all speeds.
+    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), each
+    (speeds, bodies), or (1, bodies) where it is the same at all speeds.
 
     ``fixed`` bodies (bodies,) cannot move from ``rest``.
     """
@@ -40,9 +40,8 @@ class Springs:
 
     def at(self, index: NDArray[np.intp]) -> Springs:
         """Those at some of the speeds."""
-        if len(self.force) == 1:
-            return self
-        return Springs(self.force[index], self.stiffness[index], self.rest[index], self.fixed)
+        each = (self.force, self.stiffness, self.rest)
+        return Springs(*(one if len(one) == 1 else one[index] for one in each), self.fixed)
 
 
 @dataclass(frozen=True, eq=False)

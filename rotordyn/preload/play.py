@@ -405,4 +405,5 @@ def _at_speed(
     )
     support = sum(each.along for each in spindle.supports)
     unit = 1e-3 * max(bearing.model.free_distance for bearing in joined.bearings)
-    return AtSpeed(sleeves, on(HOUSING), support, float(mounted[SHAFT]), unit)
+    place = float(mounted[SHAFT] - joined.support_shift[row])
+    return AtSpeed(sleeves, on(HOUSING), support, place, unit)

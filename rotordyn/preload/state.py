@@ -16,6 +16,7 @@ from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import SHAFT, as_mounted
+from rotordyn.preload.as_assembled import springs
 from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.network import Network, NetworkState
 from rotordyn.preload.on_films import Films
@@ -94,9 +95,9 @@ class PreloadState:
 
         A rigid preload carries what its bearings ask for.
         """
-        springs = self.network.springs
-        elastic = springs.force - springs.stiffness * self.shift
-        forces = elastic - springs.fixed * self._unbalanced
+        of_bodies = self.network.springs
+        elastic = of_bodies.force - of_bodies.stiffness * self.shift
+        forces = elastic - of_bodies.fixed * self._unbalanced
         return (self.network.arrangement.direction * forces)[:, SHAFT + 1 :]
 
     @property
@@ -205,7 +206,7 @@ class PreloadState:
         net = self.mounted
         if self.force:
             still = replace(as_mounted(self.network.arrangement), force=self.force)
-            frictionless = Network(still, self.network.springs)
+            frictionless = Network(still, springs(self.spindle, still, self.mounted.position))
             net = with_stops(frictionless, self.limit[None], self.rest[None])
         return np.where(net.converged[0], net.response.load[0], np.nan)
 

@@ -234,7 +234,8 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
             acting = state.force, state.law, state.temperatures, state.films
             groups = [bearing.seats for bearing in state.network.arrangement.bearings]
             joined = arrangement(state.spindle, speed[which == k], *acting, groups)
-            parts.append(replace(state.network, arrangement=joined))
+            held = springs(state.spindle, joined, state.mounted.position)
+            parts.append(Network(joined, held))
         return Network.side_by_side(parts)
 
     limit = np.stack([states[k].limit for k in met])

@@ -309,10 +309,12 @@ class Statics(Staged):
     @property
     def seated(self) -> tuple[Any, ...]:
         """What the preload state without loads across the axis follows from: of the shaft only
-        sections from the foremost seat on, and those between seats and what they shift from."""
+        sections from the foremost seat on, and those between seats, supports that hold it along
+        the axis and what they shift from."""
         own, shaft = self.grounded, self.spindle.shaft
         reference = getattr(own.shortening, "reference", math.inf)
-        front = min((*(seat.x for seat in own.seats), reference))
+        held = (support.x for support in own.supports if support.along)
+        front = min((*(seat.x for seat in own.seats), *held, reference))
         behind = tuple(
             (round(left, 9), section)  # stations add up from the tip of the tool
             for left, section in zip(shaft.boundaries, shaft.sections, strict=False)
