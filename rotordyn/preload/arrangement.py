@@ -16,7 +16,7 @@ from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
-from rotordyn.preload.mounting import mounted_preload
+from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
@@ -158,7 +158,7 @@ def arrangement(
     return Arrangement(
         bodies=("shaft", *sleeves),
         bearings=tuple(bearings),
-        pushes=tuple(_push(spindle, k) for k in range(len(spindle.sleeves))),
+        pushes=_pushes(spindle),
         speed=speed,
         force=force,
         support_shift=support_shift(spindle, speed, temperatures),
@@ -174,13 +174,12 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     )
 
 
-def _push(spindle: Spindle, k: int) -> Push:
-    """The spring pushes the outer rings the way that loads their bearings: against the thrust."""
-    sleeve = spindle.sleeves[k]
-    thrust = next(seat.thrust for seat in spindle.seats if seat.name in sleeve.bearings)
-    spring = sleeve.spring
-    preload = mounted_preload(spindle, sleeve)
-    return Push(k + 1, -thrust, preload, spring.stiffness, sleeve.stop_travel)
+def _pushes(spindle: Spindle) -> tuple[Push, ...]:
+    preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
+    return tuple(
+        Push(k, spring_way(spindle, each), force, each.spring.stiffness, each.stop_travel)
+        for k, (each, force) in enumerate(preloads, start=SHAFT + 1)
+    )
 
 
 def rigid(push: Push) -> bool:

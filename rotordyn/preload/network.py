@@ -40,8 +40,11 @@ class Springs:
 
     def at(self, index: NDArray[np.intp]) -> Springs:
         """Those at some of the speeds."""
-        each = (self.force, self.stiffness, self.rest)
-        return Springs(*(one if len(one) == 1 else one[index] for one in each), self.fixed)
+
+        def chosen(values: Array) -> Array:
+            return values if len(values) == 1 else values[index]
+
+        return Springs(chosen(self.force), chosen(self.stiffness), chosen(self.rest), self.fixed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,6 +13,7 @@ import pytest
 import bearings
 import rotordyn
 from bearings import AngularContactBallBearing
+from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import PreloadSpec
 from rotordyn.analyses.preload.solve import answer
@@ -25,7 +26,13 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.mounting import class_offset, mounted_preload, ring_offset
+from rotordyn.preload.mounting import (
+    class_offset,
+    mounted_preload,
+    mounted_preloads,
+    ring_offset,
+)
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM
@@ -350,6 +357,46 @@ def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> Non
     assert sorted(len(growths) for growths in sides.values()) == [1, 2]
     known = sum(place(growths) for growths in sides.values())
     assert ring_offset(machine, machine.sleeves[0], force) == pytest.approx(known, abs=1e-12)
+
+
+@pytest.mark.parametrize("thrusts", [(1, -1, -1), (1, -1, 1, -1), (1, 1, -1, -1)])
+@pytest.mark.parametrize("sprung", [False, True])
+def test_sets_that_are_mounted_together_press_the_shaft_together(
+    thrusts: tuple[int, ...], sprung: bool
+) -> None:
+    """Two sleeves in one housing, at offsets of 10 and 14 µm, or the second one on a spring: where
+    the shaft has no force left, by the law of one bearing."""
+    from scipy.optimize import brentq
+
+    plain = replace(spindle("DT", None), arrangement=None)
+    seats = tuple(
+        replace(plain.seats[0], name=f"b{k}", x=0.03 + 0.05 * k, thrust=thrust)
+        for k, thrust in enumerate(thrusts)
+    )
+    springs = Spring(0.0, offset=10e-6), Spring(300.0, 5e6) if sprung else Spring(0.0, offset=14e-6)
+    sleeves = tuple(Sleeve(f"s{k}", (f"b{k}",), springs[k - 1]) for k in (1, 2))
+    machine = replace(plain, seats=seats, sleeves=sleeves)
+    given = {1: -thrusts[1] * 10e-6, 2: -thrusts[2] * 14e-6}
+
+    def carried(k: int, shaft: float) -> float:
+        if k == 2 and sprung:
+            return 300.0
+        motion = [thrusts[k] * (shaft - given.get(k, 0.0)), 0.0, 0.0, 0.0, 0.0]
+        return float(BEARING.equilibrium(displacement=motion).load[0])
+
+    shaft = brentq(
+        lambda x: sum(thrust * carried(k, x) for k, thrust in enumerate(thrusts)),
+        -30e-6,
+        30e-6,
+        xtol=1e-16,
+    )
+    known = [carried(1, shaft), carried(2, shaft)]
+    assert mounted_preloads(machine) == pytest.approx(known, rel=1e-6)
+    found = dynamic_preload(machine, np.zeros(1), Law())
+    assert found.seat_load()[0, 1:3] == pytest.approx(known, rel=1e-6)
+    back = ring_offset(machine, sleeves[0], known[0])
+    if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing says nothing of it
+        assert back == pytest.approx(10e-6, rel=1e-6)
 
 
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
