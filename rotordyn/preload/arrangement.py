@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import STANDARD, Law
 from bearings.ball.laws import Laws, laws_of
 from bearings.bearing import BallBearing
+from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
@@ -20,7 +20,6 @@ from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
-Array = NDArray[np.float64]
 HOUSING = -1
 SHAFT = 0
 
@@ -95,7 +94,7 @@ class Arrangement:
         """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
         return np.array([0.0, *(push.direction for push in self.pushes)])
 
-    def at(self, index: NDArray[np.intp]) -> Arrangement:
+    def at(self, index: Indices) -> Arrangement:
         """The arrangement at some of its speeds."""
         bearings = tuple(
             replace(

@@ -8,14 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import SHAFT, Arrangement, as_mounted, has_stop, rigid
 from rotordyn.preload.equilibrium import solve
 from rotordyn.preload.network import Network, NetworkState, Springs
 
-Array = NDArray[np.float64]
 NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 

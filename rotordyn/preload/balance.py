@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ring.assembly import Assembly, full_assembly, half_assembly
 from rotordyn.allowance import require_time
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.equation.statics import PLANE, StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
@@ -29,8 +29,6 @@ from rotordyn.preload.stops import stops_wanted
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Force = float | Array  # [N], at all speeds or at each (speeds,)
 Place = Callable[["Balance", Array, Any], "Point"]
 FORCES = 3  # of the five DOF: x, y, z
@@ -65,7 +63,7 @@ class Point:
     imbalance: Array
     pressure: Array
     lightest: Array
-    lightest_ball: NDArray[np.intp]
+    lightest_ball: Indices
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -92,7 +90,7 @@ class Balance:
     rubbing: Rubbing
 
     @classmethod
-    def at(cls, state: PreloadState, rotor: StaticRotor, index: NDArray[np.intp]) -> Balance:
+    def at(cls, state: PreloadState, rotor: StaticRotor, index: Indices) -> Balance:
         """The problem at some of a preload state's speeds."""
         part = state.network.at(index)
         return cls(
@@ -118,7 +116,7 @@ class Balance:
         )
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
-    def first_point(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
+    def first_point(self, state: PreloadState, index: Indices) -> Point:
         """The point of the preload state it was made of, with bearings as solved there."""
         if state.lateral is not None or self.offset.any() or not state.usable[index].all():
             return self.evaluate(self.start, None)

@@ -17,9 +17,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_history, require_time
+from rotordyn.arrays import Array
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.preload.arrangement import (
     HOUSING,
@@ -40,7 +40,6 @@ from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, 
 from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
-Array = NDArray[np.float64]
 SLIDING = 1e-9  # of the limit of friction
 
 

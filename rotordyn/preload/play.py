@@ -18,11 +18,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -39,7 +39,6 @@ from rotordyn.preload.arrangement import (
 from rotordyn.preload.axial_ends import begins, turns, without_state
 from rotordyn.preload.on_films import Films
 
-Array = NDArray[np.float64]
 # Lengths in thousandths of the free distance of groove centres, some 1 µm; dense near 0, by halving
 # steps above it: there the law d^1.5 of a bearing at rest is not smooth
 PARTS = (

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-
-Array = NDArray[np.float64]
 
 
 def seat_shifts(spindle: Spindle, speed: Array) -> Array:

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ring.state import BearingState
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -26,8 +26,6 @@ from rotordyn.preload.stops import with_stops
 if TYPE_CHECKING:
     from rotordyn.preload.together import Place
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 FAR = 1e-3  # m: no gap of a stop is that large
 LEAST = 1e-9  # N, of a closed stop
 TOUCHING = 1e-11  # m: a sleeve so near its stop, held by friction, stands at it
@@ -210,7 +208,7 @@ class PreloadState:
             net = with_stops(frictionless, self.limit[None], self.rest[None])
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
-    def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
+    def with_travels(self, travel: Mapping[str, float], index: Indices) -> PreloadState:
         """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
         return self._solved.with_travels(travel, index)
 
@@ -228,7 +226,7 @@ class PreloadState:
         assert self.place is not None, "a state that is being solved"
         return self.place
 
-    def rows(self, index: NDArray[np.intp]) -> PreloadState:
+    def rows(self, index: Indices) -> PreloadState:
         """The state at some of its speeds, without loads across the axis."""
         network, net = self.network.at(index), self.net.rows(index)
         warm = self.temperatures is not None

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import Arrangement, Push, arrangement
@@ -27,8 +27,6 @@ from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import meeting_speeds, with_stops
 
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 T = TypeVar("T")
 UNASKED = 1.0  # N, on bearings that another machine asks for and that carry nothing in this one
 
@@ -151,7 +149,7 @@ class Place:
         """As of ``PreloadState``."""
         return self.among.once("stops", lambda: _stop_speeds(self.among.states))[self.number]
 
-    def with_travels(self, travel: Mapping[str, float], index: Index) -> PreloadState:
+    def with_travels(self, travel: Mapping[str, float], index: Indices) -> PreloadState:
         """As of ``PreloadState``."""
         states = self.among.states
         if len(states) == 1:
@@ -169,7 +167,7 @@ class Place:
 
 
 def _with_travels(
-    states: Sequence[PreloadState], travel: Mapping[str, float], rows: Sequence[Index]
+    states: Sequence[PreloadState], travel: Mapping[str, float], rows: Sequence[Indices]
 ) -> list[PreloadState]:
     begun = []
     for state, index in zip(states, rows, strict=True):
@@ -227,7 +225,7 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
         between.append([before[0], state.speed[row]])
         near.append([before[1], known[row]])
 
-    def at(speed: Array, which: Index) -> Network:
+    def at(speed: Array, which: Indices) -> Network:
         parts = []
         for k in np.unique(which):
             state = states[met[k]]

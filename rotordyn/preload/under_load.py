@@ -13,8 +13,8 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
@@ -25,8 +25,6 @@ from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Together
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
@@ -52,11 +50,11 @@ class ContactLoss:
     """
 
     share: Array
-    ball: NDArray[np.intp]
+    ball: Indices
 
 
 def contact_loss(
-    state: PreloadState, rotor: StaticRotor, size: float, rows: NDArray[np.intp], steps: int
+    state: PreloadState, rotor: StaticRotor, size: float, rows: Indices, steps: int
 ) -> ContactLoss:
     """Loads of ``size`` [N] in so many ``steps`` on ``state``, the one without them, at ``rows``.
 
