@@ -19,6 +19,7 @@ from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import Arrangement
 from rotordyn.preload.balance import Balance, Force, Point
+from rotordyn.preload.balance_search import balanced
 from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.outcome import pushed_apart
@@ -121,7 +122,7 @@ def _marched(first: Balance, size: Force) -> tuple[Balance, Point, Flags]:
         balance, here = first, begin
         for share in np.arange(1, strides + 1) / strides:
             guess = _ahead(balance, here, size / strides, alive)
-            balance, here, good = balance.solved(guess, here, share * size, alive)
+            balance, here, good = balanced(balance, guess, here, share * size, alive)
             alive &= good
             if not alive.any():
                 break

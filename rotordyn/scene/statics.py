@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.arrays import Array, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.errors import NoSolution
@@ -146,17 +146,13 @@ class Statics(Staged):
         return np.flatnonzero([word == "" for word in self.outcome])
 
     def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""
+        """Values at the usable speeds (first axis) over all speeds; NaN elsewhere, of flags
+        False."""
         if len(values) == len(self.speed):
             return values
-        none = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        none: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        none = False if values.dtype == bool else none
         whole = np.full((len(self.speed), *values.shape[1:]), none, dtype=values.dtype)
-        whole[self.usable] = values
-        return whole
-
-    def flagged(self, values: Flags) -> Flags:
-        """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
-        whole = np.zeros(len(self.speed), dtype=bool)
         whole[self.usable] = values
         return whole
 
