@@ -117,14 +117,12 @@ def arrangement(
     law: Law = STANDARD,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
-    groups: Sequence[tuple[int, ...]] | None = None,
 ) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
     by ``temperatures``, balls on ``films``.
 
-    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else;
-    ``groups``: seats that share a bearing, those of the same machine at other speeds; all that are
-    alike at these speeds by default.
+    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
+    Seats that are alike at these speeds share a bearing.
     """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
@@ -145,11 +143,7 @@ def arrangement(
             growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
             shortening=shifts[:, k] + seat.thrust * along[:, k],
         )
-        if groups is None:
-            same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
-        else:
-            (mine,) = (group for group in groups if k in group)
-            same = next((i for i, other in enumerate(bearings) if other.seats[0] in mine), None)
+        same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if same is None:
             bearings.append(bearing)
         else:
@@ -205,6 +199,12 @@ def as_mounted(joined: Arrangement) -> Arrangement:
     )
     none = np.zeros(1)
     return replace(joined, bearings=bearings, speed=none, force=0.0, support_shift=none)
+
+
+def apart(joined: Arrangement) -> Arrangement:
+    """The arrangement with every bearing by itself, in the order of the seats."""
+    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
+    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))
 
 
 def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:

@@ -17,7 +17,7 @@ from bearings.ball.law import Law
 from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.arrangement import Arrangement, Push, arrangement
+from rotordyn.preload.arrangement import Arrangement, Push, apart, arrangement
 from rotordyn.preload.as_assembled import limits, mounted, springs
 from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.equilibrium import confirmed
@@ -42,12 +42,6 @@ class Asked(NamedTuple):
     temperatures: Temperatures | None = None
     films: Films | None = None
 
-    def arrangement(self, speed: Array | None = None) -> Arrangement:
-        """Its axial arrangement, also at other speeds."""
-        at = self.speed if speed is None else speed
-        acting = self.force, self.law, self.temperatures, self.films
-        return arrangement(self.spindle, at, *acting)
-
 
 def dynamic_preload(
     spindle: Spindle,
@@ -68,7 +62,7 @@ def dynamic_preloads(machines: Sequence[Asked]) -> list[PreloadState]:
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = [each.arrangement() for each in machines]
+    joined = [_arrangement(each, each.speed) for each in machines]
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k, each in enumerate(joined):
         groups.setdefault(each.structure, []).append(k)
@@ -97,6 +91,12 @@ def _solved(machines: Sequence[Asked], joined: Sequence[Arrangement]) -> list[Pr
         for asked, each, at_rest in zip(machines, joined, mounted(joined), strict=True)
     ]
     return settled(begun)
+
+
+def _arrangement(machine: Asked | PreloadState, speed: Array) -> Arrangement:
+    """The axial arrangement of a machine at any speeds."""
+    acting = machine.force, machine.law, machine.temperatures, machine.films
+    return arrangement(machine.spindle, speed, *acting)
 
 
 def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[PreloadState]:
@@ -226,14 +226,14 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
         near.append([before[1], known[row]])
 
     def at(speed: Array, which: Indices) -> Network:
-        parts = []
-        for k in np.unique(which):
-            state = states[met[k]]
-            acting = state.force, state.law, state.temperatures, state.films
-            groups = [bearing.seats for bearing in state.network.arrangement.bearings]
-            joined = arrangement(state.spindle, speed[which == k], *acting, groups)
-            held = springs(state.spindle, joined, state.mounted.position)
-            parts.append(Network(joined, held))
+        asked = {k: states[met[k]] for k in np.unique(which).tolist()}
+        joined = {k: _arrangement(state, speed[which == k]) for k, state in asked.items()}
+        if len({one.structure for one in joined.values()}) > 1:  # alike in some machines alone
+            joined = {k: apart(one) for k, one in joined.items()}
+        parts = [
+            Network(joined[k], springs(state.spindle, joined[k], state.mounted.position))
+            for k, state in asked.items()
+        ]
         return Network.side_by_side(parts)
 
     limit = np.stack([states[k].limit for k in met])

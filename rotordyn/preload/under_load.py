@@ -17,7 +17,7 @@ import numpy as np
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.preload.arrangement import Arrangement
+from rotordyn.preload.arrangement import apart
 from rotordyn.preload.balance import Balance, Force, Point
 from rotordyn.preload.balance_search import balanced
 from rotordyn.preload.leaving import NEARER, Leaving
@@ -175,7 +175,7 @@ def _as_state(
     """The balance as a preload state whose bearings all stand by themselves."""
     assert there.states is not None
     p, shape = len(balance.rotor.point), there.load.shape[:2]
-    joined = _apart(state.network.arrangement)
+    joined = apart(state.network.arrangement)
     load, slope = np.empty(shape), np.empty(shape)
     for places, each in there.bearings:
         load[:, places], slope[:, places] = each.load[..., 0], each.stiffness[..., 0, 0]
@@ -195,9 +195,3 @@ def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:
     one = mounted.response
     each = replace(one, load=one.load[:, bearings], slope=one.slope[:, bearings])
     return replace(mounted, response=each)
-
-
-def _apart(joined: Arrangement) -> Arrangement:
-    """Every bearing by itself, in the order of the seats."""
-    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
-    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))
