@@ -13,7 +13,7 @@ from bearings.ball.law import Law
 from rotordyn.case.vary import changed
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
-from rotordyn.preload.arrangement import side_by_side
+from rotordyn.preload.arrangement import arrangement, side_by_side
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Asked, dynamic_preload, dynamic_preloads
 from tests.oracles.spindles import RPM, case, mfw2310, with_sleeve, with_springs
@@ -136,7 +136,7 @@ def test_machines_whose_bearings_are_alike_at_rest_alone_keep_their_own(backward
 
 
 def test_machines_built_otherwise_are_never_joined() -> None:
-    one, other = (Asked(s, SPEED, LAW).arrangement() for s in (mfw2310(), mfw2310(sleeves=())))
+    one, other = (arrangement(s, SPEED) for s in (mfw2310(), mfw2310(sleeves=())))
     with pytest.raises(AssertionError, match="built otherwise"):
         side_by_side([one, other])
 
