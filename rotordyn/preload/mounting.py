@@ -70,11 +70,6 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
     return forces
 
 
-def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
-    """That of one of them."""
-    return mounted_preloads(spindle)[spindle.sleeves.index(sleeve)]
-
-
 def _require_pressed(
     spindle: Spindle, sleeve: Sleeve, offset: float, force: float, *, overloaded: bool
 ) -> None:

@@ -28,7 +28,6 @@ from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.mounting import (
     class_offset,
-    mounted_preload,
     mounted_preloads,
     ring_offset,
 )
@@ -97,7 +96,7 @@ def test_force_and_offset_give_one_another() -> None:
     offset = ring_offset(machine, machine.sleeves[0], 600.0)
     assert offset == pytest.approx(2.0 * deflection(600.0), rel=1e-12)
     back = spindle("DB", SetPreload(offset=offset))
-    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(600.0, rel=1e-9)
+    assert mounted_preloads(back)[0] == pytest.approx(600.0, rel=1e-9)
     result = answer(state(back), PreloadSpec())
     assert result.mounted_preload == pytest.approx([600.0], rel=1e-9)
     assert result.ring_offset == pytest.approx([offset], rel=1e-9)
@@ -110,7 +109,7 @@ def test_an_offset_of_any_size_gives_its_force_back(force: float) -> None:
     machine = spindle("DB", SetPreload(force=force))
     offset = ring_offset(machine, machine.sleeves[0], force)
     back = spindle("DB", SetPreload(offset=offset))
-    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(force, rel=1e-8)
+    assert mounted_preloads(back)[0] == pytest.approx(force, rel=1e-8)
 
 
 def test_fits_raise_the_preload_of_an_offset() -> None:
@@ -127,8 +126,8 @@ def test_fits_raise_the_preload_of_an_offset() -> None:
     gain = distance * (math.sin(angle) - math.sin(math.acos(math.cos(angle) + growth / distance)))
     total = 2.0 * deflection(200.0) + 2.0 * gain
     known = brentq(lambda p: 2.0 * deflection(p, growth) - total, 1.0, 1e5)
-    assert mounted_preload(mounted, mounted.sleeves[0]) == pytest.approx(known, rel=1e-9)
-    assert mounted_preload(free, free.sleeves[0]) == pytest.approx(200.0, rel=1e-9)
+    assert mounted_preloads(mounted)[0] == pytest.approx(known, rel=1e-9)
+    assert mounted_preloads(free)[0] == pytest.approx(200.0, rel=1e-9)
     assert known > 300.0
     assert class_offset(mounted, mounted.sleeves[0], 200.0) == pytest.approx(2 * deflection(200.0))
 
@@ -140,7 +139,7 @@ def test_sets_of_one_class_are_preloaded_more_than_pairs(name: str, factor: floa
     """All bearings are ground to the offset of the class; makers print the factors to two digits
     (SKF, super-precision bearings, preload of sets: 1.36, 1.57 or 1.6, 2)."""
     machine = spindle(name, SetPreload(class_force=300.0))
-    found = mounted_preload(machine, machine.sleeves[0]) / 300.0
+    found = mounted_preloads(machine)[0] / 300.0
     assert found == pytest.approx(factor, rel=0.01)
 
 
@@ -322,7 +321,7 @@ def test_a_set_of_weak_bearings_is_mounted_too() -> None:
     assert pair is not None
     seats = tuple(replace(s, bearing=replace(s.bearing, balls=7)) for s in pair.seats)
     weak = replace(pair, seats=seats)
-    force = mounted_preload(weak, weak.sleeves[0])
+    force = mounted_preloads(weak)[0]
     given = pair.sleeves[0].spring.offset
     assert ring_offset(weak, weak.sleeves[0], force) == pytest.approx(given, rel=1e-9)
 
@@ -406,16 +405,16 @@ def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     left = 1.0 - (taken - given) * 1e6
     play = rf"offset of 1 µm leaves play in its bearings as mounted \({left:.3g} µm with"
     with pytest.raises(InvalidInput, match=play):
-        mounted_preload(loose, loose.sleeves[0])
+        mounted_preloads(loose)[0]
     small = AngularContactBallBearing(3e-3, 30e-3, 5, contact_angle=math.radians(15.0))
     pressed = spindle("DB", SetPreload(offset=0.9e-3), small)
     beyond = "offset of 900 µm presses its bearings beyond what they bear .900 µm with"
     with pytest.raises(InvalidInput, match=beyond):
-        mounted_preload(pressed, pressed.sleeves[0])
+        mounted_preloads(pressed)[0]
     machine = spindle("DT", None)
     sleeve = Sleeve("s", ("a", "b"), Spring(0.0, math.inf, offset=1e-5))
     with pytest.raises(InvalidInput, match="needs bearings that face them"):
-        mounted_preload(replace(machine, sleeves=(sleeve,)), sleeve)
+        mounted_preloads(replace(machine, sleeves=(sleeve,)))
 
 
 def test_a_preload_beyond_the_bearing_is_named() -> None:
