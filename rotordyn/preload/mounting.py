@@ -61,6 +61,11 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
         own = (side.push(x - ways[k] * offsets[k]) for k, side in held.items())
         return housing.push(x) + sum(own) - pushed
 
+    if not left(-LONGEST) <= 0.0 <= left(LONGEST):
+        raise InvalidInput(
+            f"sleeves {', '.join(sleeve.name for sleeve in spindle.sleeves)}: together they press "
+            "the bearings beyond what they bear: lower their preloads"
+        )
     shaft = float(brentq(left, -LONGEST, LONGEST, xtol=EXACT))
     for k, side in held.items():
         x = shaft - ways[k] * offsets[k]
@@ -80,6 +85,7 @@ def _require_pressed(
     what, remedy = "leaves play in its bearings as mounted", "a larger one"
     if overloaded:
         what, remedy = "presses its bearings beyond what they bear", "a smaller one"
+        remedy += ", or lower the preloads beside it" * (len(spindle.sleeves) > 1)
     raise InvalidInput(
         f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm {what} "
         f"({total * 1e6:.3g} µm with what the fits take up): give {remedy}"

@@ -393,6 +393,9 @@ def test_sets_that_are_mounted_together_press_the_shaft_together(
     assert mounted_preloads(machine) == pytest.approx(known, rel=1e-6)
     found = dynamic_preload(machine, np.zeros(1), Law())
     assert found.seat_load()[0, 1:3] == pytest.approx(known, rel=1e-6)
+    heavy = replace(sleeves[1], spring=Spring(9e6, 5e6))
+    with pytest.raises(InvalidInput, match="bearings beyond what they bear"):
+        mounted_preloads(replace(machine, sleeves=(sleeves[0], heavy)))
     back = ring_offset(machine, sleeves[0], known[0])
     if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing says nothing of it
         assert back == pytest.approx(10e-6, rel=1e-6)
