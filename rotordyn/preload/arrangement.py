@@ -8,19 +8,18 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import STANDARD, Law
 from bearings.ball.laws import Laws, laws_of
 from bearings.bearing import BallBearing
+from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
-from rotordyn.preload.mounting import mounted_preload
+from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
-from rotordyn.preload.shortening import seat_shifts, thermal_shifts
+from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
-Array = NDArray[np.float64]
 HOUSING = -1
 SHAFT = 0
 
@@ -62,6 +61,7 @@ class Push:
 class Arrangement:
     """Bodies (shaft first, then sleeves), bearings and springs; ``force`` [N] on the shaft.
 
+    ``support_shift`` (speeds,): shift of the shaft where supports hold it along the axis [m].
     Of several machines ``side_by_side`` the ``pushes`` are those of the first, of which only the
     directions hold for all.
     """
@@ -71,6 +71,7 @@ class Arrangement:
     pushes: tuple[Push, ...]
     speed: Array
     force: float
+    support_shift: Array
 
     @property
     def bearing_of_seat(self) -> list[int]:
@@ -93,7 +94,7 @@ class Arrangement:
         """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
         return np.array([0.0, *(push.direction for push in self.pushes)])
 
-    def at(self, index: NDArray[np.intp]) -> Arrangement:
+    def at(self, index: Indices) -> Arrangement:
         """The arrangement at some of its speeds."""
         bearings = tuple(
             replace(
@@ -105,7 +106,8 @@ class Arrangement:
             )
             for bearing in self.bearings
         )
-        return replace(self, bearings=bearings, speed=self.speed[index])
+        shift = self.support_shift[index]
+        return replace(self, bearings=bearings, speed=self.speed[index], support_shift=shift)
 
 
 def arrangement(
@@ -115,14 +117,12 @@ def arrangement(
     law: Law = STANDARD,
     temperatures: Temperatures | None = None,
     films: Films | None = None,
-    groups: Sequence[tuple[int, ...]] | None = None,
 ) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
     by ``temperatures``, balls on ``films``.
 
-    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else;
-    ``groups``: seats that share a bearing, those of the same machine at other speeds; all that are
-    alike at these speeds by default.
+    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
+    Seats that are alike at these speeds share a bearing.
     """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
@@ -143,11 +143,7 @@ def arrangement(
             growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
             shortening=shifts[:, k] + seat.thrust * along[:, k],
         )
-        if groups is None:
-            same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
-        else:
-            (mine,) = (group for group in groups if k in group)
-            same = next((i for i, other in enumerate(bearings) if other.seats[0] in mine), None)
+        same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if same is None:
             bearings.append(bearing)
         else:
@@ -155,9 +151,10 @@ def arrangement(
     return Arrangement(
         bodies=("shaft", *sleeves),
         bearings=tuple(bearings),
-        pushes=tuple(_push(spindle, k) for k in range(len(spindle.sleeves))),
+        pushes=_pushes(spindle),
         speed=speed,
         force=force,
+        support_shift=support_shift(spindle, speed, temperatures),
     )
 
 
@@ -170,13 +167,12 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     )
 
 
-def _push(spindle: Spindle, k: int) -> Push:
-    """The spring pushes the outer rings the way that loads their bearings: against the thrust."""
-    sleeve = spindle.sleeves[k]
-    thrust = next(seat.thrust for seat in spindle.seats if seat.name in sleeve.bearings)
-    spring = sleeve.spring
-    preload = mounted_preload(spindle, sleeve)
-    return Push(k + 1, -thrust, preload, spring.stiffness, sleeve.stop_travel)
+def _pushes(spindle: Spindle) -> tuple[Push, ...]:
+    preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
+    return tuple(
+        Push(k, spring_way(spindle, each), force, each.spring.stiffness, each.stop_travel)
+        for k, (each, force) in enumerate(preloads, start=SHAFT + 1)
+    )
 
 
 def rigid(push: Push) -> bool:
@@ -201,7 +197,14 @@ def as_mounted(joined: Arrangement) -> Arrangement:
         )
         for b in joined.bearings
     )
-    return replace(joined, bearings=bearings, speed=np.zeros(1), force=0.0)
+    none = np.zeros(1)
+    return replace(joined, bearings=bearings, speed=none, force=0.0, support_shift=none)
+
+
+def apart(joined: Arrangement) -> Arrangement:
+    """The arrangement with every bearing by itself, in the order of the seats."""
+    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
+    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))
 
 
 def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
@@ -224,4 +227,5 @@ def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
             )
         )
     speed = np.concatenate([each.speed for each in machines])
-    return replace(first, bearings=tuple(bearings), speed=speed)
+    shift = np.concatenate([each.support_shift for each in machines])
+    return replace(first, bearings=tuple(bearings), speed=speed, support_shift=shift)

@@ -8,14 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.arrangement import Arrangement, as_mounted, has_stop, rigid
+from rotordyn.preload.arrangement import SHAFT, Arrangement, as_mounted, has_stop, rigid
 from rotordyn.preload.equilibrium import solve
 from rotordyn.preload.network import Network, NetworkState, Springs
 
-Array = NDArray[np.float64]
 NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
@@ -34,12 +33,13 @@ def mounted(joined: Sequence[Arrangement]) -> Iterator[NetworkState]:
 def springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
     """Springs acting about the place at rest (1, bodies).
 
-    Linear supports hold the shaft along the axis without force at rest.
+    Linear supports hold the shaft along the axis without force at rest, where it is at them.
     """
     fixed = np.array([False, *map(rigid, joined.pushes)])
     along = sum(support.along for support in spindle.supports)
     stiffness = np.array([[along, *(push.stiffness for push in joined.pushes)]])
-    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest, fixed)
+    shift = np.multiply.outer(joined.support_shift, np.arange(len(fixed)) == SHAFT)
+    return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest - shift, fixed)
 
 
 def limits(joined: Arrangement, rest: Array) -> Array:

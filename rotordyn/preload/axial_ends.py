@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from bearings.bearing import BallBearing
 from bearings.geometry import geometry, groove_origin
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 
-Array = NDArray[np.float64]
 MISSED, FLAT = 1e-2, 1e-4  # of a slope, and of the largest, by which cubic pieces may miss it
 INSIDE = np.arange(1.0, 8.0) / 8.0  # of a piece, further points
 

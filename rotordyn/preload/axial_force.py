@@ -11,14 +11,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
-Array = NDArray[np.float64]
 PointForces = tuple[tuple[float, float], ...]  # stations [m], forces towards +x [N]
 BALANCED = 1e-9  # of the largest force
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(5)

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ring.assembly import Assembly, full_assembly, half_assembly
-from rotordyn.allowance import require_time
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.equation.statics import PLANE, StaticRotor
-from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
@@ -29,21 +27,11 @@ from rotordyn.preload.stops import stops_wanted
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Force = float | Array  # [N], at all speeds or at each (speeds,)
-Place = Callable[["Balance", Array, Any], "Point"]
 FORCES = 3  # of the five DOF: x, y, z
 LEAST = 1e-9  # N
 SOFT = 1e-12  # of the largest stiffness, added where bearings may hold nothing
-LONGEST_STEP = 50e-6  # m, by which a ring moves in one step of the search
-LEVEL = 1e-6  # by which the balance may seem worse where it does not change
-BEYOND = 0.9  # of the force along a step at its start, that may push back at its end
-TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 SMALL = 1e3
-ITERATIONS = 20
-SEARCH = 60  # iterations with every bearing solved by itself
-HALVINGS = 8
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -65,7 +53,7 @@ class Point:
     imbalance: Array
     pressure: Array
     lightest: Array
-    lightest_ball: NDArray[np.intp]
+    lightest_ball: Indices
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -92,7 +80,7 @@ class Balance:
     rubbing: Rubbing
 
     @classmethod
-    def at(cls, state: PreloadState, rotor: StaticRotor, index: NDArray[np.intp]) -> Balance:
+    def at(cls, state: PreloadState, rotor: StaticRotor, index: Indices) -> Balance:
         """The problem at some of a preload state's speeds."""
         part = state.network.at(index)
         return cls(
@@ -118,7 +106,7 @@ class Balance:
         )
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
-    def first_point(self, state: PreloadState, index: NDArray[np.intp]) -> Point:
+    def first_point(self, state: PreloadState, index: Indices) -> Point:
         """The point of the preload state it was made of, with bearings as solved there."""
         if state.lateral is not None or self.offset.any() or not state.usable[index].all():
             return self.evaluate(self.start, None)
@@ -135,15 +123,15 @@ class Balance:
         """Bearings moved to given coordinates, their balls by a Newton step."""
         return self._point(coordinates, near.bearings.moved(self._displacement(coordinates)))
 
-    def _at(self, guess: list[Array], near: Point) -> Point:
+    def guessed(self, guess: list[Array], near: Point) -> Point:
         """Coordinates and balls where a guess has them, as far as bodies can move."""
-        coordinates = self._placed(guess[0])
+        coordinates = self.placed(guess[0])
         displacement = self._displacement(coordinates)
         return self._point(coordinates, near.bearings.at(displacement, guess[1:]))
 
     def balls_along(self, here: Point, change: Array) -> list[Array]:
         """What the balls of each bearing model do with a ``change`` of the coordinates."""
-        moved = self._bearing_motion(change)
+        moved = self.bearing_motion(change)
         return [each.along(moved[:, places]) for places, each in here.bearings]
 
     def _point(
@@ -193,7 +181,7 @@ class Balance:
         turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
         return turned[:, list(self.dof)]
 
-    def _bearing_motion(self, coordinates: Array) -> Array:
+    def bearing_motion(self, coordinates: Array) -> Array:
         """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
         moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
         motion = np.zeros((*moved.shape[:2], 5))
@@ -203,7 +191,7 @@ class Balance:
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
         shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
-        displacement = self._bearing_motion(coordinates)
+        displacement = self.bearing_motion(coordinates)
         displacement[..., list(self.dof)] += self.offset * self._sign
         displacement[..., 0] += shift
         return displacement
@@ -215,7 +203,7 @@ class Balance:
         fixed = self.held | self.rubbing.stuck | self.network.springs.fixed
         return np.concatenate([free, fixed], axis=1)
 
-    def _matrix(self, here: Point) -> Array:
+    def matrix(self, here: Point) -> Array:
         """Tangent of all forces; fixed unknowns replaced by themselves."""
         p, springs = len(self.rotor.point), self.network.springs
         k = np.einsum("kiu,skij,kjv->suv", self.rows, here.tangent, self.rows, optimize=True)
@@ -250,14 +238,14 @@ class Balance:
         """Change of the unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
         unit = np.zeros((len(self.held), self.rows.shape[2], 1))
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
-        matrix = np.where(alive[:, None, None], self._matrix(here), np.eye(unit.shape[1]))
+        matrix = np.where(alive[:, None, None], self.matrix(here), np.eye(unit.shape[1]))
         return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
     def error(self, here: Point, force: Force) -> Array:
         """Largest unbalanced force of balls and shaft over the largest force (speeds,)."""
-        return self._error(here, force)[1]
+        return self.errors(here, force)[1]
 
-    def _error(self, here: Point, force: Force) -> tuple[Array, Array]:
+    def errors(self, here: Point, force: Force) -> tuple[Array, Array]:
         """Unbalanced forces, and the largest of balls and shaft, each over its largest force; of a
         radial force that is small beside the preload, over ``SMALL`` times that."""
         miss = self._unbalanced(here, force)
@@ -268,7 +256,7 @@ class Balance:
         shaft = np.abs(miss).max(axis=1) / size
         return miss, np.maximum(shaft, here.imbalance)
 
-    def _placed(self, coordinates: Array) -> Array:
+    def placed(self, coordinates: Array) -> Array:
         """Coordinates with every body that cannot move where it stands."""
         p, springs = len(self.rotor.point), self.network.springs
         position = np.where(self.rubbing.stuck, self.rubbing.place, coordinates[:, p:])
@@ -276,54 +264,10 @@ class Balance:
         position = np.where(springs.fixed, springs.rest, position)
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
-    def solved(
-        self, guess: list[Array], near: Point, force: Force, alive: Flags
-    ) -> tuple[Balance, Point, Flags]:
-        """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
-
-        Shaft and balls together; where that fails, or balls know two branches, with every bearing
-        solved by itself on the way.
-        """
-        begun = replace(self.rubbing, begun=near.coordinates[:, len(self.rotor.point) :])
-        problem = replace(self, rubbing=begun)
-        start = np.where(alive[:, None], guess[0], near.coordinates)
-        if self.network.one_branch:
-            first = problem._at([start, *guess[1:]], near)
-            problem, there, converged = problem._searched(first, force, alive, Balance.advance, 1)
-            converged &= there.bearings.follows(near.bearings)
-            if not (alive & ~converged).any():
-                return problem, there, converged
-            start = np.where(converged[:, None], there.coordinates, start)
-            problem = problem.where(converged, replace(self, rubbing=begun))
-        there = problem.evaluate(problem._placed(start), None)
-        return problem._searched(there, force, alive, Balance.evaluate, HALVINGS)
-
-    def _searched(
-        self, there: Point, force: Force, alive: Flags, place: Place, tries: int
-    ) -> tuple[Balance, Point, Flags]:
-        """Newton steps with at most so many ``tries`` of their length, and where they end well.
-
-        ``place``: how bearings follow, ``advance`` in whole steps or ``evaluate``. Only speeds
-        still ``alive`` are sought; where no step helps any more the search ends. Stops close and
-        open as they must.
-        """
-        problem, converged = self, np.zeros(len(alive), dtype=bool)
-        for _ in range(ITERATIONS if tries == 1 else SEARCH):
-            require_time("loads", "broken off")
-            miss, error = problem._error(there, force)
-            converged = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
-            wanted = problem._contacts(there)
-            changed = converged & wanted.differs(problem)
-            if changed.any():
-                problem = wanted.where(changed, problem)
-                there = place(problem, problem._placed(there.coordinates), there)
-                continue
-            moving = alive & np.isfinite(error) & ~(error < TOLERANCE)
-            if not moving.any():
-                break
-            there, helped = problem._moved(there, miss, error, moving, force, place, tries)
-            alive = alive & helped
-        return problem, there, converged
+    def begun(self, here: Point) -> Balance:
+        """The same where a step of the loads begins ``here``: sleeves slide away from there."""
+        position = here.coordinates[:, len(self.rotor.point) :]
+        return replace(self, rubbing=replace(self.rubbing, begun=position))
 
     def where(self, rows: Flags, other: Balance) -> Balance:
         """Stops and friction of this one at some speeds, those of ``other`` at the rest."""
@@ -335,7 +279,7 @@ class Balance:
         change = (self.held != other.held) | (self.rubbing.stuck != other.rubbing.stuck)
         return np.asarray(change.any(axis=1))
 
-    def _contacts(self, here: Point) -> Balance:
+    def with_contacts(self, here: Point) -> Balance:
         """The same with the bodies at their stops that belong there, and friction as it must be."""
         p, none = len(self.rotor.point), np.zeros_like(self.held)
         free = replace(self, held=none, rubbing=replace(self.rubbing, stuck=none))
@@ -351,42 +295,6 @@ class Balance:
         rubbing = replace(self.rubbing, stuck=none, force=0.0 * self.rubbing.force)
         bare = replace(self, held=none, rubbing=rubbing)._unbalanced(here, 0.0)[:, p:]
         return np.where(self.rubbing.stuck, -bare, self.rubbing.force)
-
-    def _moved(
-        self,
-        here: Point,
-        miss: Array,
-        error: Array,
-        moving: Flags,
-        force: Force,
-        place: Place,
-        tries: int,
-    ) -> tuple[Point, Flags]:
-        """A Newton step at the speeds still moving, shortened where the balance gets worse.
-
-        Also where it helped, or was not needed. With bearings solved by themselves forces have a
-        convex energy: a step helps as well that goes down, or past the least by not too much. Where
-        next to nothing holds a motion, as within the play of a bearing, the shortest step counts in
-        any case: nothing gets better before balls touch, and the first touch may be hard.
-        """
-        matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
-        step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
-        moved = np.abs(self._bearing_motion(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
-        length = moving * np.minimum(1.0, LONGEST_STEP / np.maximum(moved, 1e-300))
-        there, helped, downhill = here, ~moving, (miss * step).sum(axis=1)
-        for _ in range(tries):
-            there = place(self, here.coordinates + length[:, None] * step, here)
-            missed, after = self._error(there, force)
-            helped = ~moving | (after < error * (1.0 + LEVEL * (tries > 1)))
-            if tries > 1:
-                beyond = -(missed * step).sum(axis=1)
-                helped |= np.isfinite(after) & (beyond < BEYOND * downhill)
-            if helped.all():
-                break
-            length = np.where(helped, length, 0.5 * length)
-        if tries > 1:
-            helped |= (moved > LONGEST_STEP) & np.isfinite(after)
-        return there, helped
 
     def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""

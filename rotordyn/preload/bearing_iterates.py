@@ -10,19 +10,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ball.laws import Laws
 from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
+from rotordyn.arrays import Array, Flags, Indices
 
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
     from bearings.ring.assembly import Assembly
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -55,7 +52,7 @@ class BearingIterates:
         cls,
         states: States,
         bearings: Sequence[int],
-        rows: NDArray[np.intp],
+        rows: Indices,
         ring: Callable[[Geometry], Assembly],
     ) -> BearingIterates:
         """The same at some of their speeds; which of ``bearings`` solved stands at every place."""

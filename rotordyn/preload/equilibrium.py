@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.preload.network import Network, NetworkState, Response
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
 CONFIRMED = 1e-8  # of the largest force, of an equilibrium whose bearings are solved once more
 DIGITS = 1e-13  # of the largest force: more is less with another step

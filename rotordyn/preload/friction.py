@@ -12,9 +12,9 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -22,8 +22,6 @@ from rotordyn.preload.on_films import Films
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload, settled
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 BEYOND = 1e-9  # of the limit: friction that sticks carries too much
 STILL = 1e-13  # m: a body that moved less did not slide
 
@@ -80,7 +78,7 @@ class Rubbing:
     begun: Array
 
     @classmethod
-    def of(cls, state: PreloadState, rows: NDArray[np.intp]) -> Rubbing:
+    def of(cls, state: PreloadState, rows: Indices) -> Rubbing:
         """Every sleeve that rubs sticks where it is, but for those at a stop."""
         position, held = state.net.position[rows], state.net.held[rows]
         force = np.broadcast_to(state.network.friction, state.net.position.shape)[rows]

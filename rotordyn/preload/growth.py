@@ -12,8 +12,8 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.machine.growth import QuadraticInSpeed
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -23,9 +23,7 @@ if TYPE_CHECKING:
     from bearings.fit.compound import CompoundState, Cylinder
     from bearings.materials import Material
 
-    States = list[tuple[NDArray[np.intp], CompoundState]]
-
-Array = NDArray[np.float64]
+    States = list[tuple[Indices, CompoundState]]
 
 
 class Fit(NamedTuple):
@@ -181,7 +179,7 @@ def outer_fit(seat: BearingSeat) -> Fit | None:
     return Fit(seat.fits.outside_diameter / 2.0, seat.fits.depth("outer"))
 
 
-def _rows_alike(*values: Array) -> list[NDArray[np.intp]]:
+def _rows_alike(*values: Array) -> list[Indices]:
     """Rows at which all values are the same."""
     kinds = np.unique(np.stack(values), axis=1, return_inverse=True)[1].ravel()
     return [np.flatnonzero(kinds == kind) for kind in range(int(kinds.max(initial=-1)) + 1)]

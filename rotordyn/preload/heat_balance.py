@@ -13,10 +13,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 import bearings
 from bearings.heat.temperature import HOTTEST, LONGEST, balanced
+from rotordyn.arrays import Array, Flags
 from rotordyn.machine.temperatures import MEASURED, BearingTemperatures, Temperatures
 
 if TYPE_CHECKING:
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from rotordyn.machine.spindle import Spindle
     from rotordyn.preload.state import PreloadState
 
-Array = NDArray[np.float64]
 Solve = Callable[[Temperatures], "PreloadState"]
 TOLERANCE = 1e-3  # K
 MOST = 80
@@ -114,7 +113,7 @@ def _ahead(step: Array, change: Array, further: Array) -> Array:
     return -share[:, None, None] * further
 
 
-def _hottest(here: Array, rows: NDArray[np.bool_]) -> float:
+def _hottest(here: Array, rows: Flags) -> float:
     return float(here[rows].max(initial=MEASURED))
 
 
@@ -142,7 +141,7 @@ def tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Tem
     )
 
 
-def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, NDArray[np.bool_]]:
+def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, Flags]:
     """Heat of inner and outer contacts (speeds, bearings, 2) [W], and where there is a state."""
     heat = np.zeros((len(state.speed), len(state.spindle.seats), 2))
     done: dict[int, Array] = {}

@@ -13,18 +13,18 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_history, require_time
+from rotordyn.arrays import Array
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.preload.arrangement import (
     HOUSING,
     SHAFT,
-    AxialBearing,
+    Arrangement,
     arrangement,
     as_mounted,
     has_stop,
@@ -40,7 +40,6 @@ from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, 
 from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
-Array = NDArray[np.float64]
 SLIDING = 1e-9  # of the limit of friction
 
 
@@ -48,12 +47,14 @@ SLIDING = 1e-9  # of the limit of friction
 class History:
     """Axial ``network`` of the spindle and the loads of its history.
 
-    ``rest``: load at assembly; ``before``: loads up to the run-up; ``through``: load at each speed
+    ``of_seat``: the bearing of the network that stands for each seat; ``rest``: load at assembly;
+    ``before``: loads up to the run-up; ``through``: load at each speed
     as the run-up passes it; ``after``: loads that follow there; ``loads``: the last one of each
     speed. ``lower``: number of speeds below the one at which the run-up begins.
     """
 
     network: Network
+    of_seat: list[int]
     rest: Load
     loads: tuple[Load, ...]
     before: tuple[Load, ...]
@@ -168,29 +169,30 @@ def history(preload: PreloadState, reach: float) -> History:
     ------
     TooCostly : that takes more time or memory than is allowed
     """
-    joined, mounted, past = preload.network.arrangement, preload.mounted, preload.past
-    _require_allowed(preload)
+    joined, past = _apart(preload), preload.past
+    _require_allowed(preload, len(joined.bearings))
     known = [step.axial_force or 0.0 for step in past.steps]
     pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
     most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
-    laws = BearingLaws(preload, most)
+    laws = BearingLaws(preload, joined, most)
     assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
-    near = assembled.deflection(mounted.position)[0].tolist()
-    loads, models = mounted.response.load[0].tolist(), [b.model for b in joined.bearings]
+    near = assembled.deflection(preload.mounted.position)[0].tolist()
+    by_seat = preload.mounted_load().tolist()
+    loads, models = zip(*((by_seat[b.seats[0]], b.model) for b in joined.bearings), strict=True)
     each = zip(laws.at(0.0, warm=False)[0], models, loads, near, strict=True)
-    network = _network(preload, np.array([deflection_of(*one) for one in each]))
-    gap = np.zeros(len(network.springs.force))
+    network = _network(preload, joined, np.array([deflection_of(*one) for one in each]))
 
     def load(at: Moment) -> Load:
-        push = np.zeros(len(joined.bodies))
-        push[SHAFT] = at.force
-        of_bearings, shift = laws.at(at.speed, warm=at.warm)
+        push, gap = np.zeros((2, len(joined.bodies)))
+        of_bearings, shift, at_supports = laws.at(at.speed, warm=at.warm)
+        push[SHAFT], gap[SHAFT] = at.force, -at_supports
         return Load(push, shift, gap, of_bearings)
 
     before, through, after = moments(past, joined.speed.tolist(), preload.force)
     start = Moment(0.0, False, 0.0)
     return History(
         network,
+        of_seat=joined.bearing_of_seat,
         rest=load(start),
         loads=tuple(load(path[-1]) for path in after),
         before=tuple(load(at) for at in before),
@@ -231,12 +233,26 @@ def moments(
     return before, through, after
 
 
-def _require_allowed(preload: PreloadState) -> None:
+def _apart(preload: PreloadState) -> Arrangement:
+    """The arrangement of a preload state, bearings by themselves that do not stay alike through its
+    history."""
+    joined, speeds = preload.network.arrangement, np.union1d(preload.speed, preload.past.speeds)
+    acting = preload.law, preload.temperatures, preload.films
+    alike = arrangement(preload.spindle, speeds, 0.0, *acting).bearing_of_seat
+    bearings = [
+        replace(bearing, seats=tuple(seats))
+        for bearing in joined.bearings
+        for _, seats in groupby(sorted(bearing.seats, key=alike.__getitem__), alike.__getitem__)
+    ]
+    return replace(joined, bearings=tuple(bearings))
+
+
+def _require_allowed(preload: PreloadState, bearings: int) -> None:
     """Raise InvalidInput where laws and steps of the history take more than is allowed."""
     past, speeds = preload.past, preload.speed.tolist()
     steps = most_moments(past, speeds)
     known = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
-    laws = len(known) * len(preload.network.arrangement.bearings)
+    laws = len(known) * bearings
     if preload.temperatures is not None and past.cold:
         laws *= 2
     what = f"history: {steps} steps and {laws} load tables of bearings"
@@ -269,40 +285,33 @@ def _changed(
 
 
 class BearingLaws:
-    """Laws of the bearings of a preload state up to a load ``most`` [N], and shifts of their seats,
-    at any speed; each is made once."""
+    """Laws of the bearings ``joined`` of a preload state up to a load ``most`` [N], and shifts of
+    their seats, at any speed; each is made once."""
 
-    def __init__(self, preload: PreloadState, most: float) -> None:
-        self.preload, self.most = preload, most
-        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array]] = {}
+    def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
+        self.preload, self.joined, self.most = preload, joined, most
+        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
-    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array]:
-        """Laws, and shifts (bearings,) [m], at a speed [rad/s], at operating temperature or not."""
+    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
+        """Laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
+        [rad/s], at operating temperature or not."""
         key = speed, warm and self.preload.temperatures is not None
         if key not in self._known:
-            bearings = self._bearings(*key)
+            state = self.preload
+            acting = state.law, state.temperatures if warm else None, state.films
+            there = arrangement(state.spindle, np.array([speed]), 0.0, *acting)
+            of_seat = there.bearing_of_seat
+            bearings = [there.bearings[of_seat[one.seats[0]]] for one in self.joined.bearings]
             shift = np.array([bearing.shortening[0] for bearing in bearings])
             laws = tuple(axial_table(bearing, speed, self.most) for bearing in bearings)
-            self._known[key] = laws, shift
+            self._known[key] = laws, shift, float(there.support_shift[0])
         return self._known[key]
 
-    def _bearings(self, speed: float, warm: bool) -> list[AxialBearing]:
-        """Those of the preload state, deformed by that speed and temperature."""
-        state = self.preload
-        temperatures = state.temperatures if warm else None
-        there = arrangement(
-            state.spindle, np.array([speed]), 0.0, state.law, temperatures, state.films
-        )
-        of_seat = there.bearing_of_seat
-        return [
-            replace(there.bearings[of_seat[bearing.seats[0]]], seats=bearing.seats)
-            for bearing in state.network.arrangement.bearings
-        ]
 
-
-def _network(preload: PreloadState, deflection: Array) -> Network:
-    """Bodies of a preload state and all between them; ``deflection`` (bearings,) as mounted [m]."""
-    joined, springs, rubs = preload.network.arrangement, preload.network.springs, preload.rubs
+def _network(preload: PreloadState, joined: Arrangement, deflection: Array) -> Network:
+    """Bodies of a preload state and all between them, bearings as ``joined``; ``deflection``
+    (bearings,) as mounted [m]."""
+    springs, rubs = preload.network.springs, preload.rubs
     rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]
     stiffness = [springs.stiffness[0, SHAFT], *(push.stiffness for push in joined.pushes)]
@@ -313,7 +322,7 @@ def _network(preload: PreloadState, deflection: Array) -> Network:
         bearings=Bearings(
             row=rows[SHAFT] - np.array(ends),
             side=np.array([float(bearing.thrust) for bearing in joined.bearings]),
-            count=preload.network.tandem,
+            count=np.array([float(len(bearing.seats)) for bearing in joined.bearings]),
             rest=deflection,
         ),
         springs=Springs(rows, springs.force[0], np.array(stiffness)),

@@ -13,22 +13,19 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement, side_by_side
 from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, States
 
 if TYPE_CHECKING:
     from bearings.ring.operation import Operation
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all
-    (speeds, bodies), or (1, bodies) where they are the same at all speeds.
+    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), each
+    (speeds, bodies), or (1, bodies) where it is the same at all speeds.
 
     ``fixed`` bodies (bodies,) cannot move from ``rest``.
     """
@@ -38,11 +35,13 @@ class Springs:
     rest: Array
     fixed: Flags
 
-    def at(self, index: NDArray[np.intp]) -> Springs:
+    def at(self, index: Indices) -> Springs:
         """Those at some of the speeds."""
-        if len(self.force) == 1:
-            return self
-        return Springs(self.force[index], self.stiffness[index], self.rest[index], self.fixed)
+
+        def chosen(values: Array) -> Array:
+            return values if len(values) == 1 else values[index]
+
+        return Springs(chosen(self.force), chosen(self.stiffness), chosen(self.rest), self.fixed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +56,7 @@ class Response:
     states: States
     moved: BearingIterates | None = None
 
-    def rows(self, index: NDArray[np.intp]) -> Response:
+    def rows(self, index: Indices) -> Response:
         """The same of some speeds, every bearing solved by itself."""
         states = {
             (model, law.take(index)): Solved(each.places, each.state.rows(index))
@@ -105,7 +104,7 @@ class Network:
             over_speed(each.friction for each in machines),
         )
 
-    def at(self, index: NDArray[np.intp]) -> Network:
+    def at(self, index: Indices) -> Network:
         """The network at some of its speeds."""
         friction = self.friction if len(self.friction) == 1 else self.friction[index]
         return Network(self.arrangement.at(index), self.springs.at(index), friction)
@@ -271,7 +270,7 @@ class NetworkState:
     error: Array
     converged: Flags
 
-    def rows(self, index: NDArray[np.intp]) -> NetworkState:
+    def rows(self, index: Indices) -> NetworkState:
         """The same of some speeds."""
         return NetworkState(
             self.position[index],

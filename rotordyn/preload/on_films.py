@@ -15,7 +15,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+from rotordyn.arrays import Array
 
 if TYPE_CHECKING:
     from bearings.film import Film
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
     from rotordyn.preload.state import PreloadState
 
-Array = NDArray[np.float64]
 CLOSE = 1e-11  # m, change of the films at which the iteration ends
 MOST = 30  # iterations; films go as the load to −0.067, so that a few suffice
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.matrix import entry_name
 from rotordyn.machine.plausibility import unopposed
@@ -15,8 +15,6 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import SHAFT, Arrangement
 from rotordyn.preload.network import Network, NetworkState
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 LEAST_PRELOAD = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
 STILL = 1e-9  # m
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
@@ -139,7 +137,8 @@ def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[
     """Bearings whose lost preload leaves play: without any load, and no force from outside presses
     the shaft against others."""
     load = net.response.load[row]
-    if network.arrangement.force and net.converged[row] and (load > 0.0).any():
+    pressed = np.where(network.both_ways, load != 0.0, load > 0.0)
+    if network.arrangement.force and net.converged[row] and pressed.any():
         return []
     least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
     return np.flatnonzero((load <= least) & ~network.both_ways).tolist()

@@ -13,16 +13,13 @@ Theory: docs/theory/identification.md.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from bearings.ball.laws import Laws
-from bearings.bearing import BallBearing
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
@@ -36,129 +33,11 @@ from rotordyn.preload.arrangement import (
     as_mounted,
     rigid,
 )
-from rotordyn.preload.axial_ends import begins, turns, without_state
+from rotordyn.preload.axial_curves import BearingCurves, Curve
 from rotordyn.preload.on_films import Films
 
-Array = NDArray[np.float64]
-# Lengths in thousandths of the free distance of groove centres, some 1 µm; dense near 0, by halving
-# steps above it: there the law d^1.5 of a bearing at rest is not smooth
-PARTS = (
-    (-300.0, -100.0, 20.0),
-    (-100.0, -40.0, 4.0),
-    (-40.0, 50.0, 1.5),
-    (50.0, 80.0, 5.0),
-    (80.0, 300.1, 10.0),
-)
-SOLVED = np.unique(
-    np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
-)  # deflections at which bearings are solved, beyond where those for both ways begin
-FINE = np.unique(
-    np.round(np.concatenate([np.arange(-300.0, 300.1), np.arange(-40.0, 40.0, 0.1)]), 1)
-)  # the spline through them, drawn straight between
-FAR = 5e3  # to which a curve goes on beyond the spline: constant below, straight above
 GRID = np.arange(-1500.0, 500.0, 4.0)  # places of the shaft tried around the last one
 STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
-MOST_KEPT = 400  # curves, of which a fit over many machines would fill the memory
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Curve:
-    """Axial load [N] over deflection [m], never falling; linear between its points."""
-
-    deflection: Array
-    load: Array
-
-    def __call__(self, d: Array) -> Array:
-        """Loads [N]."""
-        return np.interp(d, self.deflection, self.load)
-
-
-class Inputs(NamedTuple):
-    """What a curve follows from: growths [m], ``speed`` [rad/s]."""
-
-    model: BallBearing
-    law: Law | Laws
-    static_growth: float
-    growth: float
-    speed: float
-
-
-@dataclass
-class BearingCurves:
-    """Curves of bearings solved so far."""
-
-    known: dict[Inputs, Curve] = field(default_factory=dict)
-
-    def of(self, joined: Arrangement) -> list[list[Curve]]:
-        """The curve of every bearing at every speed."""
-        asked = [
-            [
-                Inputs(b.model, b.law, *map(float, (b.static_growth[k], b.growth[k], omega)))
-                for b in joined.bearings
-            ]
-            for k, omega in enumerate(joined.speed)
-        ]
-        missing = {
-            one: bearing.seats[0] + 1
-            for row in asked
-            for one, bearing in zip(row, joined.bearings, strict=True)
-            if one not in self.known
-        }
-        for one in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
-            if not any(one in row for row in asked):
-                del self.known[one]
-        alike: dict[tuple[BallBearing, Law | Laws], list[Inputs]] = {}
-        for one in missing:
-            alike.setdefault((one.model, one.law), []).append(one)
-        for group in alike.values():
-            self._solve(group, missing)
-        return [[self.known[one] for one in row] for row in asked]
-
-    def _solve(self, group: list[Inputs], number: dict[Inputs, int]) -> None:
-        """Bearings of one model and law in one call; ``number`` of each in the spindle."""
-        from bearings.ring.tangents import stiffness
-
-        model, law, *rest = zip(*group, strict=True)
-        static_growth, growth, speed = (np.array(values)[:, None] for values in rest)
-        unit, both_ways = 1e-3 * model[0].free_distance, model[0].both_ways
-        start = np.maximum(begins(model[0], static_growth, growth), 0.0) * both_ways
-        place = start + SOLVED * unit
-        displacement = np.zeros((len(group), len(SOLVED), 5))
-        displacement[..., 0] = place
-        state = model[0].equilibrium(
-            displacement=displacement,
-            speed=speed,
-            static_growth=static_growth,
-            growth=growth,
-            **asdict(law[0]),
-        )
-        slopes = stiffness(state, "complete")[..., 0, 0]
-        lowest = 0.0 if both_ways else turns(model[0], static_growth)
-        loads = np.where(place >= lowest, state.load[..., 0], np.nan)
-        for one, at, d, load, slope in zip(group, start[:, 0], place, loads, slopes, strict=True):
-            good = np.isfinite(load) & np.isfinite(slope)
-            if good.sum() < 2:
-                which = f"bearing number {number[one]} of the spindle"
-                raise without_state(which, one.speed, one.growth)
-            points, drawn = np.stack([d, load, slope])[:, good], at + FINE * unit
-            if both_ways:  # the law is odd
-                points, drawn = points[:, points[0] > 0.0], np.union1d(-drawn, drawn)
-                other = points[:, ::-1] * np.array([[-1.0], [-1.0], [1.0]])
-                points = np.concatenate([other, points], axis=1)
-            self.known[one] = _curve(points[0], points[1], points[2], drawn, unit)
-
-
-def _curve(d: Array, load: Array, slope: Array, drawn: Array, unit: float) -> Curve:
-    """The spline through loads [N] and slopes [N/m] at deflections [m], ``drawn`` at others, and on
-    beyond both ends, ``FAR`` of a ``unit`` [m]."""
-    from scipy.interpolate import CubicHermiteSpline
-
-    inside = drawn[(d[0] <= drawn) & (d[-1] >= drawn)]
-    fine = np.maximum.accumulate(CubicHermiteSpline(d, load, slope)(inside))
-    step = (fine[-1] - fine[-2]) / (inside[-1] - inside[-2])
-    far = FAR * unit
-    loads = np.concatenate([fine[:1], fine, [fine[-1] + step * (far - inside[-1])]])
-    return Curve(np.concatenate([[-far], inside, [far]]), loads)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -405,4 +284,5 @@ def _at_speed(
     )
     support = sum(each.along for each in spindle.supports)
     unit = 1e-3 * max(bearing.model.free_distance for bearing in joined.bearings)
-    return AtSpeed(sleeves, on(HOUSING), support, float(mounted[SHAFT]), unit)
+    place = float(mounted[SHAFT] - joined.support_shift[row])
+    return AtSpeed(sleeves, on(HOUSING), support, place, unit)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import inner_fit, inner_ring
 
-Array = NDArray[np.float64]
 YIELD = 1.5e9  # Pa, of hardened bearing steel with little margin
 
 

@@ -1,30 +1,25 @@
-"""Axial shift of the bearing seats by the centrifugal shortening of the shaft, and by heat."""
+"""Axial shift of the shaft at its bearings and supports, by centrifugal shortening and by heat."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 
-Array = NDArray[np.float64]
-
 
 def seat_shifts(spindle: Spindle, speed: Array) -> Array:
     """Shift of every seat towards +x at every speed, shape (speeds, seats) [m]."""
     rule = spindle.shortening
-    shifts = np.zeros((len(speed), len(spindle.seats)))
-    for k, seat in enumerate(spindle.seats):
-        if isinstance(rule, PrescribedShortening):
-            shifts[:, k] = rule.shift.get(seat.name, 0.0) * (speed / rule.speed) ** 2
-        elif isinstance(rule, ComputedShortening):
-            shifts[:, k] = strain_integral(spindle.shaft, rule.reference, seat.x) * speed**2
-    return shifts
+    if isinstance(rule, PrescribedShortening):
+        given = [rule.shift.get(seat.name, 0.0) for seat in spindle.seats]
+        return np.multiply.outer((speed / rule.speed) ** 2, given)
+    return _shortened(spindle, speed, [seat.x for seat in spindle.seats])
 
 
 def thermal_shifts(spindle: Spindle, speed: Array, temperatures: Temperatures) -> Array:
@@ -34,15 +29,45 @@ def thermal_shifts(spindle: Spindle, speed: Array, temperatures: Temperatures) -
     Both are counted from where the shaft does not shift, or from the first bearing. The parts of a
     sleeve are as warm as the housing, which takes its spring and stop along.
     """
+    return _expanded(spindle, speed, temperatures, [seat.x for seat in spindle.seats])
+
+
+def support_shift(spindle: Spindle, speed: Array, temperatures: Temperatures | None) -> Array:
+    """The same where supports hold the shaft along its axis, on a ground as warm as the housing:
+    the mean by their stiffness (speeds,) [m].
+
+    Where the shifts of seats are prescribed nothing is known of supports, and speed does not shift
+    the shaft there.
+    """
+    stiffness = np.array([support.along for support in spindle.supports])
+    if not stiffness.sum():
+        return np.zeros(len(speed))
+    stations = [support.x for support in spindle.supports]
+    shifts = _shortened(spindle, speed, stations)
+    if temperatures is not None:
+        shifts = shifts + _expanded(spindle, speed, temperatures, stations)
+    return np.asarray(shifts @ stiffness / stiffness.sum())
+
+
+def _shortened(spindle: Spindle, speed: Array, stations: Sequence[float]) -> Array:
+    """Computed shift of the shaft at stations [m] by rotation (speeds, stations) [m]."""
+    rule = spindle.shortening
+    if not isinstance(rule, ComputedShortening):
+        return np.zeros((len(speed), len(stations)))
+    strains = [strain_integral(spindle.shaft, rule.reference, x) for x in stations]
+    return np.multiply.outer(speed**2, strains)
+
+
+def _expanded(
+    spindle: Spindle, speed: Array, temperatures: Temperatures, stations: Sequence[float]
+) -> Array:
+    """Shift of the shaft against the housing at stations [m] by heat (speeds, stations) [m]."""
     rule, seats = spindle.shortening, spindle.seats
     start = rule.reference if isinstance(rule, ComputedShortening) else min(s.x for s in seats)
-    shifts = np.empty((len(speed), len(seats)))
-    for k, seat in enumerate(seats):
-        rises = temperatures.rises(seat.name, speed)
-        housing = temperatures.housing_expansion * (seat.x - start)
-        shifts[:, k] = expansion(spindle.shaft, start, seat.x) * rises.shaft
-        shifts[:, k] -= housing * rises.housing
-    return shifts
+    rises = temperatures.rises(seats[0].name, speed)  # of shaft and housing, alike at all seats
+    shaft = [expansion(spindle.shaft, start, x) for x in stations]
+    housing = [temperatures.housing_expansion * (x - start) for x in stations]
+    return np.multiply.outer(rises.shaft, shaft) - np.multiply.outer(rises.housing, housing)
 
 
 def expansion(shaft: Shaft, start: float, end: float) -> float:

@@ -8,14 +8,15 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.ring.state import BearingState
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.history import ASSEMBLED, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import SHAFT, as_mounted
+from rotordyn.preload.as_assembled import springs
 from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.network import Network, NetworkState
 from rotordyn.preload.on_films import Films
@@ -25,8 +26,6 @@ from rotordyn.preload.stops import with_stops
 if TYPE_CHECKING:
     from rotordyn.preload.together import Place
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 FAR = 1e-3  # m: no gap of a stop is that large
 LEAST = 1e-9  # N, of a closed stop
 TOUCHING = 1e-11  # m: a sleeve so near its stop, held by friction, stands at it
@@ -94,9 +93,9 @@ class PreloadState:
 
         A rigid preload carries what its bearings ask for.
         """
-        springs = self.network.springs
-        elastic = springs.force - springs.stiffness * self.shift
-        forces = elastic - springs.fixed * self._unbalanced
+        of_bodies = self.network.springs
+        elastic = of_bodies.force - of_bodies.stiffness * self.shift
+        forces = elastic - of_bodies.fixed * self._unbalanced
         return (self.network.arrangement.direction * forces)[:, SHAFT + 1 :]
 
     @property
@@ -205,11 +204,11 @@ class PreloadState:
         net = self.mounted
         if self.force:
             still = replace(as_mounted(self.network.arrangement), force=self.force)
-            frictionless = Network(still, self.network.springs)
+            frictionless = Network(still, springs(self.spindle, still, self.mounted.position))
             net = with_stops(frictionless, self.limit[None], self.rest[None])
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
-    def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
+    def with_travels(self, travel: Mapping[str, float], index: Indices) -> PreloadState:
         """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
         return self._solved.with_travels(travel, index)
 
@@ -227,7 +226,7 @@ class PreloadState:
         assert self.place is not None, "a state that is being solved"
         return self.place
 
-    def rows(self, index: NDArray[np.intp]) -> PreloadState:
+    def rows(self, index: Indices) -> PreloadState:
         """The state at some of its speeds, without loads across the axis."""
         network, net = self.network.at(index), self.net.rows(index)
         warm = self.temperatures is not None

@@ -7,15 +7,13 @@ from collections.abc import Callable, Generator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.preload.arrangement import Push
 from rotordyn.preload.equilibrium import solve
 from rotordyn.preload.network import Network, NetworkState
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 OVERRUN = 1e-13  # m
 PULL = 1e-10  # of the largest preload: a stop that pulls less than that stays closed
 SAMPLES = 5
@@ -62,7 +60,7 @@ def stops_wanted(
 
 
 def meeting_speeds(
-    at: Callable[[Array, NDArray[np.intp]], Network],
+    at: Callable[[Array, Indices], Network],
     limit: Array,
     push: Push,
     between: Array,

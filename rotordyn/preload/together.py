@@ -12,12 +12,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.arrangement import Arrangement, Push, arrangement
+from rotordyn.preload.arrangement import Arrangement, Push, apart, arrangement
 from rotordyn.preload.as_assembled import limits, mounted, springs
 from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.equilibrium import confirmed
@@ -27,8 +27,6 @@ from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import meeting_speeds, with_stops
 
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 T = TypeVar("T")
 UNASKED = 1.0  # N, on bearings that another machine asks for and that carry nothing in this one
 
@@ -43,12 +41,6 @@ class Asked(NamedTuple):
     force: float = 0.0
     temperatures: Temperatures | None = None
     films: Films | None = None
-
-    def arrangement(self, speed: Array | None = None) -> Arrangement:
-        """Its axial arrangement, also at other speeds."""
-        at = self.speed if speed is None else speed
-        acting = self.force, self.law, self.temperatures, self.films
-        return arrangement(self.spindle, at, *acting)
 
 
 def dynamic_preload(
@@ -70,7 +62,7 @@ def dynamic_preloads(machines: Sequence[Asked]) -> list[PreloadState]:
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = [each.arrangement() for each in machines]
+    joined = [_arrangement(each, each.speed) for each in machines]
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k, each in enumerate(joined):
         groups.setdefault(each.structure, []).append(k)
@@ -99,6 +91,12 @@ def _solved(machines: Sequence[Asked], joined: Sequence[Arrangement]) -> list[Pr
         for asked, each, at_rest in zip(machines, joined, mounted(joined), strict=True)
     ]
     return settled(begun)
+
+
+def _arrangement(machine: Asked | PreloadState, speed: Array) -> Arrangement:
+    """The axial arrangement of a machine at any speeds."""
+    acting = machine.force, machine.law, machine.temperatures, machine.films
+    return arrangement(machine.spindle, speed, *acting)
 
 
 def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[PreloadState]:
@@ -151,7 +149,7 @@ class Place:
         """As of ``PreloadState``."""
         return self.among.once("stops", lambda: _stop_speeds(self.among.states))[self.number]
 
-    def with_travels(self, travel: Mapping[str, float], index: Index) -> PreloadState:
+    def with_travels(self, travel: Mapping[str, float], index: Indices) -> PreloadState:
         """As of ``PreloadState``."""
         states = self.among.states
         if len(states) == 1:
@@ -169,7 +167,7 @@ class Place:
 
 
 def _with_travels(
-    states: Sequence[PreloadState], travel: Mapping[str, float], rows: Sequence[Index]
+    states: Sequence[PreloadState], travel: Mapping[str, float], rows: Sequence[Indices]
 ) -> list[PreloadState]:
     begun = []
     for state, index in zip(states, rows, strict=True):
@@ -227,14 +225,15 @@ def _meeting(states: Sequence[PreloadState], push: Push) -> Array:
         between.append([before[0], state.speed[row]])
         near.append([before[1], known[row]])
 
-    def at(speed: Array, which: Index) -> Network:
-        parts = []
-        for k in np.unique(which):
-            state = states[met[k]]
-            acting = state.force, state.law, state.temperatures, state.films
-            groups = [bearing.seats for bearing in state.network.arrangement.bearings]
-            joined = arrangement(state.spindle, speed[which == k], *acting, groups)
-            parts.append(replace(state.network, arrangement=joined))
+    def at(speed: Array, which: Indices) -> Network:
+        asked = {k: states[met[k]] for k in np.unique(which).tolist()}
+        joined = {k: _arrangement(state, speed[which == k]) for k, state in asked.items()}
+        if len({one.structure for one in joined.values()}) > 1:  # alike in some machines alone
+            joined = {k: apart(one) for k, one in joined.items()}
+        parts = [
+            Network(joined[k], springs(state.spindle, joined[k], state.mounted.position))
+            for k, state in asked.items()
+        ]
         return Network.side_by_side(parts)
 
     limit = np.stack([states[k].limit for k in met])

@@ -13,20 +13,19 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.statics import StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.preload.arrangement import Arrangement
+from rotordyn.preload.arrangement import apart
 from rotordyn.preload.balance import Balance, Force, Point
+from rotordyn.preload.balance_search import balanced
 from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
 from rotordyn.preload.outcome import pushed_apart
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Together
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 STRIDES = (1, 4, 16)
 LOST = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
 SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
@@ -52,11 +51,11 @@ class ContactLoss:
     """
 
     share: Array
-    ball: NDArray[np.intp]
+    ball: Indices
 
 
 def contact_loss(
-    state: PreloadState, rotor: StaticRotor, size: float, rows: NDArray[np.intp], steps: int
+    state: PreloadState, rotor: StaticRotor, size: float, rows: Indices, steps: int
 ) -> ContactLoss:
     """Loads of ``size`` [N] in so many ``steps`` on ``state``, the one without them, at ``rows``.
 
@@ -123,7 +122,7 @@ def _marched(first: Balance, size: Force) -> tuple[Balance, Point, Flags]:
         balance, here = first, begin
         for share in np.arange(1, strides + 1) / strides:
             guess = _ahead(balance, here, size / strides, alive)
-            balance, here, good = balance.solved(guess, here, share * size, alive)
+            balance, here, good = balanced(balance, guess, here, share * size, alive)
             alive &= good
             if not alive.any():
                 break
@@ -176,7 +175,7 @@ def _as_state(
     """The balance as a preload state whose bearings all stand by themselves."""
     assert there.states is not None
     p, shape = len(balance.rotor.point), there.load.shape[:2]
-    joined = _apart(state.network.arrangement)
+    joined = apart(state.network.arrangement)
     load, slope = np.empty(shape), np.empty(shape)
     for places, each in there.bearings:
         load[:, places], slope[:, places] = each.load[..., 0], each.stiffness[..., 0, 0]
@@ -196,9 +195,3 @@ def _by_seat(mounted: NetworkState, bearings: list[int]) -> NetworkState:
     one = mounted.response
     each = replace(one, load=one.load[:, bearings], slope=one.slope[:, bearings])
     return replace(mounted, response=each)
-
-
-def _apart(joined: Arrangement) -> Arrangement:
-    """Every bearing by itself, in the order of the seats."""
-    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
-    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))

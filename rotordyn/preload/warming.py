@@ -17,15 +17,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.heat.temperature import HOTTEST, network, sources
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.preload.heat_balance import Flow, Solve, contact_heat, run_away, tables, with_oil
 
 if TYPE_CHECKING:
     from rotordyn.machine.spindle import Spindle
 
-Array = NDArray[np.float64]
 PARTS = 16  # steps of temperatures between two instants
 GAMMA = 1.0 + math.sqrt(0.5)  # of ROS2: what decays neither grows nor swings, however long the step
 NUDGE = 0.02  # K: for the slope of the heat of the oil
@@ -40,7 +39,7 @@ class Warming(NamedTuple):
     temperature: Array
     heat: Array
     load: Array
-    last: NDArray[np.intp]
+    last: Indices
     ending: tuple[str, ...]
 
 
@@ -77,7 +76,7 @@ def warming(
     words, last = np.full(len(speed), "", dtype=object), np.full(len(speed), steps)
     active, before = np.ones(len(speed), dtype=bool), np.zeros((*here.shape[:2], 2))
 
-    def end(rows: NDArray[np.bool_], k: int) -> None:
+    def end(rows: Flags, k: int) -> None:
         """Where there is no state, or one too hot, at the instant k."""
         for row in np.flatnonzero(active & rows):
             hottest, minutes = here[row].max(), time[k] / 60.0

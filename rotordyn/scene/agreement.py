@@ -151,10 +151,12 @@ def _warm(setting: Setting) -> Faults:
     for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
             yield (*way, "bearings", name), sentence
-    passed = Past(conditions.history).speeds if spindle.rubs else ()
-    beyond = temperatures.unknown_at((*setting.speeds, *passed))
+    static = conditions.bearings == "static"
+    further = Past(conditions.history).speeds if spindle.rubs else (0.0,) * static
+    beyond = temperatures.unknown_at((*setting.speeds, *further))
     if beyond is not None:
-        which = "" if beyond in setting.speeds else ", which the history of its friction passes"
+        why = "at which bearings stay" if static else "which the history of its friction passes"
+        which = "" if beyond in setting.speeds else f", {why}"
         ends = " to ".join(
             f"{speed / RPM:.6g}" for speed in (temperatures.speeds[0], temperatures.speeds[-1])
         )

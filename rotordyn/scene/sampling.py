@@ -80,9 +80,9 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
 
 def _stops(scene: Scene) -> Flags:
     """Which stops are closed at every speed (n, sleeves); none where there is no equilibrium."""
-    held = np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
-    held[scene.usable] = scene.stopped
-    return held
+    if all(scene.outcome):
+        return np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
+    return scene.scattered(scene.stopped)
 
 
 def _broken(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.arrays import Array, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.errors import NoSolution
 from rotordyn.machine.history import Past
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.sleeve import Sleeve, Spring
+from rotordyn.machine.sleeve import Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
@@ -33,8 +33,6 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
     from rotordyn.preload.heat_balance import HeatBalance
-
-ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 
 class Statics(Staged):
@@ -149,27 +147,23 @@ class Statics(Staged):
         return np.flatnonzero([word == "" for word in self.outcome])
 
     def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""
+        """Values at the usable speeds (first axis) over all speeds; NaN elsewhere, of flags
+        False."""
         if len(values) == len(self.speed):
             return values
-        none = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        none: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        none = False if values.dtype == bool else none
         whole = np.full((len(self.speed), *values.shape[1:]), none, dtype=values.dtype)
-        whole[self.usable] = values
-        return whole
-
-    def flagged(self, values: Flags) -> Flags:
-        """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
-        whole = np.zeros(len(self.speed), dtype=bool)
         whole[self.usable] = values
         return whole
 
     @cached_property
     def bodies(self) -> Spindle:
-        """The machine without what its bodies do not depend on: springs and stops of sleeves,
-        words."""
+        """The machine without what its bodies and springs do not depend on: preloads and stops of
+        sleeves, words."""
         with unchecked():  # of a machine that is checked
             sleeves = tuple(
-                replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
+                replace(sleeve, spring=Spring(0.0, sleeve.spring.stiffness), stop_travel=math.inf)
                 for sleeve in self.spindle.sleeves
             )
             return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
@@ -306,17 +300,20 @@ class Statics(Staged):
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         warm = conditions.heat_flow, conditions.films
-        acting = conditions.history, self._point_forces, self.bearing_speed.tobytes()
+        speeds = self.bearing_speed.tobytes(), self.state_speed.tobytes()
+        acting = conditions.history, self._point_forces, *speeds
         inputs = (self.spindle, self.law, *forces, warm, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
     @property
     def seated(self) -> tuple[Any, ...]:
         """What the preload state without loads across the axis follows from: of the shaft only
-        sections from the foremost seat on, and those between seats and what they shift from."""
+        sections from the foremost seat on, and those between seats, supports that hold it along
+        the axis and what they shift from."""
         own, shaft = self.grounded, self.spindle.shaft
         reference = getattr(own.shortening, "reference", math.inf)
-        front = min((*(seat.x for seat in own.seats), reference))
+        held = (support.x for support in own.supports if support.along)
+        front = min((*(seat.x for seat in own.seats), *held, reference))
         behind = tuple(
             (round(left, 9), section)  # stations add up from the tip of the tool
             for left, section in zip(shaft.boundaries, shaft.sections, strict=False)
@@ -348,11 +345,6 @@ class Statics(Staged):
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
-
-
-def _kind(sleeve: Sleeve) -> Spring:
-    """One that stands for any: a sleeve moves along the axis, or it does not."""
-    return LOCKED if math.isinf(sleeve.spring.stiffness) else ANY_SPRING
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:

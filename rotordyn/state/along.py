@@ -14,9 +14,9 @@ from itertools import pairwise
 from typing import NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from rotordyn.arrays import Array
 from rotordyn.state.conditions import (
     Condition,
     Event,
@@ -32,7 +32,6 @@ from rotordyn.state.no_equilibrium import endless, runaway
 from rotordyn.state.rates import rates, updated_contacts, velocity
 from rotordyn.state.settle import settle
 
-Array = NDArray[np.float64]
 SHORTEST = 1e-9  # of a step: what changes within is a snap
 EXACT = 1e-12  # of a step: where an event is
 SMOOTH = 1e-3  # of the way of a part: the cubic between its ends meets its middle

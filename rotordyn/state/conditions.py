@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.state.contacts import TINY, State
 from rotordyn.state.network import Load, Network, Step, limits
 from rotordyn.state.rates import Rates, rates
 
-Array = NDArray[np.float64]
 SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}  # way in which friction goes on
 MODES = {1: "slip+", -1: "slip-", 0: "stick"}
 LENGTH = 1e-3  # m: what gaps and deflections are measured by

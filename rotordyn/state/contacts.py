@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dgesv
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.state.network import Forces, Load, Network, Step
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Slips = NDArray[np.int_]
 ITERATIONS = 80
 EXACT = 1e-13  # of the sum of magnitudes: what rounding leaves of a balance

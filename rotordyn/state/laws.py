@@ -160,6 +160,8 @@ def deflection(law: AxialLaw, load: float) -> float:
     if isinstance(law, Power):
         return cast(float, (load / law.k) ** (1.0 / law.p))
     low = max(law.kinks[0], -FURTHEST)
+    if law(low)[0] > load:
+        return math.nan
     if load == 0.0:
         return low
     high = low + 1e-6

@@ -14,10 +14,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.state.laws import AxialLaw, Blend
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Pieces = NDArray[np.int_]
 EDGE = 1e-12  # m from a kink of a law
 SMALL = 1.0  # N: rounding is measured by at least that

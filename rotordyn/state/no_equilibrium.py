@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.state.network import Step
-
-Array = NDArray[np.float64]
 
 
 class NoEquilibrium(NoSolution):

@@ -24,15 +24,14 @@ from numbers import Real
 from typing import Any, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.errors import shown
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion
 from rotordyn.state.laws import AxialLaw, Power, RestBall, deflection, table
 from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
 
-Array = NDArray[np.float64]
 Plain = Mapping[str, Any]
 LARGEST = 1e12  # N on a body
 BETWEEN = 9  # places between two points of a table at which it must not fall

@@ -12,12 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.state.contacts import TINY, State, held, independent, solve
 from rotordyn.state.network import Network, Step
 from rotordyn.state.no_equilibrium import endless
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 AT_LIMIT = 1e-9  # of the friction limit, of the sum of forces
 TOUCHING = 1e-13  # m
 ROUNDING = 1e-9  # of the largest rate

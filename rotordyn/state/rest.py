@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.state.contacts import State, contact_forces, independent
 from rotordyn.state.network import Load, Network, Step, pieces
 
-Array = NDArray[np.float64]
 BALANCED = 1e-6  # of the sum of forces
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.state.contacts import (
     ENOUGH,
     LONGEST,
@@ -27,7 +27,6 @@ from rotordyn.state.contacts import (
 )
 from rotordyn.state.network import Network, Step
 
-Array = NDArray[np.float64]
 ROUNDS = 1000
 BEYOND = 1e-9  # of a limit: a held joint carries too much
 FURTHEST = 5e-3  # m from where it snapped: no spindle holds a body there

@@ -138,8 +138,10 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     ],
     "rotordyn/preload/balance.py": [
         ("1.0 -> 1.1", "largest", "an equation of nothing alone"),
+    ],
+    "rotordyn/preload/balance_search.py": [
         (
-            "1.0 + LEVEL * (tries > 1) -> 1.0 - LEVEL * (tries > 1)",
+            "1.0 + LEVEL -> 1.0 - LEVEL",
             "worse",
             "how level the end of a search may be before its step is halved",
         ),
@@ -460,13 +462,6 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "1.0 + POINTS -> 1.0 - POINTS",
             "POINTS",
             "points and weights of a Gauss rule are the same from either end",
-        ),
-    ],
-    "rotordyn/preload/mounting.py": [
-        (
-            "10.0 -> 11.0",
-            "brentq",
-            "a wider bracket of the same zero",
         ),
     ],
     "bearings/fit/compound.py": [

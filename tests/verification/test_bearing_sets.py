@@ -13,6 +13,7 @@ import pytest
 import bearings
 import rotordyn
 from bearings import AngularContactBallBearing
+from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import PreloadSpec
 from rotordyn.analyses.preload.solve import answer
@@ -25,7 +26,12 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.mounting import class_offset, mounted_preload, ring_offset
+from rotordyn.preload.mounting import (
+    class_offset,
+    mounted_preloads,
+    ring_offset,
+)
+from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM
@@ -90,7 +96,7 @@ def test_force_and_offset_give_one_another() -> None:
     offset = ring_offset(machine, machine.sleeves[0], 600.0)
     assert offset == pytest.approx(2.0 * deflection(600.0), rel=1e-12)
     back = spindle("DB", SetPreload(offset=offset))
-    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(600.0, rel=1e-9)
+    assert mounted_preloads(back)[0] == pytest.approx(600.0, rel=1e-9)
     result = answer(state(back), PreloadSpec())
     assert result.mounted_preload == pytest.approx([600.0], rel=1e-9)
     assert result.ring_offset == pytest.approx([offset], rel=1e-9)
@@ -103,7 +109,7 @@ def test_an_offset_of_any_size_gives_its_force_back(force: float) -> None:
     machine = spindle("DB", SetPreload(force=force))
     offset = ring_offset(machine, machine.sleeves[0], force)
     back = spindle("DB", SetPreload(offset=offset))
-    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(force, rel=1e-8)
+    assert mounted_preloads(back)[0] == pytest.approx(force, rel=1e-8)
 
 
 def test_fits_raise_the_preload_of_an_offset() -> None:
@@ -120,8 +126,8 @@ def test_fits_raise_the_preload_of_an_offset() -> None:
     gain = distance * (math.sin(angle) - math.sin(math.acos(math.cos(angle) + growth / distance)))
     total = 2.0 * deflection(200.0) + 2.0 * gain
     known = brentq(lambda p: 2.0 * deflection(p, growth) - total, 1.0, 1e5)
-    assert mounted_preload(mounted, mounted.sleeves[0]) == pytest.approx(known, rel=1e-9)
-    assert mounted_preload(free, free.sleeves[0]) == pytest.approx(200.0, rel=1e-9)
+    assert mounted_preloads(mounted)[0] == pytest.approx(known, rel=1e-9)
+    assert mounted_preloads(free)[0] == pytest.approx(200.0, rel=1e-9)
     assert known > 300.0
     assert class_offset(mounted, mounted.sleeves[0], 200.0) == pytest.approx(2 * deflection(200.0))
 
@@ -133,7 +139,7 @@ def test_sets_of_one_class_are_preloaded_more_than_pairs(name: str, factor: floa
     """All bearings are ground to the offset of the class; makers print the factors to two digits
     (SKF, super-precision bearings, preload of sets: 1.36, 1.57 or 1.6, 2)."""
     machine = spindle(name, SetPreload(class_force=300.0))
-    found = mounted_preload(machine, machine.sleeves[0]) / 300.0
+    found = mounted_preloads(machine)[0] / 300.0
     assert found == pytest.approx(factor, rel=0.01)
 
 
@@ -315,7 +321,7 @@ def test_a_set_of_weak_bearings_is_mounted_too() -> None:
     assert pair is not None
     seats = tuple(replace(s, bearing=replace(s.bearing, balls=7)) for s in pair.seats)
     weak = replace(pair, seats=seats)
-    force = mounted_preload(weak, weak.sleeves[0])
+    force = mounted_preloads(weak)[0]
     given = pair.sleeves[0].spring.offset
     assert ring_offset(weak, weak.sleeves[0], force) == pytest.approx(given, rel=1e-9)
 
@@ -352,6 +358,49 @@ def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> Non
     assert ring_offset(machine, machine.sleeves[0], force) == pytest.approx(known, abs=1e-12)
 
 
+@pytest.mark.parametrize("thrusts", [(1, -1, -1), (1, -1, 1, -1), (1, 1, -1, -1)])
+@pytest.mark.parametrize("sprung", [False, True])
+def test_sets_that_are_mounted_together_press_the_shaft_together(
+    thrusts: tuple[int, ...], sprung: bool
+) -> None:
+    """Two sleeves in one housing, at offsets of 10 and 14 µm, or the second one on a spring: where
+    the shaft has no force left, by the law of one bearing."""
+    from scipy.optimize import brentq
+
+    plain = replace(spindle("DT", None), arrangement=None)
+    seats = tuple(
+        replace(plain.seats[0], name=f"b{k}", x=0.03 + 0.05 * k, thrust=thrust)
+        for k, thrust in enumerate(thrusts)
+    )
+    springs = Spring(0.0, offset=10e-6), Spring(300.0, 5e6) if sprung else Spring(0.0, offset=14e-6)
+    sleeves = tuple(Sleeve(f"s{k}", (f"b{k}",), springs[k - 1]) for k in (1, 2))
+    machine = replace(plain, seats=seats, sleeves=sleeves)
+    given = {1: -thrusts[1] * 10e-6, 2: -thrusts[2] * 14e-6}
+
+    def carried(k: int, shaft: float) -> float:
+        if k == 2 and sprung:
+            return 300.0
+        motion = [thrusts[k] * (shaft - given.get(k, 0.0)), 0.0, 0.0, 0.0, 0.0]
+        return float(BEARING.equilibrium(displacement=motion).load[0])
+
+    shaft = brentq(
+        lambda x: sum(thrust * carried(k, x) for k, thrust in enumerate(thrusts)),
+        -30e-6,
+        30e-6,
+        xtol=1e-16,
+    )
+    known = [carried(1, shaft), carried(2, shaft)]
+    assert mounted_preloads(machine) == pytest.approx(known, rel=1e-6)
+    found = dynamic_preload(machine, np.zeros(1), Law())
+    assert found.seat_load()[0, 1:3] == pytest.approx(known, rel=1e-6)
+    heavy = replace(sleeves[1], spring=Spring(9e6, 5e6))
+    with pytest.raises(InvalidInput, match="bearings beyond what they bear"):
+        mounted_preloads(replace(machine, sleeves=(sleeves[0], heavy)))
+    back = ring_offset(machine, sleeves[0], known[0])
+    if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing says nothing of it
+        assert back == pytest.approx(10e-6, rel=1e-6)
+
+
 def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     loose = spindle("DB", SetPreload(offset=1e-6), growth=RingGrowth(static=-20e-6))
     plain = spindle("DB", SetPreload(offset=1e-6))
@@ -359,16 +408,16 @@ def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     left = 1.0 - (taken - given) * 1e6
     play = rf"offset of 1 µm leaves play in its bearings as mounted \({left:.3g} µm with"
     with pytest.raises(InvalidInput, match=play):
-        mounted_preload(loose, loose.sleeves[0])
+        mounted_preloads(loose)[0]
     small = AngularContactBallBearing(3e-3, 30e-3, 5, contact_angle=math.radians(15.0))
     pressed = spindle("DB", SetPreload(offset=0.9e-3), small)
     beyond = "offset of 900 µm presses its bearings beyond what they bear .900 µm with"
     with pytest.raises(InvalidInput, match=beyond):
-        mounted_preload(pressed, pressed.sleeves[0])
+        mounted_preloads(pressed)[0]
     machine = spindle("DT", None)
     sleeve = Sleeve("s", ("a", "b"), Spring(0.0, math.inf, offset=1e-5))
     with pytest.raises(InvalidInput, match="needs bearings that face them"):
-        mounted_preload(replace(machine, sleeves=(sleeve,)), sleeve)
+        mounted_preloads(replace(machine, sleeves=(sleeve,)))
 
 
 def test_a_preload_beyond_the_bearing_is_named() -> None:

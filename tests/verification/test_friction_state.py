@@ -24,7 +24,7 @@ from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.errors import InvalidInput, NoSolution, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.temperatures import Temperatures
+from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
 from rotordyn.preload.arrangement import arrangement
 from rotordyn.preload.axial_tables import _solved, axial_table
 from rotordyn.preload.friction import Rubbing, operating_state
@@ -279,6 +279,25 @@ def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
     before, through, after = moments(Past(steps), speeds, 0.0)
     assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 15.0, 10.0, 5.0]
     assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+
+
+def test_bearings_that_do_not_stay_alike_are_followed_apart() -> None:
+    """The inner ring of d is hot at 10 000 rpm alone, which the history passes: where that is a
+    speed of the case, both bearings of the tandem are told apart anyway."""
+    ring = BearingTemperatures((20.0, 80.0, 20.0), (20.0,) * 3, (20.0,) * 3)
+    speeds = (0.0, 10000.0 * RPM, 20000.0 * RPM)
+    warm = Temperatures(shaft=20.0, speeds=speeds, bearings={"d": ring})
+    machine = with_sleeve(
+        with_sleeve(mfw2310(shortening=None), "front", friction=200.0), "rear", friction=200.0
+    )
+    steps = HistoryStep(warm=True), HistoryStep(speed=speeds[1]), HistoryStep(run_up=True)
+    alone, both = (
+        operating_state(machine, np.array(at), LAW, 0.0, warm, Past(steps))
+        for at in (speeds[2:], speeds[1:])
+    )
+    assert len(alone.network.arrangement.bearings) == 3
+    assert alone.seat_load()[-1] == pytest.approx(both.seat_load()[-1], rel=1e-6)
+    assert abs(both.friction_force[-1, 1]) < 100.0
 
 
 def test_a_history_longer_than_allowed_is_refused_before_it_begins(

@@ -416,6 +416,11 @@ def test_bad_input_against_the_machine() -> None:
     for words, warm in cases.items():
         setting = Setting(machine, Conditions(temperatures=warm), (0.0, 9000 * RPM))
         assert any(words in sentence for _, sentence in setting_faults(setting)), words
+    running = Temperatures(shaft=(20.0, 30.0), speeds=(3000 * RPM, 9000 * RPM))
+    for how, said in (("static", "does not reach 0 rpm, at which bearings stay"), ("dynamic", "")):
+        conditions = Conditions(temperatures=running, bearings=how)
+        words = [word for _, word in setting_faults(Setting(machine, conditions, (6000 * RPM,)))]
+        assert any(said in word for word in words) == bool(said)
     wide = replace(FITS, shaft="p5", taken="most")
     shallow = replace(bearing(), contact_angle=math.radians(10.0))
     seats = tuple(replace(s, bearing=shallow, fits=wide) for s in machine.seats)

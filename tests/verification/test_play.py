@@ -9,7 +9,7 @@ import pytest
 
 import rotordyn
 from rotordyn.errors import NoSolution
-from rotordyn.preload import play
+from rotordyn.preload import axial_curves, play
 from rotordyn.preload.history import history
 from rotordyn.preload.play import axial_run_up
 from rotordyn.scene.scene import Scene
@@ -81,7 +81,7 @@ def test_a_bearing_without_any_state_is_named_with_its_speed_and_growth() -> Non
     odd = replace(joined, bearings=(*joined.bearings[:2], third))
     said = r"number 4 of the spindle at 150 rpm, groove growth 4\.321e\+04 µm: it has no axial"
     with pytest.raises(NoSolution, match=said):
-        play.BearingCurves().of(odd)
+        axial_curves.BearingCurves().of(odd)
 
 
 def test_a_curve_goes_on_level_below_and_straight_above() -> None:
@@ -89,7 +89,7 @@ def test_a_curve_goes_on_level_below_and_straight_above() -> None:
     d = np.linspace(-20e-6, 80e-6, 11)
     pressed = np.maximum(d, 0.0)
     load, slope = 9e6 * pressed + 1e11 * pressed**2, (9e6 + 2e11 * d) * (d >= 0.0)
-    curve = play._curve(d, load, slope, play.FINE * 1e-6, 1e-6)
+    curve = axial_curves._curve(d, load, slope, axial_curves.FINE * 1e-6, 1e-6)
     assert curve(np.array([-1e-3, -3e-4])).tolist() == [0.0, 0.0]
     inside = np.array([31e-6, 77e-6])
     assert curve(inside) == pytest.approx(9e6 * inside + 1e11 * inside**2, rel=1e-6)

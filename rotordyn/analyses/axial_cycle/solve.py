@@ -37,7 +37,6 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     force, at = _places(listed)
     steps = len(preload.speed) * (2 * spec.steps + 3)
     require_history(f"axial_cycle: {steps} steps", 0, steps)
-    of_seat = preload.network.arrangement.bearing_of_seat
     path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
     seats, sleeves = scene.spindle.seats, scene.spindle.sleeves
     shape = (len(preload.speed), len(BRANCHES), len(force))
@@ -59,7 +58,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
             continue
         for k, states in enumerate(branches):
             position[row, k] = [state.x for state in states]
-            load[row, k] = [state.at.load[of_seat] for state in states]
+            load[row, k] = [state.at.load[path.of_seat] for state in states]
             friction[row, k], stop[row, k] = _sleeves(path, states)
             stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
         held[row] = [

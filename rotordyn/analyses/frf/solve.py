@@ -108,7 +108,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         frequency=frequency,
         pair=names,
         outcome=scene.outcome,
-        unstable=scene.flagged(growing),
+        unstable=scene.scattered(growing),
         error=error,
         error_asked=response_accuracy(scene),
         **{spec.quantity: values},

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.balance import Balance, Point
+from rotordyn.preload.balance_search import balanced
 from rotordyn.preload.leaving import NEARER, Leaving
 
 Words = NDArray[np.str_]
@@ -142,7 +143,7 @@ def _stepped(
     """The balance under the second force of ``ends`` from that under the first, and where there is
     one: in a stride from ``guess``, else, of curves that begin with a ``slack`` bearing, in strides
     as long as they lead to one, from place to place; where the bearing is met, they are short."""
-    found, there, good = problem.solved(guess, here, ends[1], alive)
+    found, there, good = balanced(problem, guess, here, ends[1], alive)
     left = alive & ~good & slack
     if not left.any():
         return found, there, good
@@ -151,7 +152,7 @@ def _stepped(
         stride = min(stride, 1.0 - share)
         force = ends[0] + (share + stride) * (ends[1] - ends[0])
         balls = [one.ball for _, one in here.bearings]
-        on, at, solved = problem.solved([here.coordinates, *balls], here, force, left)
+        on, at, solved = balanced(problem, [here.coordinates, *balls], here, force, left)
         if (left & ~solved).any() and stride > SHORTEST and failed < FAILED:
             stride, failed = 0.25 * stride, failed + 1
             continue
@@ -179,7 +180,7 @@ def _nearer(
         share = ((force - begin) / step)[:, None]
         guess = [place + share * slope]
         guess += [x + share[..., None] * dx for x, dx in zip(balls, moves, strict=True)]
-        _, there, good = problem.solved(guess, here, force, alive)
+        _, there, good = balanced(problem, guess, here, force, alive)
         lost |= set(np.flatnonzero(alive & ~good).tolist())
         for row in [row for row in known if good[row] and alive[row]]:
             lightest, ball = there.lightest[row, seat], there.lightest_ball[row, seat]

@@ -87,7 +87,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance=tuple(one.name for one in placed),
         critical=tuple(each.mode for each in critical),
         outcome=_outcome(scene, absent),
-        unstable=scene.flagged(np.any([one.growing.any(axis=1) for one in motions], axis=0)),
+        unstable=scene.scattered(np.any([one.growing.any(axis=1) for one in motions], axis=0)),
         displacement=displacement,
         amplitude=np.abs(displacement),
         phase=np.angle(displacement),

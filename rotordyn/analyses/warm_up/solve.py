@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.bearing import BallBearing
 from rotordyn.allowance import require_history, require_time
@@ -16,7 +15,6 @@ from rotordyn.preload.heat_balance import Flow, cold
 from rotordyn.preload.warming import Begin, Warming, warming
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
 ENOUGH = 1.0  # K: a change of temperatures by the last halving that is small beside all hypotheses
 STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them

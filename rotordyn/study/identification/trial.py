@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from rotordyn.case.case import Case
 from rotordyn.errors import NoSolution
-from rotordyn.preload.play import AxialRunUp, BearingCurves, axial_run_up
+from rotordyn.preload.axial_curves import BearingCurves
+from rotordyn.preload.play import AxialRunUp, axial_run_up
 from rotordyn.scene.scene import Scene
 from rotordyn.study.neighbours import Neighbours
 

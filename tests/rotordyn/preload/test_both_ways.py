@@ -90,6 +90,19 @@ def test_thrust_of_a_bearing_that_takes_it_both_ways_is_a_name_for_its_sign() ->
     assert other.seat_load()[:, 2] == pytest.approx(-one.seat_load()[:, 2], rel=1e-9)
 
 
+@pytest.mark.parametrize("thrust", [1, -1])
+def test_a_force_may_unload_a_bearing_beside_one_that_takes_it_whatever_its_sign(
+    thrust: int,
+) -> None:
+    """Against the locked set the shaft leans on the fixed bearing alone."""
+    seats = [BearingSeat("a", VEX70, 0.03, 1), BearingSeat("rear", DEEP_GROOVE, 0.38, thrust)]
+    locked = Sleeve("sleeve", ("a",), Spring(PRELOAD))
+    machine = mfw2310(seats=tuple(seats), sleeves=(locked,), shortening=None)
+    found = state(machine, 0.0, -3000.0)
+    assert found.seat_load()[0] == pytest.approx([0.0, -3000.0 * thrust], rel=1e-9, abs=1e-6)
+    assert found.outcome == ("",)
+
+
 def test_a_force_pushes_the_shaft_through_the_play() -> None:
     """In the play the balance is that of spring and force alone; beyond it the load turns round."""
     machine = sprung_set(1)

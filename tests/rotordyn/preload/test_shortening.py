@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.shaft import Section, Shaft
-from rotordyn.preload.shortening import seat_shifts, strain_integral
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.history import history
+from rotordyn.preload.play import axial_run_up
+from rotordyn.preload.shortening import expansion, seat_shifts, strain_integral
+from rotordyn.preload.together import dynamic_preload
 from tests.oracles.rotors import STEPPED
-from tests.oracles.spindles import TOP, mfw2310
+from tests.oracles.spindles import TOP, conditions, mfw2310, with_sleeve
+
+STIFF = 2e7  # N/m
 
 
 def strain(shaft: Shaft, x: float) -> float:
@@ -54,3 +65,52 @@ def test_prescribed_and_none() -> None:
     expected = [[0, 0, 0, -40e-6, 0], [0, 0, 0, -10e-6, 0]]
     assert seat_shifts(mfw2310(shortening=rule), speed) == pytest.approx(np.array(expected))
     assert not seat_shifts(mfw2310(shortening=None), speed).any()
+
+
+def held_along(x: float, reference: float, friction: float = 0.0) -> Spindle:
+    """The flagship with a spring along the axis at ``x``, its front sleeve without a stop."""
+    ours = with_sleeve(mfw2310(), "front", stop_travel=math.inf, friction=friction)
+    along = LinearSupport("brush", x, {("x", "x"): STIFF, ("y", "y"): 1e3, ("z", "z"): 1e3})
+    rule = ComputedShortening(reference)
+    return replace(ours, supports=(*ours.supports, along), shortening=rule)
+
+
+@pytest.mark.parametrize("warm", [None, Temperatures(shaft=45.0, housing=30.0)])
+def test_a_support_along_the_axis_holds_the_shaft_where_it_stands(
+    warm: Temperatures | None,
+) -> None:
+    """Which station is said not to shift changes nothing; where the support stands does."""
+    speed, law = np.array([0.0, TOP]), conditions().law
+    front, rear = mfw2310().shaft.start, mfw2310().shaft.end
+    one, same, other = (
+        dynamic_preload(held_along(x, reference), speed, law, 0.0, warm)
+        for x, reference in ((rear, 0.0), (rear, 0.3), (front, 0.0))
+    )
+    assert same.seat_load() == pytest.approx(one.seat_load(), rel=1e-8)
+    assert np.abs(other.seat_load() / one.seat_load() - 1.0).max() > 0.05
+    strain = strain_integral(mfw2310().shaft, 0.0, rear) * speed**2
+    if warm is not None:
+        strain = strain + expansion(mfw2310().shaft, 0.0, rear) * 25.0
+        strain -= warm.housing_expansion * rear * 10.0
+    thrust = np.array([seat.thrust for seat in mfw2310().seats])
+    pushed = -STIFF * (one.shift[:, 0] + strain)
+    assert one.seat_load() @ thrust == pytest.approx(pushed, abs=1e-6)
+    assert abs(pushed[1]) > 100.0
+
+
+def test_history_and_play_hold_it_there_too() -> None:
+    """Friction that is next to nothing leaves the state without any."""
+    speed, law = np.array([0.0, 0.5, 1.0]) * TOP, conditions().law
+    machine, bare = (held_along(mfw2310().shaft.end, 0.0, limit) for limit in (1e-3, 0.0))
+    plain = dynamic_preload(bare, speed, law)
+    path = history(replace(plain, spindle=machine), 0.0)
+    for there, position in zip(path.run_up(), plain.shift, strict=True):
+        assert not isinstance(there, str)
+        assert there.x == pytest.approx(position, abs=2e-9)
+    idle = axial_run_up(bare, law, speed).idle
+    assert idle - idle[0] == pytest.approx(plain.shift, abs=1e-8)
+    assert plain.stop_speeds() == pytest.approx([math.nan, math.nan], nan_ok=True)
+    stopped = with_sleeve(bare, "front", stop_travel=10e-6)
+    (met, _) = dynamic_preload(stopped, speed, law).stop_speeds()
+    gap = dynamic_preload(bare, np.array([met]), law).shift[0, 1]
+    assert abs(gap) == pytest.approx(10e-6, rel=1e-6)

@@ -12,7 +12,8 @@ import pytest
 from bearings.ball.law import Law
 from rotordyn.case.vary import changed
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.arrangement import side_by_side
+from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
+from rotordyn.preload.arrangement import arrangement, side_by_side
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Asked, dynamic_preload, dynamic_preloads
 from tests.oracles.spindles import RPM, case, mfw2310, with_sleeve, with_springs
@@ -135,7 +136,7 @@ def test_machines_whose_bearings_are_alike_at_rest_alone_keep_their_own(backward
 
 
 def test_machines_built_otherwise_are_never_joined() -> None:
-    one, other = (Asked(s, SPEED, LAW).arrangement() for s in (mfw2310(), mfw2310(sleeves=())))
+    one, other = (arrangement(s, SPEED) for s in (mfw2310(), mfw2310(sleeves=())))
     with pytest.raises(AssertionError, match="built otherwise"):
         side_by_side([one, other])
 
@@ -147,3 +148,16 @@ def test_other_travels_at_unlike_numbers_of_speeds() -> None:
         found = state.with_travels({"front": 20e-6}, last)
         alone = dynamic_preload(*machine).with_travels({"front": 20e-6}, last)
         assert found.seat_load() == pytest.approx(alone.seat_load(), rel=1e-10)
+
+
+def test_stops_are_met_by_bearings_that_are_alike_at_the_speeds_of_the_case_alone() -> None:
+    """The hot ring of d between two speeds is felt where the stop is met there."""
+    ring = BearingTemperatures((20.0, 80.0, 20.0), (20.0,) * 3, (20.0,) * 3)
+    speeds = (0.0, 10000.0 * RPM, 20000.0 * RPM)
+    warm = Temperatures(shaft=20.0, speeds=speeds, bearings={"d": ring})
+    machine = with_sleeve(mfw2310(shortening=None), "rear", stop_travel=3e-6)
+    coarse, fine = (
+        dynamic_preload(machine, np.array(at), LAW, 0.0, warm) for at in (speeds[::2], speeds)
+    )
+    assert len(coarse.network.arrangement.bearings) == 3
+    assert coarse.stop_speeds()[1] == pytest.approx(fine.stop_speeds()[1], rel=1e-9)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.preload import under_load
 from rotordyn.preload.under_load import _marched, _pushed_apart, _why
 
 
@@ -47,10 +48,17 @@ class Stiffening:
         return self, self.evaluate(there, None), ~far
 
 
+@pytest.fixture
+def stiffening(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Balances are those that the coordinate finds."""
+    monkeypatch.setattr(under_load, "balanced", Stiffening.solved)
+
+
 def force(x: np.ndarray) -> np.ndarray:
     return np.asarray(x + x**3)
 
 
+@pytest.mark.usefixtures("stiffening")
 @pytest.mark.parametrize("size", [2.0, -30.0])
 @pytest.mark.parametrize(("reach", "strides"), [(1.01, 1), (0.3, 4), (0.07, 16)])
 def test_loads_grow_to_their_size_in_equal_strides(size: float, reach: float, strides: int) -> None:
@@ -64,6 +72,7 @@ def test_loads_grow_to_their_size_in_equal_strides(size: float, reach: float, st
     )
 
 
+@pytest.mark.usefixtures("stiffening")
 def test_what_no_stride_leads_to_is_no_balance() -> None:
     assert not _marched(Stiffening(0.05), 1.0)[2].any()  # type: ignore[arg-type]
 

@@ -18,7 +18,9 @@ from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.growth import PrescribedShortening
+from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.scene import Scene
+from rotordyn.scene.stage import Memo
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import (
     ROOT,
@@ -30,6 +32,7 @@ from tests.oracles.spindles import (
     pairs,
     scene,
     system_of,
+    with_sleeve,
 )
 
 ASKED = {
@@ -232,3 +235,34 @@ def test_case_of_linear_supports_has_no_preload_question() -> None:
         replace(rotor.spindle), (0, 3000), {"campbell": CampbellSpec(600.0)}, element_length=0.1
     )
     assert found["campbell"].outcome == ("", "")
+
+
+def test_variants_of_a_spring_have_their_own_vibrations() -> None:
+    """What one machine leaves in the memo does not serve another that moves otherwise."""
+    memo, speed = Memo(), np.array([0.0, 12000.0]) * RPM
+    ours = mfw2310().sleeves[0].spring
+    for stiffness in (2e6, 40e6):
+        machine = with_sleeve(mfw2310(), "front", spring=replace(ours, stiffness=stiffness))
+        shared, alone = (
+            system_of(Scene(machine, conditions(), speed, memo=kept), "axial")
+            for kept in (memo, Memo())
+        )
+        assert shared.pole == pytest.approx(alone.pole, rel=1e-12)
+
+
+def test_bearings_at_rest_beside_supports_that_follow_the_speed_bend_with_it() -> None:
+    """Under weight the shaft hangs between bearings that do not change and a film that does."""
+    ours = mfw2310()
+    film = LinearSupport(
+        name="film",
+        x=ours.shaft.end - 0.05,
+        stiffness={(way, way): (1e6, 5e8) for way in "yz"},
+        speeds=(0.0, 2600.0),
+    )
+    machine = replace(ours, supports=(*ours.supports, film))
+    how = conditions(bearings="static", gravity="-z")
+    found = Scene(machine, how, np.array([0.0, 24000.0]) * RPM)
+    assert found.preload.usable.all()
+    other = found.at(np.array([0.0, 3000.0]) * RPM)
+    alone = Scene(machine, how, np.array([0.0, 3000.0]) * RPM)
+    assert other.preload.lateral == pytest.approx(alone.preload.lateral, rel=1e-4)

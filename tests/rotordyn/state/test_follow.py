@@ -308,6 +308,7 @@ BAD = [
     ({"path": forces(1e300)}, "force on shaft: given 1e+300; allowed"),
     ({"path": forces(10**400)}, "force on shaft: given 1000"),
     ({"laws": {"a": {"kind": "table", "d": [0, 1, 2], "F": [0, 2, 1]}}}, "falls beyond 1 m"),
+    ({"laws": {"a": {"kind": "table", "d": [0, 1], "F": [700, 700]}}}, "does not reach 600 N"),
     (
         {
             "laws": {
