@@ -164,8 +164,8 @@ class Statics(Staged):
 
     @cached_property
     def bodies(self) -> Spindle:
-        """The machine without what its bodies do not depend on: springs and stops of sleeves,
-        words."""
+        """The machine without what shafts and housings do not depend on: springs and stops of
+        sleeves, words."""
         with unchecked():  # of a machine that is checked
             sleeves = tuple(
                 replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
