@@ -258,6 +258,11 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         ('"preload: sum"', '"preload: total"', "has no such number; allowed: sum"),
         ("1900 N", "1900 Hz", "9:5: limits[0]: limit of 'preload: sum': expected a number in N"),
         ("1900 N", "1900", "expected a number in N: given '1900'"),
+        (
+            '"preload: sum", at_most: 1900 N',
+            "preload.axial_load, at_most: 5 mm",
+            "9:5: limits[0]: limit of 'preload.axial_load': expected a number in N",
+        ),
         ("at_most: 1900 N", "absent: keeps", "give at_least, at_most or outside"),
         ("highest: preload.axial_load", "where: {}", "either highest or lowest"),
         ("trials: 24", "trials: 0", "trials"),

@@ -452,6 +452,11 @@ def test_faults_of_a_study_file_have_their_lines(
     (tmp_path / "bad.yaml").write_text(STUDY.replace("800 N", "800 mm"))
     assert main(["sweep", "bad.yaml"]) == 2
     assert "'mm' is not a unit of force" in capsys.readouterr().err
+    (tmp_path / "bad.yaml").write_text(STUDY.replace(", points: 40", ""))
+    assert main(["sweep", "bad.yaml"]) == 2
+    told = capsys.readouterr().err
+    assert f"bad.yaml:5:40: vary.{SPRING}: a grid needs values" in told
+    assert "give the span a count (points, in a file)" in told
     assert not (tmp_path / "out").exists()
 
 
