@@ -246,7 +246,12 @@ def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field,
             return field, replace(change, steps=change.steps[len(way) :])
     within = [way for way in ways if len(way) > 1 and way[0] == change.steps[0]]
     if within:
-        change = replace(change, steps=change.steps[1:] or ("",))
+        change = replace(change, steps=change.steps[1:])
+        if not change.steps:
+            inner = ", ".join(f"{change.path}.{way[1]}" for way in within)
+            raise change.refused(
+                f"holds several values, each with a path of its own: change {inner}"
+            )
         _known(change, change.steps[0], [way[1] for way in within], "key")
     called = {field.name: way for way, field in ways.items()}
     if (key := called.get(change.steps[0])) is not None:

@@ -81,7 +81,7 @@ def _quantity_columns(
     words = list(product(*(getattr(result, d) for d in across)))
     flat = values.transpose(order).reshape(prod(shape), len(words))
     for place, word in enumerate(words):
-        to = _unit_of(word, across) or info["printed"]
+        to = _unit_of(word, across) or _own_unit(result, name, word, across) or info["printed"]
         label = f"{info['label']} {','.join(word)}" if word else info["label"]
         yield from _parts(label, to, flat[:, place])
 
@@ -91,6 +91,15 @@ def _unit_of(word: tuple[str, ...], across: list[str]) -> Shown | None:
     if across == ["dof", "dof_other"]:
         return shown(stiffness_unit(*word))
     return shown(load_unit(*word)) if across == ["component"] else None
+
+
+def _own_unit(result: Any, name: str, word: tuple[str, ...], across: list[str]) -> Shown | None:
+    """The unit of one place ``across`` where the entries of a field have their own: that of its
+    pair, or the one of all."""
+    each = [*result.entry_units(name)] if hasattr(result, "entry_units") else []
+    if len(set(each)) == 1:
+        return shown(each[0])
+    return shown(each[result.pair.index(word[0])]) if each and across == ["pair"] else None
 
 
 def _parts(label: str, to: Shown, values: NDArray[Any]) -> Iterator[Column]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -40,7 +41,7 @@ def gathered(
     values["sentence"] = (design.dims, said.reshape(design.shape), {"long_name": "why not solved"})
     values["warnings"] = (design.dims, told.reshape(design.shape), {"long_name": "how many"})
     whole = xr.Dataset(values, _coordinates(design), about(case.name, case.title, case.digest))
-    good = [(k, row) for k, row in enumerate(rows) if row and row.numbers]
+    good = [(k, row) for k, row in enumerate(rows) if row and row.solved]
     if not study.results or not good:
         return whole
     kept = {k: datasets(row) for k, row in good}
@@ -78,17 +79,47 @@ def _stacked(design: Design, name: str, kept: Mapping[int, Mapping[str, xr.Datas
     """A dataset of all points over another, with NaN where one of them has no value."""
     import xarray as xr
 
-    whole = xr.concat(
-        [each[name] for each in kept.values()], dim=POINT, join="outer", combine_attrs="override"
-    )
+    named = [_named(name, each[name]) for each in kept.values()]
+    places = {dim: _places([each[dim].values for each in named]) for dim in named[0].dims}
+    numbered = [
+        each.assign_coords({dim: own[k] for dim, (_, own) in places.items()})
+        for k, each in enumerate(named)
+    ]
+    whole = xr.concat(numbered, dim=POINT, data_vars="all", join="outer", combine_attrs="override")
     whole = whole.assign_coords({POINT: [*kept]}).reindex({POINT: np.arange(design.count)})
-    grid = design.sampling == "grid"
-    whole = _unravelled(design, whole) if grid else whole.drop_vars(POINT)
-    names = {
-        each: f"{name}{OF_RESULTS}{each}" for each in (*whole.data_vars, *whole.coords, *whole.dims)
-    }
-    own = {each: new for each, new in names.items() if each not in design.dims}
-    return whole.rename(own)
+    entries = {dim: (dim, every, named[0][dim].attrs) for dim, (every, _) in places.items()}
+    whole = whole.assign_coords(entries)
+    return _unravelled(design, whole) if design.sampling == "grid" else whole.drop_vars(POINT)
+
+
+def _named(name: str, data: xr.Dataset) -> xr.Dataset:
+    """Variables and dimensions by the names that they have in a study."""
+    return data.rename({each: f"{name}{OF_RESULTS}{each}" for each in data.variables})
+
+
+def _places(rows: Sequence[Any]) -> tuple[Any, list[list[int]]]:
+    """All entries of one dimension of several datasets, ascending where these differ, and the
+    places among them of each.
+
+    An entry may stand there more than once, such as a mode that several orders excite: the first
+    of one is the same as the first of another, then the second.
+    """
+    counted = [_counted(row.tolist()) for row in rows]
+    alike = all(row == counted[0] for row in counted)
+    every = counted[0] if alike else sorted({each for row in counted for each in row})
+    place = {each: k for k, each in enumerate(every)}
+    values = np.array([entry for entry, _ in every], dtype=np.result_type(*rows))
+    return values, [[place[each] for each in row] for row in counted]
+
+
+def _counted(entries: Sequence[Any]) -> list[tuple[Any, int]]:
+    """Each entry with the number of its like before it."""
+    seen: Counter[Any] = Counter()
+    counted = []
+    for each in entries:
+        counted.append((each, seen[each]))
+        seen[each] += 1
+    return counted
 
 
 def _unravelled(design: Design, whole: xr.Dataset) -> xr.Dataset:

@@ -114,7 +114,8 @@ def design(
     for each in found:
         if not each.values:
             raise InvalidInput(
-                f"{each.path}: a {sampling} needs values: list them, or give the span a count"
+                f"{each.path}: a {sampling} needs values: list them, or give the span a count "
+                "(points, in a file)"
             )
     whole = Design(found, sampling)
     _require_fitting(whole)

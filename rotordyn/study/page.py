@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bearings.arguments import typed
+from rotordyn.analyses.registry import names
 from rotordyn.errors import InvalidInput
 from rotordyn.page.blocks import Block, Printed, Table, Text, sections
 from rotordyn.page.html import Page, write
@@ -85,12 +86,11 @@ def _read(folder: Path) -> StudyFolder:
     try:
         with xr.open_dataset(folder / DATASET, engine="h5netcdf") as data:
             about = dict(data.attrs)
-            count = sum(OF_RESULTS not in str(name) for name in data.coords)
         point, *columns = read_columns(folder / TABLE)
         summary = (folder / SUMMARY).read_text(encoding="utf-8").rstrip("\n")
         written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)
         title, source = str(about["title"]), str(about["source"])
-        varied, numbers, (sentences, warnings) = columns[:count], columns[count:-2], columns[-2:]
+        *columns, sentences, warnings = columns
     except (OSError, ValueError, LookupError, RuntimeError, TypeError) as error:
         raise InvalidInput(
             f"{folder} holds a study that is not complete, or of another version ({error}): the "
@@ -101,7 +101,14 @@ def _read(folder: Path) -> StudyFolder:
         ("date", f"{written:%Y-%m-%d %H:%M UTC}"),
         ("SHA-256 of what was read", str(about.get("digest", ""))),
     ]
+    varied = [each for each in columns if not _is_number(each)]
+    numbers = [each for each in columns if _is_number(each)]
     return StudyFolder(title, summary, point, varied, numbers, sentences, warnings, origin)
+
+
+def _is_number(column: Column) -> bool:
+    """Whether it is a headline number, led by its analysis, and not what was varied."""
+    return column.heading.partition(OF_RESULTS)[0] in names()
 
 
 def _study_page(held: StudyFolder) -> Page:

@@ -37,6 +37,7 @@ class Outcome:
     ``numbers``: value and unit, as printed, by the name of the number; ``sentence``: why there are
     none, or which speeds lack them; empty of a point that is solved. ``seconds``: to solve it.
     ``error``: the largest one over what the accuracy allows, None where it was not looked for.
+    ``solved``: whether any speed has a solution, also where the analyses have no headline numbers.
     ``results``: those that are kept whole, by the name of the analysis.
     """
 
@@ -46,6 +47,7 @@ class Outcome:
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
     error: float | None = None
+    solved: bool = True
     results: dict[str, Any] = field(default_factory=dict)
 
 
@@ -92,7 +94,7 @@ def _solved(
             raise case
         found = _outcome(study, number, case, neighbours, points)
     except (InvalidInput, BearingError, NoSolution) as error:
-        found = Outcome(number, sentence=str(error))
+        found = Outcome(number, sentence=str(error), solved=False)
     return replace(found, seconds=spent + time.perf_counter() - begin)
 
 

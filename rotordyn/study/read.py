@@ -18,6 +18,7 @@ from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
 from rotordyn.study.parameter import Span, kind_of_model, parameter
 
 if TYPE_CHECKING:
@@ -41,8 +42,10 @@ def read_study(path: str | Path) -> Study:
     try:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
-        word = str(refusal).partition(":")[0]  # sentences begin with the key, where there is one
-        at = (word,) if read.root.child(word) else ()
+        word = str(refusal).partition(":")[0]  # sentences begin with a key or path, or with none
+        at: tuple[str, ...] = ("vary", word) if word in read.varied else ()
+        if read.root.child(word):
+            at = (word,)
         raise read.refused(at, str(refusal).removeprefix(f"{word}: " if at else "")) from None
 
 
@@ -76,11 +79,12 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:
+        limits_alone = str(refusal).startswith("limit of")
         places = [
             (key, k)
             for key, found in wishes.items()
             for k, each in enumerate(found)
-            if each.criterion.of in str(refusal)
+            if shown(each.criterion.of) in str(refusal) and not (limits_alone and key == "goals")
         ]
         raise read.refused(places[0] if places else (), str(refusal)) from None
     return problem, {name: read.asked[name] for name in ("trials", "seed")}

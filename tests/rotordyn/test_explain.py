@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import rotordyn
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.cli import main
 from rotordyn.job.solving import solve, solve_variants
 
@@ -50,6 +51,22 @@ def test_a_variant_in_company_is_the_variant_alone(name: str) -> None:
                 alone, beside = getattr(result, field.name), getattr(shared, field.name)
                 if isinstance(alone, np.ndarray) and alone.dtype.kind in "fc":
                     assert np.array_equal(alone, beside, equal_nan=True), (variant, field.name)
+
+
+def test_sleeves_of_a_variant_move_along_the_axis_on_its_own_springs() -> None:
+    """Shafts are shared; axial modes were those of the springs of the first variant."""
+    case = few_speeds("mfw2310_preload_springs")
+    case = rotordyn.vary(case, {"analyses": {"campbell": CampbellSpec(max_frequency=4000.0)}})
+    together = solve_variants(case).answers
+    frequencies = []
+    for variant, one in case.variants.items():
+        alone, beside = solve(one).results["campbell"], together[variant].results["campbell"]
+        assert alone.mode == beside.mode
+        assert np.array_equal(alone.frequency, beside.frequency)
+        frequencies.append(beside.frequency[0, beside.mode.index("axial 1")])
+    soft, built, stiff, stiffer, no_stop = frequencies
+    assert min(soft - built, built - stiff, stiff - stiffer) > 0.3  # Hz: it takes damping along
+    assert no_stop == pytest.approx(built, rel=1e-12)
 
 
 def test_another_shaft_shares_no_rotor() -> None:

@@ -118,15 +118,14 @@ def warnings(result: UnbalanceResult) -> list[str]:
     """Loads beyond the tangents of bearings, motion less accurate than asked for."""
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     told += _films(result)
-    worst = float(result.error.max(initial=0.0))
-    if worst <= result.error_asked:
-        return told
-    point = result.point[int(result.error.argmax())]
-    return [
-        *told,
-        f"unbalance: the motion of {point} is less accurate than asked for: an estimated error of "
-        f"{rounded_up(worst)} of its peak remains after refinement",
-    ]
+    worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
+    if worst > result.error_asked:
+        point = result.point[int(result.error.argmax())]
+        told.append(
+            f"unbalance: the motion of {point} is less accurate than asked for: an estimated error "
+            f"of {rounded_up(worst)} of its peak remains after refinement"
+        )
+    return told
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:

@@ -35,9 +35,9 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class Criterion:
-    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, of
-    those in several units the ones whose whole name they are; or ``of`` "analysis.variable" a
-    variable of its dataset, by its size where it is complex.
+    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words,
+    whole ones where there are such, of those in several units the ones whose whole name they are;
+    or ``of`` "analysis.variable" a variable of its dataset, by its size where it is complex.
 
     ``where``: entries of its coordinates, by name a word (``*`` any letters), a number, or a pair
     of numbers that bound a range; numbers in SI units or text with a unit.
@@ -67,6 +67,7 @@ class Criterion:
         words = self.of.partition(":")[2].strip()
         numbers = list(analysis(self.analysis).numbers(result, case))
         found = [each for each in numbers if each.heading.startswith(words)]
+        found = [each for each in found if f"{each.heading} ".startswith(f"{words} ")] or found
         if not found:
             names = list(dict.fromkeys(each.name for each in numbers))
             raise InvalidInput(

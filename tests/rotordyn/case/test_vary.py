@@ -255,6 +255,7 @@ WRONG = {
     "conditions.temperatures.shft": (40.0, "did you mean shaft"),
     "conditions.films.temperature": (40.0, "also needs viscosity_40, viscosity_100"),
     "bearing.balls": (3, "'bearing' is None; give it whole"),
+    "spindle.damping.bearings": ({}, "several values.* change spindle.damping.bearings.radial"),
     "spindle.title.x": (1, "leads too far"),
     "speeds.0": (1.0, "has items without names; give it whole"),
     "speeds": ((0.0, math.nan), r"speeds\[1\]: not a number"),

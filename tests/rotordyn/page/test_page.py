@@ -193,6 +193,26 @@ def test_a_study_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "a study that is not complete" in capsys.readouterr().err
 
 
+def test_the_page_of_a_sample_tells_what_was_varied_from_numbers(tmp_path: Path) -> None:
+    """Also where a path has a blank in it."""
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    study = tmp_path / "study.yaml"
+    study.write_text(
+        "case: friswell_unbalance\nsampling: list\nvary:\n"
+        "  spindle.discs.left disc.width: [70 mm, 80 mm]\n"
+        "  conditions.element_length: [0.2 m, 0.25 m]\n"
+    )
+    folder = tmp_path / "out"
+    assert cli.main(["sweep", str(study), "-o", str(folder), "--no-figures", "--workers", "1"]) == 0
+    assert cli.main(["report", str(folder)]) == 0
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    varied = text[text.index("What was varied</h2>") : text.index("Trade-off</h2>")]
+    assert varied.count("<tr>") == 3
+    assert "spindle.discs.left disc.width [mm]" in varied
+    assert "70, 80" in varied
+    assert "unbalance" not in varied
+
+
 OPTIMUM = """title: <b>Two</b> goals
 case: case.yaml
 vary:

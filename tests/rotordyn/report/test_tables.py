@@ -9,7 +9,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import rotordyn
+from rotordyn.analyses.frf.spec import Port
 from rotordyn.analyses.registry import analysis
+from rotordyn.job import restricted
 from rotordyn.report.tables import write_tables
 from rotordyn.results.declaration import declared
 from tests.rotordyn.figures import samples
@@ -124,3 +127,19 @@ def test_tables_open_in_excel_with_their_units(folder):
     """Excel takes a file for UTF-8 by its mark alone; without it µ becomes two letters."""
     for path in folder.iterdir():
         assert path.read_bytes().startswith(b"\xef\xbb\xbf")
+
+
+def test_responses_along_engine_orders_have_the_units_of_their_pairs(tmp_path):
+    case = rotordyn.load("grinding_spindle")
+    push = Port("nose", "y")
+    pairs = (push, push), (Port("nose", "thz"), push)
+    changes = {"analyses.frf.pairs": pairs, "analyses.frf.engine_orders": (1.0,)}
+    changes["speeds"] = (0.0, 400.0 * math.pi)
+    case = restricted(case, ("frf",)).vary(changes)
+    result = rotordyn.run(case).parts[""].results["frf"]
+    write_tables(tmp_path, {"frf": result})
+    last, value = _rows(tmp_path / "frf_engine_orders.csv")[-1], result.line_value[-1, 0]
+    moved = float(last["response nose.y / nose.y real [µm/N]"])
+    assert moved == pytest.approx(value[0].real * 1e6, rel=1e-6)
+    turned = float(last["response nose.thz / nose.y real [rad/N]"])
+    assert turned == pytest.approx(value[1].real, rel=1e-6)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -17,8 +18,9 @@ from rotordyn.case.varied import unlike
 from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
-from rotordyn.study.optimum import trials
-from rotordyn.study.optimum.criterion import Reading, _places, amount
+from rotordyn.results.headline import Number
+from rotordyn.study.optimum import criterion, trials
+from rotordyn.study.optimum.criterion import Criterion, Reading, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
@@ -256,6 +258,11 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         ('"preload: sum"', '"preload: total"', "has no such number; allowed: sum"),
         ("1900 N", "1900 Hz", "9:5: limits[0]: limit of 'preload: sum': expected a number in N"),
         ("1900 N", "1900", "expected a number in N: given '1900'"),
+        (
+            '"preload: sum", at_most: 1900 N',
+            "preload.axial_load, at_most: 5 mm",
+            "9:5: limits[0]: limit of 'preload.axial_load': expected a number in N",
+        ),
         ("at_most: 1900 N", "absent: keeps", "give at_least, at_most or outside"),
         ("highest: preload.axial_load", "where: {}", "either highest or lowest"),
         ("trials: 24", "trials: 0", "trials"),
@@ -334,6 +341,25 @@ def test_a_goal_that_no_trial_has_is_said(case: Case) -> None:
     words = " ".join(Optimum(problem, trial, (trial,), None).verdict)
     assert "highest preload: stop: no trial has a value" in words
     assert "cannot be kept, the value is absent" in words
+
+
+def test_numbers_whose_words_begin_others_are_read_alone(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a point ``nose``, not of ``nose_face`` too; of ``bending 1``, not of ``bending 10``."""
+    values = {"nose": 1.0, "nose_face": 9.0, "bending 1": 2.0, "bending 10": 8.0}
+    numbers = [Number(name, "µm", value, speed=0.0) for name, value in values.items()]
+    made_up = SimpleNamespace(numbers=lambda result, case: numbers)
+    monkeypatch.setattr(criterion, "analysis", lambda name: made_up)
+
+    def read(words: str) -> list[float]:
+        return Criterion(f"unbalance: {words}").read(case, {"unbalance": None}).values.tolist()
+
+    assert read("nose") == [1.0]
+    assert read("nose at 0 rpm [µm]") == [1.0]
+    assert read("bending 1") == [2.0]
+    assert read("bending") == [2.0, 8.0]
+    assert read("no") == [1.0, 9.0]
 
 
 def test_amounts() -> None:

@@ -97,6 +97,55 @@ def test_a_point_is_a_single_run(case: Case) -> None:
             np.testing.assert_allclose(whole, single.values, rtol=1e-12)
 
 
+def test_results_are_kept_whole_where_points_have_other_critical_speeds(case: Case) -> None:
+    """A mode that several orders excite stands there several times, the first of each in line."""
+    asked = [(0.0, 200.0 * math.pi), (0.0, 400.0 * math.pi)]
+    alone = restricted(case, ("campbell",)).vary({"analyses.campbell.engine_orders": (3, 4, 8)})
+    found = sweep(alone, {"speeds": asked}, results=["campbell"], workers=1)
+    every = [*found["campbell: critical"].values]
+    lengths = set()
+    for k, speeds in enumerate(asked):
+        expected = rotordyn.run(alone.vary({"speeds": speeds}))["campbell"]
+        orders = [*expected["critical"].values]
+        lengths.add(len(orders))
+        seen = {order: iter(np.flatnonzero(np.array(every) == order)) for order in orders}
+        places = [next(seen[order]) for order in orders]
+        speed = found["campbell: critical_speed"].isel(speeds=k).values
+        np.testing.assert_allclose(speed[places], expected["critical_speed"], rtol=1e-9)
+        assert np.isnan(np.delete(speed, places)).all()
+    assert len(lengths) == 2
+    assert len(set(every)) < len(every)
+
+
+@pytest.mark.parametrize("sampling", ["grid", "list"])
+def test_results_with_a_dimension_called_point_are_kept_whole(sampling: str) -> None:
+    """As of a response to unbalance, also at points whose error is not estimated."""
+    case = rotordyn.load("friswell_unbalance").vary({"variants": {}, "speeds": (0.0, 50.0, 100.0)})
+    width = "spindle.discs.left disc.width"
+    found = sweep(
+        case, {width: [0.07, 0.075, 0.08]}, sampling=sampling, results=["unbalance"], workers=1
+    )
+    assert (found["sentence"] == "").all()
+    for k, value in enumerate(found[width].values):
+        alone = rotordyn.run(case.vary({width: float(value)}))["unbalance"]
+        here = found["unbalance: major_axis"].isel({width if sampling == "grid" else "point": k})
+        assert here.dims == ("unbalance: speed", "unbalance: point")
+        assert found["unbalance: point"].values.tolist() == alone["point"].values.tolist()
+        np.testing.assert_allclose(here, alone["major_axis"], rtol=1e-5)
+
+
+def test_analyses_without_headline_numbers_are_solved_and_kept(case: Case, tmp_path: Path) -> None:
+    """Such as responses of which none is measured; also where the study goes on."""
+    study = study_of(case, {SPRING: ["800 N", "1 kN"]}, analyses=["frf"], results=["frf"])
+    for _ in range(2):
+        left = deliver.deliver(study, tmp_path / "s", workers=1, draw=False)
+        assert left.points == left.solved == 2
+        assert "2 points, 2 with a solution" in left.summary
+        found, outcomes = solve.solved(study, 1, folder=tmp_path / "s")
+        assert all(each.solved and not each.numbers for each in outcomes.values())
+        assert np.isfinite(found["frf: receptance"]).all()
+
+
 @pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("small", "most", "checked"),
@@ -403,6 +452,11 @@ def test_faults_of_a_study_file_have_their_lines(
     (tmp_path / "bad.yaml").write_text(STUDY.replace("800 N", "800 mm"))
     assert main(["sweep", "bad.yaml"]) == 2
     assert "'mm' is not a unit of force" in capsys.readouterr().err
+    (tmp_path / "bad.yaml").write_text(STUDY.replace(", points: 40", ""))
+    assert main(["sweep", "bad.yaml"]) == 2
+    told = capsys.readouterr().err
+    assert f"bad.yaml:5:40: vary.{SPRING}: a grid needs values" in told
+    assert "give the span a count (points, in a file)" in told
     assert not (tmp_path / "out").exists()
 
 
@@ -512,7 +566,7 @@ def test_blocks_are_as_long_as_their_points_allow(
     def made(packed: bytes, numbers: Any, points: int = 1) -> Any:
         blocks.append(len(numbers))
         return [
-            Outcome(n, sentence="no", seconds=1e-6)
+            Outcome(n, sentence="no", seconds=1e-6, solved=False)
             if n == 2
             else Outcome(n, {"a": (1.0, "")}, seconds=seconds)
             for n in numbers
