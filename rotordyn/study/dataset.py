@@ -40,7 +40,7 @@ def gathered(
     values["sentence"] = (design.dims, said.reshape(design.shape), {"long_name": "why not solved"})
     values["warnings"] = (design.dims, told.reshape(design.shape), {"long_name": "how many"})
     whole = xr.Dataset(values, _coordinates(design), about(case.name, case.title, case.digest))
-    good = [(k, row) for k, row in enumerate(rows) if row and row.numbers]
+    good = [(k, row) for k, row in enumerate(rows) if row and row.solved]
     if not study.results or not good:
         return whole
     kept = {k: datasets(row) for k, row in good}

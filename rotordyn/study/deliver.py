@@ -65,7 +65,7 @@ def deliver(
                     draw_one(name, drawing, place, formats)
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror or error}") from None
-    good = sum(bool(row.numbers) for row in outcomes.values())
+    good = sum(row.solved for row in outcomes.values())
     return Delivered(folder, text, study.design.count, good)
 
 

@@ -52,7 +52,7 @@ class Journal:
         return {
             number: each
             for number, each in found.items()
-            if not (whole and each.numbers) or self._place(number).exists()
+            if not (whole and each.solved) or self._place(number).exists()
         }
 
     def add(self, outcome: Outcome) -> None:
@@ -88,7 +88,7 @@ class Journal:
 
     def datasets(self, outcome: Outcome) -> dict[str, xr.Dataset]:
         """What is kept whole of a point, from memory or from disk."""
-        if outcome.results or not outcome.numbers:
+        if outcome.results or not outcome.solved:
             return {name: dataset(each) for name, each in outcome.results.items()}
         place = self._place(outcome.number)
         try:
@@ -104,5 +104,11 @@ def _read(entry: dict[str, Any]) -> tuple[int, Outcome]:
     number, sentence, warnings = int(entry["point"]), str(entry["sentence"]), entry["warnings"]
     error = None if entry["error"] is None else float(entry["error"])
     return number, Outcome(
-        number, numbers, sentence, tuple(warnings), float(entry["seconds"]), error
+        number,
+        numbers,
+        sentence,
+        tuple(warnings),
+        float(entry["seconds"]),
+        error,
+        answered=bool(entry.get("answered", numbers)),
     )

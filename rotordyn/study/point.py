@@ -35,7 +35,8 @@ class Outcome:
     """What a point came to.
 
     ``numbers``: value and unit, as printed, by the name of the number; ``sentence``: why there are
-    none, or which speeds lack them; empty of a point that is solved. ``seconds``: to solve it.
+    none, or which speeds lack them; empty of a point that is solved. ``answered``: it has results,
+    if no number. ``seconds``: to solve it.
     ``error``: the largest one over what the accuracy allows, None where it was not looked for.
     ``results``: those that are kept whole, by the name of the analysis.
     """
@@ -47,6 +48,12 @@ class Outcome:
     seconds: float = 0.0
     error: float | None = None
     results: dict[str, Any] = field(default_factory=dict)
+    answered: bool = False
+
+    @property
+    def solved(self) -> bool:
+        """It has a solution, at some of its speeds at least."""
+        return self.answered or bool(self.numbers)
 
 
 def solve_points(packed: bytes, numbers: Sequence[int], points: int = 1) -> list[Outcome]:
@@ -108,6 +115,7 @@ def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, poin
         warnings=(*answers.warnings, *result_warnings(answers.results)),
         error=error,
         results={name: answers.results[name] for name in study.results},
+        answered=True,
     )
 
 

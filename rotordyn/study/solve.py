@@ -197,7 +197,7 @@ def _outcomes(
             room -= len(block)
 
     for block in solved_here(packed, blocks(), workers, solve_points, total=total):
-        solved = [outcome.seconds for outcome in block if outcome.numbers]
+        solved = [outcome.seconds for outcome in block if outcome.solved]
         pace = max(pace / 2.0, *solved) if solved else pace  # a refusal tells of no other point
         yield from block
 

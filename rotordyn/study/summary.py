@@ -27,7 +27,7 @@ Outcomes = Mapping[int, Outcome]
 def summary(study: Study, outcomes: Outcomes) -> str:
     """What was varied, how many points have a solution, and the range of every number."""
     design, case = study.design, study.case
-    solved = [row for row in outcomes.values() if row.numbers]
+    solved = [row for row in outcomes.values() if row.solved]
     shape = " × ".join(map(str, design.shape))
     many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
     lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]

@@ -119,7 +119,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     told += _films(result)
     worst = float(result.error.max(initial=0.0))
-    if worst <= result.error_asked:
+    if not worst > result.error_asked:  # nor where it is not known, as in studies
         return told
     point = result.point[int(result.error.argmax())]
     return [
