@@ -18,6 +18,7 @@ from rotordyn.study.optimum.solve import Optimum
 from rotordyn.study.parameter import Parameter
 
 SUMMARY, TABLE, ABOUT, BEST = "summary.txt", "trials.csv", "optimum.json", "best.yaml"
+SMALL = 1e-3  # of a printed value: below, digits that count are printed
 
 
 def summary(found: Optimum) -> str:
@@ -107,8 +108,13 @@ def _readings(found: Optimum) -> Iterator[tuple[str, ...]]:
     """Goals and limits, of the case as it stands and of the best."""
     both = found.start, found.nearest
     for k, (each, unit) in enumerate(_asked(found)):
-        cells = (number(read[k], 3) if (read := _read(t)) else "no solution" for t in both)
+        cells = (_printed(read[k]) if (read := _read(t)) else "no solution" for t in both)
         yield (f"{each} [{unit}]", *cells)
+
+
+def _printed(value: float) -> str:
+    """Also of an SI unit, in which what is small is not nothing, as in m/N."""
+    return f"{value:.4g}" if 0.0 < abs(value) < SMALL else number(value, 3)
 
 
 def _asked(found: Optimum) -> Iterator[tuple[str, str]]:
