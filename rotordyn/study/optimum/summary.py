@@ -11,14 +11,13 @@ from typing import Any
 from rotordyn import __version__
 from rotordyn.case.varied import found_at
 from rotordyn.report.tables import Column, write_table
-from rotordyn.results.display import number
+from rotordyn.results.display import sized
 from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
 from rotordyn.study.parameter import Parameter
 
 SUMMARY, TABLE, ABOUT, BEST = "summary.txt", "trials.csv", "optimum.json", "best.yaml"
-SMALL = 1e-3  # of a printed value: below, digits that count are printed
 
 
 def summary(found: Optimum) -> str:
@@ -108,13 +107,8 @@ def _readings(found: Optimum) -> Iterator[tuple[str, ...]]:
     """Goals and limits, of the case as it stands and of the best."""
     both = found.start, found.nearest
     for k, (each, unit) in enumerate(_asked(found)):
-        cells = (_printed(read[k]) if (read := _read(t)) else "no solution" for t in both)
+        cells = (sized(read[k], 3) if (read := _read(t)) else "no solution" for t in both)
         yield (f"{each} [{unit}]", *cells)
-
-
-def _printed(value: float) -> str:
-    """Also of an SI unit, in which what is small is not nothing, as in m/N."""
-    return f"{value:.4g}" if 0.0 < abs(value) < SMALL else number(value, 3)
 
 
 def _asked(found: Optimum) -> Iterator[tuple[str, str]]:
