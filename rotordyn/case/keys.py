@@ -342,10 +342,15 @@ COMMON: dict[type, tuple[Common, ...]] = {
 }
 
 
+def fields_of(kind: Any) -> tuple[Field, ...]:
+    """Every field of a description, of a material with what its values measure."""
+    return declared(_Elastic if kind is Material else kind)
+
+
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """Every key of a file, or of a mapping in one, that is read as this kind of description."""
-    keys = declared(_Elastic if kind is Material else kind)
+    keys = fields_of(kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
         return (*extra(kind), *(key for key in keys if key.keys))

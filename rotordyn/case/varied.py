@@ -9,9 +9,10 @@ from itertools import chain
 from typing import Annotated, Any
 
 from rotordyn.case.case import Case
+from rotordyn.case.keys import fields_of
 from rotordyn.case.shared import Steps, called, common_at, ways_of_items
 from rotordyn.description import quantity_of
-from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
+from rotordyn.field import found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
@@ -84,7 +85,7 @@ def _at(
     common = common_at(value, steps)
     below = [*_below(value, annotation)]
     if absent and value is None:
-        fields = [field for kind in kinds_of(annotation) for field in declared(kind)]
+        fields = [field for kind in kinds_of(annotation) for field in fields_of(kind)]
         below = [(field.keys, None, field.annotation) for field in fields if field.keys]
     for ahead in [steps] if common is None else ways_of_items(value, common, steps):
         for way, inner, inside in below:
@@ -97,7 +98,7 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
     """What a value holds: the way there, what it is, how it is declared."""
     if is_dataclass(value):
         kind: Any = type(value)
-        for field in declared(kind):
+        for field in fields_of(kind):
             if field.name:
                 way = field.keys or (field.name,)
                 yield way, getattr(value, field.name), field.annotation

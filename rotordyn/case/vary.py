@@ -14,6 +14,7 @@ from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
+from rotordyn.case.keys import fields_of
 from rotordyn.case.shared import called, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -136,7 +137,7 @@ def _taken(annotation: Any, change: _Change) -> Any:
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
-    fields = {field.name: field for field in declared(old.__class__)}
+    fields = {field.name: field for field in fields_of(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
     ways = [way for each in changes for way in _ways(old, each)]
@@ -208,7 +209,9 @@ def _ways(old: Any, change: _Change) -> list[_Change]:
         return [change]
     ways = ways_of_items(old, common, change.steps)
     if not ways:
-        way = ".".join(filter(None, (_way_to(change), *common.fills, *change.steps[1:])))
+        way = ".".join(
+            filter(None, (_way_to(change), *common.fills, *change.steps[len(common.keys) :]))
+        )
         raise change.refused(
             f"changes nothing: each of {common.fills[0]} has its own here; change {way}"
         )

@@ -18,6 +18,7 @@ import numpy as np
 from rotordyn.arrays import Array, Indices
 from rotordyn.equation.damping import modal_damping
 from rotordyn.equation.dofs import Line
+from rotordyn.equation.fineness import HEAVIEST
 from rotordyn.equation.reduce import Coupling, enriched, reduce
 from rotordyn.equation.shaft import Rows
 from rotordyn.equation.term import Part
@@ -26,7 +27,6 @@ from rotordyn.numerics.sparse import LARGE, Matrix, summed
 
 Solved = dict[tuple[Any, ...], tuple[Array, Array, Array]]  # reductions by what they follow from
 REDUCED = ("mass", "stiffness")  # matrices that the reduction of a shaft follows from
-WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
 
 
 class Coarse(NamedTuple):
@@ -211,6 +211,6 @@ class Component:
                 couplings.append(Coupling(mass, 0.0, statics=True))
             basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
         # nearly massless coordinates get a fictitious mass, or their damping drowns slow modes
-        stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
+        stiff = np.maximum(np.sqrt(basis.values) / (HEAVIEST * self.cutoff), 1.0)
         roots = basis.roots / stiff[:, None] / stiff
         return basis.vectors / stiff, basis.values / stiff**2, roots

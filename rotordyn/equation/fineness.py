@@ -30,6 +30,8 @@ CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the u
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
 PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
+HEAVIEST = 1e3  # of the cut-off: no coordinate has a higher frequency
+OWN_MASS = 0.1 * HEAVIEST  # of the cut-off: a fictitious mass changes lower frequencies by 1 %
 FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
@@ -94,6 +96,12 @@ class Fineness:
         """Frequency [rad/s] that a fictitious mass gives to massless DOF, far above the band: the
         error by that mass falls with its square."""
         return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
+
+    @property
+    def own_mass(self) -> float:
+        """Below that [rad/s] motions have the mass of the machine; next to massless coordinates
+        above may have a fictitious one."""
+        return OWN_MASS * self.cutoff
 
     @property
     def _finer(self) -> float:

@@ -154,8 +154,11 @@ class FreeMotions:
 
     @cached_property
     def growing(self) -> Flags:
-        """Motions that grow by themselves (s, k)."""
-        return self._each(self._shown(grows(self.modes.pole, self.modes.largest) & ~self._free))
+        """Motions that grow by themselves (s, k); those that swing have their own mass."""
+        pole, structure = self.modes.pole, self.linear.structure
+        own = math.inf if structure.rigid else structure.fine.own_mass
+        growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < own)
+        return self._each(self._shown(growing))
 
     def _shown(self, values: NDArray[S]) -> NDArray[S]:
         """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""

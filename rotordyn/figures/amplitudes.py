@@ -28,9 +28,13 @@ def phase_axis(axes: Axes) -> None:
 
 
 def log_axis(axes: Axes) -> None:
-    """A logarithmic scale with few round ticks and no superscripts."""
+    """A logarithmic scale with few round ticks and no superscripts, unless all that is drawn is
+    zero."""
     from matplotlib.ticker import NullFormatter, NullLocator
 
+    drawn = [np.asarray(line.get_ydata(), float) for line in axes.get_lines()]
+    if drawn and not any((values > 0.0).any() for values in drawn):
+        return
     axes.set_yscale("log")
     low, high = axes.get_ylim()
     ticks = log_ticks(low, high)

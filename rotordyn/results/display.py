@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 ROUNDING = 1e-6  # of a printed value: less is none
+SMALL, LEAST = 1e-3, 1e-15  # of values that are small by their unit, and of rounding beside them
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +58,19 @@ def number(value: float, digits: int = 1) -> str:
     if 0.0 < abs(value) < 10.0 ** (1 - digits):
         return f"{value:.3g}"
     return f"{value:.{digits + (0.0 < abs(value) < 10.0 ** (2 - digits))}f}"
+
+
+def sized(value: float, digits: int, *size: float) -> str:
+    """The same, also of values that are small by their unit, such as m/N; ``size``: of what stands
+    beside it.
+
+    >>> sized(3.0e-7, 6, 2.9e-7), sized(0.0, 6, 2e-7), sized(0.25, 3), sized(1e-17, 3)
+    ('3e-07', '0', '0.250', '0.000')
+    """
+    largest = max((abs(each) for each in (value, *size) if math.isfinite(each)), default=0.0)
+    if math.isfinite(value) and LEAST < largest < SMALL:
+        return f"{value:.4g}"
+    return number(value, digits)
 
 
 def rounded_up(error: float) -> str:

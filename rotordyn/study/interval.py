@@ -256,7 +256,7 @@ def _each(nominal: Nominal, machines: Sequence[Values], moved: Array) -> Array:
     value = nominal.value[: moved.shape[1], None]
     keys, none = [*nominal.values.numbers], np.nan
     own = [[m.numbers[k].value if k in m.numbers else none for m in machines] for k in keys]
-    return np.where(np.isnan(value), np.reshape(own, (len(keys), -1)), value + moved.T)
+    return np.where(np.isnan(value), np.reshape(own, (len(keys), len(machines))), value + moved.T)
 
 
 def _limits(values: Array) -> Array:

@@ -18,6 +18,7 @@ from bearings.ring.tangents import stiffness as tangent_of
 from rotordyn.allowance import within
 from rotordyn.analyses import (
     BearingLoadsSpec,
+    FrfSpec,
     PointLoad,
     PreloadSpec,
     SectionForcesSpec,
@@ -25,7 +26,9 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.bearing_loads.solve import answer
 from rotordyn.analyses.bearing_loads.summary import numbers, summary, warnings
+from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.preload.solve import answer as preload_answer
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
@@ -198,6 +201,28 @@ def test_a_turned_load_turns_the_state() -> None:
     assert b.radial_load == pytest.approx(a.radial_load, rel=1e-4)
     turned = np.mod(b.load_angle - a.load_angle, 2.0 * math.pi)
     assert turned == pytest.approx(np.full((1, 5), math.pi / 2), abs=1e-3)
+
+
+@pytest.mark.parametrize("rpm", [0.0, 24000.0])
+def test_a_force_across_moves_a_loaded_shaft_along_its_axis(rpm: float) -> None:
+    """The receptance between both ways, slowly, is the slope of the axial shift of a bearing; of a
+    machine without loads there is none to ask for."""
+    spindle = mfw2310()
+    spindle = replace(spindle, points={**spindle.points, "a": spindle.seats[0].x})
+    pair = (Port("a", "x"), Port("Oc2", "y"))
+    spec = FrfSpec((0.1,), (pair,))
+    base, step = PointLoad(at="Oc2", Fy=400.0), 1.0
+    given = conditions(loads=(base,))
+    faults = list(spec.faults_on(Setting(spindle, conditions(), (0.0, 24000.0 * RPM))))
+    assert "nothing couples axial motion and bending" in faults[0][1]
+    assert not list(spec.faults_on(Setting(spindle, given, (0.0, 24000.0 * RPM))))
+    slow = answer_spindle(spindle, given, (rpm * RPM,), {"frf": spec}, lambda name: None)
+    shift = [
+        answer(scene(spindle, [rpm], loads=(base, more)), BearingLoadsSpec()).deflection[0, 0]
+        for more in (PointLoad(at="Oc2", Fy=way * step) for way in (-1.0, 1.0))
+    ]
+    slope = (shift[1] - shift[0]) / (2.0 * step)
+    assert slow.results["frf"].receptance[0, 0, 0].real == pytest.approx(slope, rel=0.01)
 
 
 def test_radial_curve_goes_on_from_the_loads_of_the_case() -> None:

@@ -22,6 +22,7 @@ ORDERS_TURNED = (
     "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
     "or take formulation: inertial"
 )
+LOADED = frozenset({"bending", "axial"})
 _SPOKEN: Mapping[str, str] = {"axial": "axial motion"}
 
 
@@ -124,7 +125,7 @@ class FrfSpec(Spec):
                 "measured in the fixed frame: given beside rotating; allowed: inertial",
             )
         if not misnamed(setting.spindle):
-            yield from self._pairs(setting.spindle)
+            yield from self._pairs(setting)
             yield from self._coupled(setting)
 
     def _coupled(self, setting: Setting) -> Faults:
@@ -151,9 +152,13 @@ class FrfSpec(Spec):
             and at_front(spindle, pair[0].point)
         )
 
-    def _pairs(self, spindle: Spindle) -> Faults:
-        """Points exist; the ends of a pair are in one motion, or in motions that are coupled."""
+    def _pairs(self, setting: Setting) -> Faults:
+        """Points exist; the ends of a pair are in one motion, or in motions that are coupled, as
+        bearings under loads across the axis couple bending and axial motion."""
+        spindle = setting.spindle
         coupled = coupled_motions(spindle.supports) | housed_motions(spindle.housings)
+        if setting.loaded:
+            coupled |= LOADED
         points = [*spindle.places]
         for index, pair in enumerate(self.pairs):
             for key, port in zip(("response", "excitation"), pair, strict=True):
@@ -166,5 +171,6 @@ class FrfSpec(Spec):
             yield (
                 ("pairs", index),
                 f"nothing couples {one} and {other}: given '{pair[0]} / {pair[1]}'; allowed: both "
-                "ends in one of x; thx; y, z, thy, thz, or a support that couples them",
+                "ends in one of x; thx; y, z, thy, thz, or a support or static loads that couple "
+                "them",
             )

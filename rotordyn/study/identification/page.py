@@ -13,7 +13,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.page.blocks import Block, Chart, Control, Printed, Table, Text, sections
 from rotordyn.page.html import Page
 from rotordyn.page.looks import COLOURS, FAINT, axis
-from rotordyn.results.display import number
+from rotordyn.results.display import sized
 from rotordyn.study.columns import Column, read_columns, table_of
 from rotordyn.study.identification.certainty import BY_ITS_PRIOR, ON_A_BOUND, UNIDENTIFIABLE
 from rotordyn.study.identification.curve_charts import Curves, curve_blocks
@@ -143,7 +143,7 @@ def _values(held: Held) -> Table:
         bounds = [float(of[f"{end} bound"].values[k]) for end in ("lower", "upper")]
         between = "–" if word == ON_A_BOUND else _between(ends, digits, bounds)
         cells = [f"{name} [{unit}]" if unit else name]
-        cells += [number(value, digits), between]
+        cells += [sized(value, digits, *ends), between]
         if profiled:
             other = [float(of[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
             cells.append(_between(other, digits, bounds) if np.isfinite(other).all() else "–")
@@ -155,7 +155,9 @@ def _values(held: Held) -> Table:
 def _between(ends: Sequence[float], digits: int, bounds: Sequence[float] = (np.nan, np.nan)) -> str:
     """Both ends, a word before one that is a bound."""
     pairs = zip(ends, bounds, strict=True)
-    return " to ".join(AT_BOUND * (e == b) + " " * (e == b) + number(e, digits) for e, b in pairs)
+    return " to ".join(
+        AT_BOUND * (e == b) + " " * (e == b) + sized(e, digits, *ends) for e, b in pairs
+    )
 
 
 def _models(held: Held) -> Table:
@@ -244,8 +246,9 @@ def _predictions(held: Held) -> Table:
     rows = []
     for k, name in enumerate(of["name"].words):
         unit = of["unit"].words[k]
-        digits = decimals(*(float(of[end].values[k]) for end in ("low", "high", "value")))
-        cells = [f"{name} [{unit}]" if unit else name, number(float(of["value"].values[k]), digits)]
+        low, high, value = (float(of[end].values[k]) for end in ("low", "high", "value"))
+        digits = decimals(low, high, value)
+        cells = [f"{name} [{unit}]" if unit else name, sized(value, digits, low, high)]
         bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
         parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
         cells += [f"–, {bound} {ON_A_BOUND}", *parts[1:]] if bound else parts

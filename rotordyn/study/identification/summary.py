@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rotordyn.results.display import number
+from rotordyn.results.display import sized
 from rotordyn.results.text import wrapped
 from rotordyn.study.identification.certainty import ON_A_BOUND
 from rotordyn.study.identification.profile import AT_BOUND
@@ -67,9 +67,10 @@ def _predictions(found: Identification) -> Iterator[str]:
     rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured" * beside)]
     for each in found.predictions:
         measured = "" if each.measured is None else f"{each.measured:.4g}"
-        digits = decimals(each.low, each.high, each.value)
+        sizes = each.low, each.high, each.value
+        digits = decimals(*sizes)
         value, low, high, least, most = (
-            "" if v is None else number(v, digits)
+            "" if v is None else sized(v, digits, *sizes)
             for v in (each.value, each.low, each.high, each.least, each.most)
         )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
@@ -87,9 +88,10 @@ def _profiled(found: Identification, unknown: Sought, digits: int) -> str:
     profile = found.profiles.get(unknown.path)
     if profile is None:
         return ""
+    shown = [unknown.shown(end) for end in profile.interval]
     words = [
-        f"{AT_BOUND if why == AT_BOUND else ''} {number(unknown.shown(end), digits)}".strip()
-        for end, why in zip(profile.interval, profile.why, strict=True)
+        f"{AT_BOUND if why == AT_BOUND else ''} {sized(end, digits, *shown)}".strip()
+        for end, why in zip(shown, profile.why, strict=True)
     ]
     return " to ".join(words)
 
@@ -104,14 +106,17 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         sure.words,
         strict=True,
     ):
-        digits = decimals(*map(unknown.shown, (*ends, value)))
-        shown = number(unknown.shown(value), digits)
+        sizes = [*map(unknown.shown, (*ends, value))]
+        digits = decimals(*sizes)
+        shown = sized(sizes[-1], digits, *sizes)
         between = (
             ""
             if word == ON_A_BOUND
             else " to ".join(
-                f"{AT_BOUND if end == bound else ''} {number(unknown.shown(end), digits)}".strip()
-                for end, bound in zip(ends, (unknown.low, unknown.high), strict=True)
+                f"{AT_BOUND if end == bound else ''} {sized(size, digits, *sizes)}".strip()
+                for end, bound, size in zip(
+                    ends, (unknown.low, unknown.high), sizes[:2], strict=True
+                )
             )
         )
         profile = (_profiled(found, unknown, digits),) if found.profiles else ()

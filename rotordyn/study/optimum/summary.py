@@ -11,7 +11,7 @@ from typing import Any
 from rotordyn import __version__
 from rotordyn.case.varied import found_at
 from rotordyn.report.tables import Column, write_table
-from rotordyn.results.display import number
+from rotordyn.results.display import sized
 from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
@@ -107,7 +107,7 @@ def _readings(found: Optimum) -> Iterator[tuple[str, ...]]:
     """Goals and limits, of the case as it stands and of the best."""
     both = found.start, found.nearest
     for k, (each, unit) in enumerate(_asked(found)):
-        cells = (number(read[k], 3) if (read := _read(t)) else "no solution" for t in both)
+        cells = (sized(read[k], 3) if (read := _read(t)) else "no solution" for t in both)
         yield (f"{each} [{unit}]", *cells)
 
 

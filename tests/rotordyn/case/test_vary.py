@@ -213,6 +213,24 @@ def test_bearings_and_materials_can_be_changed_too() -> None:
     )
     assert {seat.bearing.inner_conformity for seat in made.seats} == {0.53}
     assert {s.name: s.material.density for s in made.shaft.sections}["nose"] == 8000.0
+    balls = "bearings__*__model__ball_material__young_modulus"
+    made = changed(**{"shaft__sections__nose__material__density": "8 g/cm^3", balls: "300 GPa"})
+    assert {s.name: s.material.density for s in made.shaft.sections}["nose"] == 8000.0
+    assert {seat.bearing.ball_material.young_modulus for seat in made.seats} == {300e9}
+
+
+def test_where_each_bearing_has_its_own_the_way_there_is_named() -> None:
+    """A way that can be taken, also where the common one has more steps."""
+    seats = tuple(replace(seat, own=("damping", "growth")) for seat in mfw2310().seats)
+    each = replace(mfw2310(), seats=seats)
+    for common, own in (
+        ("damping.bearings.radial", "bearings.*.damping.radial"),
+        ("growth.static", "bearings.*.growth.static"),
+    ):
+        with pytest.raises(InvalidInput, match="has its own here; change") as refused:
+            rotordyn.vary(each, {common: 2e-6})
+        assert str(refused.value).endswith(f"change {own}")
+        assert rotordyn.vary(each, {own: 2e-6}) != each
 
 
 def test_what_changes_a_case_changes_its_variants() -> None:
@@ -250,6 +268,7 @@ WRONG = {
     "analyses.bearing.loads": ((1.0,), "does not apply to a spindle"),
     "tool.sections.nosuch.length": (0.05, "unknown name 'nosuch' in 'tool.sections'"),
     "spindle.shaft.material": (STEEL, r"change spindle\.shaft\.sections\.\*\.material"),
+    "spindle.shaft.sections.nose.material.density": ("8 g", "'g' is not a unit of density"),
     "spindle.fits.shft": ("k5", "unknown key 'shft' in 'spindle.fits'; .*did you mean shaft"),
     "spindle.fits.shaft": ("k5", "fits beside a given growth"),
     "conditions.temperatures.shft": (40.0, "did you mean shaft"),

@@ -23,10 +23,10 @@ from tests.oracles.spindles import RPM, mfw2310, pairs, scene, undamped
 STIFF, DAMPER = 1e6, 200.0
 
 
-def swirled(cross: float) -> Spindle:
+def swirled(cross: float, stiff: float = STIFF) -> Spindle:
     """A cylinder between two seals with k yz = −k zy."""
     swirl = {("y", "z"): cross, ("z", "y"): -cross}
-    ends = [support(n, x, (STIFF, STIFF), DAMPER) for n, x in (("a", 0.0), ("b", 0.5))]
+    ends = [support(n, x, (stiff, stiff), DAMPER) for n, x in (("a", 0.0), ("b", 0.5))]
     held = tuple(replace(s, stiffness={**s.stiffness, **swirl}) for s in ends)
     return replace(uniform(0.5, 0.05, supports=held), points={"mid": 0.25})
 
@@ -115,6 +115,22 @@ def test_receptances_of_an_unstable_machine_are_warned_of() -> None:
     )
     assert answers.results["frf"].unstable.all()
     assert any("does not reach by itself" in sentence for sentence in answers.warnings)
+
+
+def test_what_a_slow_model_gives_mass_does_not_vibrate() -> None:
+    """At 0.01 Hz no motion has the mass of the machine; a divergence needs none."""
+    asked = {"frf": FrfSpec((0.001, 0.01), pairs("mid.y/mid.y"))}
+    stiff = 10.0 * STIFF
+    limit = DAMPER * math.sqrt(stiff * 2.0 / rotor_inertia(swirled(0.0)).mass)
+    stable = swirled(0.6 * limit, stiff)
+    ends = (support("a", 0.0, (STIFF, STIFF)), support("b", 0.5, (STIFF, -3.0 * STIFF)))
+    pushed = replace(uniform(0.5, 0.05, supports=ends), points={"mid": 0.25})
+    for spindle, said in ((stable, False), (pushed, True)):
+        answers = answer_spindle(
+            spindle, Conditions(accuracy=1e-6), (0.0,), asked, lambda name: None
+        )
+        assert answers.results["frf"].unstable.any() == said
+        assert any("unstable" in sentence for sentence in answers.warnings) == said
 
 
 @pytest.mark.parametrize("spindle", [mfw2310(), undamped(mfw2310())], ids=["damped", "undamped"])

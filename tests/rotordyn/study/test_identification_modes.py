@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.solve import identify
+from rotordyn.study.identification.summary import summary
 from rotordyn.study.identification.trial import Trial
+from rotordyn.study.identification.unknown import Unknown
 from tests.rotordyn.study.rotor_twin import (
     DAMPING,
     OUTER,
@@ -52,6 +57,21 @@ def test_sections_and_dampings_from_modes_alone() -> None:
     true = np.array([OUTER[0], OUTER[2], OUTER[4], *DAMPING])
     assert (np.abs(best.fit.values - true) < 4.0 * best.sure.deviation).all()
     assert (best.sure.deviation[:3] < 0.02 * true[:3]).all()
+
+
+def test_a_value_small_by_its_unit_is_printed() -> None:
+    """Damping by stiffness, of 0.3 µs, stands in seconds: it and its interval are not 0.000000."""
+    damped = replace(spindle(), rayleigh=RayleighDamping(stiffness=3e-7))
+    measured = modes(damped, np.random.default_rng(4))
+    sought = {"spindle.damping.rayleigh.stiffness": Unknown(1e-8, 1e-5)}
+    found = identify(case(damped), sought, [measured], workers=1)
+    best = found.explained.fit.values[0]
+    assert best == pytest.approx(3e-7, rel=0.1)
+    (line,) = (each for each in summary(found).splitlines() if "stiffness [s]" in each)
+    value, low, _, high = line.split("[s]")[1].split()[:4]
+    assert [float(low), float(value), float(high)] == pytest.approx(
+        [found.explained.sure.interval[0, 0], best, found.explained.sure.interval[0, 1]], rel=1e-3
+    )
 
 
 def test_modes_are_paired_by_their_whirl() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,8 @@ import numpy as np
 import pytest
 
 import rotordyn
+from rotordyn.analyses import FrfSpec
+from rotordyn.analyses.measured_response import Port
 from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
@@ -302,6 +305,20 @@ def test_without_it_there_is_none() -> None:
     results = rotordyn.run(_case(("preload",), (0.0,), as_usual=True))
     with pytest.raises(InvalidInput, match="run the case with it"):
         _ = results.interval
+
+
+def test_curves_without_numbers_have_one() -> None:
+    """Few frequencies far from any peak, where planes are not coupled: there is no number to state,
+    and half of the curves are zero."""
+    y, z = Port("Oc2", "y"), Port("Oc2", "z")
+    spec = FrfSpec((10.0, 20.0, 30.0), ((y, y), (z, y)))
+    case = _case(("preload",), (0.0,), tolerances={SPRING: "± 10 %"})
+    results = rotordyn.run(replace(case, analyses={"frf": spec}), interval=True)
+    assert results.interval is not None
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for name in results.figures:
+            results.plot(name)
 
 
 def test_variants_have_their_own() -> None:

@@ -86,6 +86,8 @@ def test_span_of_least_deflection(tmp_path: Path) -> None:
     assert found.best.goals[0] == pytest.approx(1.0 / stiffness, rel=1e-4)
     assert found.values["spindle.supports.rear.x"] - a == pytest.approx(best, rel=0.02)
     assert found.binding == []
+    (line,) = (line for line in summary(found).splitlines() if "frf.receptance" in line)
+    assert float(line.split()[-1]) == pytest.approx(found.best.goals[0], rel=1e-3)
 
 
 @pytest.mark.long

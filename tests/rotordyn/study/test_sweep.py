@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 import tracemalloc
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
@@ -22,6 +23,7 @@ import pytest
 
 import rotordyn
 from rotordyn import Goal, Span, optimise, sweep
+from rotordyn.analyses import ThermalPreloadSpec, Unbalance, UnbalanceSpec
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.library import models_root
@@ -268,6 +270,31 @@ def test_a_point_without_its_results_is_no_point(case: Case, tmp_path: Path) -> 
     assert journal.begin() == {0: solved}
     with pytest.raises(InvalidInput, match=r"00000000\.nc: cannot be read: remove it"):
         journal.datasets(solved)
+
+
+def test_points_without_numbers_are_solved_and_kept(case: Case, tmp_path: Path) -> None:
+    """A curve over temperature has no headline number; its results are kept whole all the same,
+    and read again where the study goes on."""
+    curves = replace(case, analyses={"thermal_preload": ThermalPreloadSpec((0.0, 5.0))})
+    asked = {SPRING: ["800 N", "1000 N"]}
+    study = study_of(curves, asked, results=["thermal_preload"])
+    for _ in range(2):
+        done = deliver.deliver(study, tmp_path / "s", workers=1, draw=False)
+        assert (done.points, done.solved) == (2, 2)
+        assert "2 points, 2 with a solution" in done.summary
+        found = sweep(curves, asked, results=["thermal_preload"], workers=1, folder=tmp_path / "s")
+        loads = found["thermal_preload: axial_load"].isel({"thermal_preload: difference": 0})
+        springs = loads.isel({"thermal_preload: speed": 0, "thermal_preload: bearing": 0})
+        assert springs.values == pytest.approx([400.0, 500.0], rel=1e-6)
+
+
+def test_unbalance_of_points_whose_error_is_not_known(case: Case) -> None:
+    """Only some points are checked by a finer model."""
+    spec = UnbalanceSpec(("nose",), (Unbalance("nose", 1e-6),))
+    spinning = replace(case, analyses={"unbalance": spec})
+    found = sweep(spinning, {SPRING: [800.0, 900.0, 1000.0, 1100.0]}, workers=1)
+    assert found["sentence"].values.tolist() == [""] * 4
+    assert found["warnings"].values.tolist() == [0] * 4
 
 
 def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_path: Path) -> None:
