@@ -54,7 +54,7 @@ def _values(each: Parameter) -> str:
 def _sentences(outcomes: Outcomes) -> Iterator[str]:
     said = Counter(row.sentence for row in outcomes.values() if row.sentence)
     for sentence, times in said.most_common(MOST_SENTENCES):
-        yield f"not solved ({times} points): {sentence}"
+        yield f"not solved ({times} point{'s' * (times > 1)}): {sentence}"
     if len(said) > MOST_SENTENCES:
         yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {TABLE}"
 
