@@ -91,8 +91,8 @@ def test_neighbours_are_equal_bearings_on_the_same_wall(tmp_path: Path) -> None:
     assert places({}) == {name: (each, each) for name, each in every.items()}
     assert case.spindle is not None
     seats = {seat.name: seat for seat in case.spindle.seats}
-    front, rear = (case.spindle.mounted(seats[name]).rings for name in "ad")
-    assert front == rear, "rounding of stations: computed once"
+    first, last = (case.spindle.mounted(seats[name]).rings for name in "ad")
+    assert first == last, "rounding of stations: computed once"
     one = "spindle.bearings.b.flexible_rings"
     rear = {name: (every[name], every[name]) for name in "cd"}
     none: tuple[list[float], list[float]] = ([], [])
