@@ -22,6 +22,7 @@ from rotordyn.analyses.warm_up.result import WarmUpResult
 from rotordyn.analyses.warm_up.solve import answer, ball_capacity
 from rotordyn.analyses.warm_up.summary import accuracy, numbers, summary, warnings
 from rotordyn.errors import InvalidInput
+from rotordyn.machine import RingGrowth
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
 from rotordyn.preload.warming import Begin, _Oiled, warming
@@ -242,6 +243,23 @@ def test_temperatures_that_run_away_end_with_their_time() -> None:
     assert np.isnan(result.axial_load[1, last + 1 :]).all()
     assert result.inner_temperature[1, last].max() <= 250.0
     assert any("at 15000 rpm temperatures run away" in line for line in warnings(result))
+
+
+def test_a_spindle_without_preload_at_the_start_says_so() -> None:
+    """A hot shaft between cold rings loosens them."""
+    machine = held(rigid=True)
+    seats = tuple(replace(seat, growth=RingGrowth(), fits=None) for seat in machine.seats)
+    (sleeve,) = machine.sleeves
+    light = replace(sleeve, spring=replace(sleeve.spring, preload=10.0))
+    loose = replace(machine, seats=seats, sleeves=(light,))
+    flow = replace(FLOW, shaft=90.0, housing=20.0)
+    here = Scene(loose, Conditions(heat_flow=flow), np.array([1e3]) * RPM)
+    result = answer(here, spec(1.0))
+    assert result.outcome == result.ending
+    assert result.outcome[0].startswith("no axial state at the start, at temperatures up to 20 °C")
+    assert np.isnan(result.axial_load).all()
+    assert np.isnan(result.largest_time).all()
+    assert not [*warnings(result), *summary(result)]
 
 
 def test_a_duration_too_short_says_so() -> None:
