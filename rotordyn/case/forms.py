@@ -40,8 +40,8 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
-# The kind of quantity read for the unit in which a reference is kept.
 SAME_SPEED = 1e-3  # of a speed: what a record of a measurement may be off what the case says
+# The kind of quantity read for the unit in which a reference is kept.
 KIND_OF_UNIT = {
     "N/m": "stiffness",
     "N": "force",

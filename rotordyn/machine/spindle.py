@@ -113,8 +113,7 @@ class Spindle(Description):
     def joined(self, one: BearingSeat, other: BearingSeat, which: str) -> bool:
         """Whether the ``inner`` or ``outer`` rings of two bearings deform one wall together."""
         ring = getattr(self.mounted(one).rings, which, None)
-        away = one.thrust * (other.x - one.x)
-        return ring is not None and away in [each.distance for each in ring.neighbours]
+        return ring is not None and _away(one, other) in [each.distance for each in ring.neighbours]
 
     def _rings(self, seat: BearingSeat, known: RingBodies) -> FlexibleRings:
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
@@ -128,10 +127,9 @@ class Spindle(Description):
             if other.name == seat.name or known is None or not known.joins:
                 continue
             if other.known_bearing == seat.bearing and low <= other.x <= high:
-                away = seat.thrust * (other.x - seat.x)
                 yield Beside(
                     self._rings(other, known),
-                    Neighbour(away, mirrored=other.thrust != seat.thrust),
+                    Neighbour(_away(seat, other), mirrored=other.thrust != seat.thrust),
                     self.sleeve_of(other.name) == self.sleeve_of(seat.name),
                 )
 
@@ -275,3 +273,8 @@ class Spindle(Description):
             points={name: x for name, x in self.points.items() if name not in tool.points},
             **{name: getattr(self, name)[:k] for name, k in last.items()},
         )
+
+
+def _away(one: BearingSeat, other: BearingSeat) -> float:
+    """From one bearing to another towards +x of the one [m], alike for pairs as far apart."""
+    return one.thrust * round(other.x - one.x, 9)  # stations add up from the tip of the tool

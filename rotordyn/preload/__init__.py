@@ -5,7 +5,8 @@
 from the machine ``as_assembled``, of several machines ``together``. ``friction`` adds what the
 ``history`` leaves, ``under_load`` loads across the axis by the ``balance`` of shaft and bearings,
 found by ``balance_search``.
-``heat_balance`` and ``on_films`` repeat all that until temperatures or films agree with it.
+``heat_balance`` and ``on_films`` repeat all that until temperatures or films agree with it,
+``warming`` does as the spindle warms up.
 ``axial_force`` and ``ring_stress`` follow from it, ``play`` is a quicker way for identification.
 A history has bearings as ``axial_tables``, ``play`` as ``axial_curves``; both know their
 ``axial_ends``.

@@ -106,8 +106,9 @@ def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
         others = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
         pushed += way * sum(spring_way(spindle, s) * f for s, f in others if s != sleeve)
     if pushed < 0.0:  # the others push harder, against bearings of the same thrust
-        return own.approach(force) - Side(spindle, _in_housing(spindle, -way)).approach(-pushed)
-    return own.approach(force) + facing.approach(pushed)
+        beside = Side(spindle, _in_housing(spindle, -way))
+        return own.approach(force, -way) - beside.approach(-pushed, -way)
+    return own.approach(force, -way) + facing.approach(pushed, way)
 
 
 def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
@@ -160,10 +161,10 @@ class Side:
         peak = [np.fmax(s.inner_pressure, s.outer_pressure).max() for s in states]
         return not np.max(peak) <= HIGHEST_PRESSURE  # nor where there is none
 
-    def approach(self, force: float) -> float:
-        """How far the free rings come together under ``force`` the way that loads the bearings
-        [m]."""
-        ((model, thrust, growth), count), *others = self._alike.items()
+    def approach(self, force: float, way: int) -> float:
+        """How far the free rings come together where the shaft pushes with ``force`` [N] in a
+        ``way`` ±1 that loads the bearings [m]."""
+        ((model, _, growth), count), *others = self._alike.items()
         if not others:
             own = [[force / count, 0.0, 0.0, 0.0, 0.0]]
             state = model.equilibrium(load=own, static_growth=growth, compiled=False)
@@ -171,7 +172,7 @@ class Side:
         from scipy.optimize import brentq
 
         def over(d: float) -> float:
-            return thrust * self.push(thrust * d) - force
+            return way * self.push(way * d) - force
 
         return float(brentq(over, -LONGEST, LONGEST, xtol=EXACT))
 

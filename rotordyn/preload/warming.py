@@ -79,12 +79,13 @@ def warming(
     def end(rows: Flags, k: int) -> None:
         """Where there is no state, or one too hot, at the instant k."""
         for row in np.flatnonzero(active & rows):
-            hottest, minutes = here[row].max(), time[k] / 60.0
+            hottest = here[row].max()
+            when = f"{time[k] / 60.0:.3g} min after the start" if k else "at the start"
             words[row] = (
                 run_away(here[row], names)
                 if hottest > HOTTEST
-                else f"no axial state {minutes:.3g} min after the start, at temperatures up to "
-                f"{hottest:.0f} °C: raise the preload, or cool more"
+                else f"no axial state {when}, at temperatures up to {hottest:.0f} °C: raise the "
+                "preload, or cool more"
             )
             last[row] = max(k - 1, 0)
         active[rows] = False

@@ -151,11 +151,14 @@ def _warm(setting: Setting) -> Faults:
     for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
             yield (*way, "bearings", name), sentence
-    static = conditions.bearings == "static"
-    further = Past(conditions.history).speeds if spindle.rubs else (0.0,) * static
+    further: tuple[float, ...] = ()
+    why = "which the history of its friction passes"
+    if spindle.rubs:
+        further = Past(conditions.history).speeds
+    elif conditions.bearings == "static":
+        further, why = (0.0,), "at which bearings stay"
     beyond = temperatures.unknown_at((*setting.speeds, *further))
     if beyond is not None:
-        why = "at which bearings stay" if static else "which the history of its friction passes"
         which = "" if beyond in setting.speeds else f", {why}"
         ends = " to ".join(
             f"{speed / RPM:.6g}" for speed in (temperatures.speeds[0], temperatures.speeds[-1])

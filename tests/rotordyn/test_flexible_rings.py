@@ -89,6 +89,10 @@ def test_neighbours_are_equal_bearings_on_the_same_wall(tmp_path: Path) -> None:
 
     every = {"a": [22.0], "b": [-22.0], "c": [-22.0], "d": [22.0]}
     assert places({}) == {name: (each, each) for name, each in every.items()}
+    assert case.spindle is not None
+    seats = {seat.name: seat for seat in case.spindle.seats}
+    first, last = (case.spindle.mounted(seats[name]).rings for name in "ad")
+    assert first == last, "rounding of stations: computed once"
     one = "spindle.bearings.b.flexible_rings"
     rear = {name: (every[name], every[name]) for name in "cd"}
     none: tuple[list[float], list[float]] = ([], [])

@@ -12,7 +12,7 @@ import pytest
 
 import bearings
 import rotordyn
-from bearings import AngularContactBallBearing
+from bearings import AngularContactBallBearing, DeepGrooveBallBearing
 from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import PreloadSpec
@@ -101,6 +101,23 @@ def test_force_and_offset_give_one_another() -> None:
     assert result.mounted_preload == pytest.approx([600.0], rel=1e-9)
     assert result.ring_offset == pytest.approx([offset], rel=1e-9)
     assert any("600 N as mounted" in line for line in summary(result))
+
+
+@pytest.mark.parametrize("thrust", [1, -1])
+def test_an_offset_beside_bearings_for_both_ways_gives_its_force_back(thrust: int) -> None:
+    """One of the two that face the sleeve takes thrust both ways, mounted either way round."""
+    deep = DeepGrooveBallBearing(9.525e-3, 90e-3, 12, radial_clearance=-5e-6)
+    machine = spindle("TBT", SetPreload(force=500.0))
+    first, *rest = machine.seats
+    plain = replace(
+        machine,
+        arrangement=None,
+        seats=(replace(first, bearing=deep, thrust=thrust), *rest),
+        sleeves=(Sleeve("s", ("c",), Spring(500.0, math.inf)),),
+    )
+    offset = ring_offset(plain, plain.sleeves[0], 500.0)
+    by_offset = Sleeve("s", ("c",), Spring(0.0, math.inf, offset=offset))
+    assert mounted_preloads(replace(plain, sleeves=(by_offset,)))[0] == pytest.approx(500.0)
 
 
 @pytest.mark.parametrize("force", [0.105, 1.05, 9.5, 10.5, 102.0, 995.0, 1040.0, 10500.0])

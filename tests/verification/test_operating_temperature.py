@@ -22,6 +22,7 @@ from rotordyn.analyses.thermal_preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
+from rotordyn.machine.history import HistoryStep
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
@@ -421,6 +422,15 @@ def test_bad_input_against_the_machine() -> None:
         conditions = Conditions(temperatures=running, bearings=how)
         words = [word for _, word in setting_faults(Setting(machine, conditions, (6000 * RPM,)))]
         assert any(said in word for word in words) == bool(said)
+    rubbing = spindle(stiffness=5e7)
+    rubbing = replace(rubbing, sleeves=(replace(rubbing.sleeves[0], friction=50.0),))
+    passing = Conditions(
+        temperatures=replace(running, speeds=(0.0, 9000 * RPM)),
+        bearings="static",
+        history=(HistoryStep(speed=9500 * RPM), HistoryStep(run_up=True)),
+    )
+    words = [word for _, word in setting_faults(Setting(rubbing, passing, (6000 * RPM,)))]
+    assert any("9500 rpm, which the history of its friction passes" in word for word in words)
     wide = replace(FITS, shaft="p5", taken="most")
     shallow = replace(bearing(), contact_angle=math.radians(10.0))
     seats = tuple(replace(s, bearing=shallow, fits=wide) for s in machine.seats)

@@ -17,17 +17,21 @@ import rotordyn
 from bearings.heat.temperature import Conductances, Surroundings, network
 from rotordyn.analyses import WarmUpSpec
 from rotordyn.analyses.warm_up.figures import figures
+from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
 from rotordyn.analyses.warm_up.solve import answer, ball_capacity
-from rotordyn.analyses.warm_up.summary import numbers, summary, warnings
+from rotordyn.analyses.warm_up.summary import accuracy, numbers, summary, warnings
 from rotordyn.errors import InvalidInput
+from rotordyn.machine import RingGrowth
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
 from rotordyn.preload.warming import Begin, _Oiled, warming
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
+from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, case
+from tests.rotordyn.preload.test_both_ways import PRESSED, sprung_set
 from tests.verification.test_heat_balance import FLOW, NEXT_TO_NONE, OIL, grinding
 
 Array = NDArray[np.float64]
@@ -241,9 +245,68 @@ def test_temperatures_that_run_away_end_with_their_time() -> None:
     assert any("at 15000 rpm temperatures run away" in line for line in warnings(result))
 
 
+def test_a_spindle_without_preload_at_the_start_says_so() -> None:
+    """A hot shaft between cold rings loosens them."""
+    machine = held(rigid=True)
+    seats = tuple(replace(seat, growth=RingGrowth(), fits=None) for seat in machine.seats)
+    (sleeve,) = machine.sleeves
+    light = replace(sleeve, spring=replace(sleeve.spring, preload=10.0))
+    loose = replace(machine, seats=seats, sleeves=(light,))
+    flow = replace(FLOW, shaft=90.0, housing=20.0)
+    here = Scene(loose, Conditions(heat_flow=flow), np.array([1e3]) * RPM)
+    result = answer(here, spec(1.0))
+    assert result.outcome == result.ending
+    assert result.outcome[0].startswith("no axial state at the start, at temperatures up to 20 °C")
+    assert np.isnan(result.axial_load).all()
+    assert np.isnan(result.largest_time).all()
+    assert not [*warnings(result), *summary(result)]
+
+
 def test_a_duration_too_short_says_so() -> None:
     result = answer(scene(9e3), spec(3.0))
     assert any("still warming up at the end" in line for line in warnings(result))
+
+
+def test_loads_across_the_axis_take_no_part() -> None:
+    """The spindle warms up without them, and so it is in balance in the end."""
+    alone, pushed = scene(9e3), Conditions(heat_flow=FLOW, loads=(PointLoad("nose", Fy=800.0),))
+    loaded = Scene(alone.spindle, pushed, alone.speed)
+    both = [answer(each, spec(0.5)) for each in (alone, loaded)]
+    assert (both[0].axial_load == both[1].axial_load).all()
+    assert both[0].steady_load == pytest.approx(both[1].steady_load, rel=1e-9)
+
+
+def test_a_load_counts_whichever_way_it_pushes() -> None:
+    """Of a bearing that takes thrust both ways, mounted the one way and the other."""
+    results = []
+    for thrust in (1, -1):
+        machine = sprung_set(1, PRESSED)
+        *front, rear = machine.seats
+        turned = replace(machine, seats=(*front, replace(rear, thrust=thrust)))
+        here = Scene(turned, Conditions(heat_flow=FLOW), np.array([6e3]) * RPM)
+        results.append(answer(here, spec(10.0)))
+    plus, minus = results
+    assert plus.axial_load[0, 0, 2] < 0.0
+    for name in ("axial_load", "largest_load", "steady_load"):
+        values = getattr(plus, name)
+        assert getattr(minus, name)[..., 2] == pytest.approx(-values[..., 2], rel=1e-6)
+    assert plus.largest_load[0, 2] == plus.axial_load[0, :, 2].min()
+    assert plus.largest_time[0, 2] > 60.0
+    axes = warming_figure(plus).axes[0]
+    assert axes.get_ylim()[0] < plus.largest_load[0, 2]
+
+
+def test_a_bearing_that_carries_nothing_is_not_late() -> None:
+    result = answer(scene(9e3), spec(0.5))
+    idle = replace(result, axial_load=0.0 * result.axial_load, steady_load=0.0 * result.steady_load)
+    assert not [*warnings(idle)]
+
+
+def test_nothing_is_said_of_the_error_where_all_run_away() -> None:
+    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
+    result = answer(scene(15e3, flow=weak), spec(30.0))
+    assert all(result.ending)
+    assert accuracy(result) == []
 
 
 def test_balls_hold_what_their_mass_does() -> None:
@@ -264,7 +327,7 @@ def test_it_begins_where_everything_is_cold() -> None:
     assert result.outer_temperature[0, 0] == pytest.approx(25.6, abs=1.0)
     told = "\n".join(summary(result))
     assert "at 3000 rpm, axial load [N] at the start, largest, after 1 min" in told
-    assert [number.part for number in numbers(result, None)] == list("abcd") * 1  # type: ignore[arg-type]
+    assert [number.part for number in numbers(result, None)] == list("abcd")  # type: ignore[arg-type]
     assert [name for name, _ in figures(None, result, {})] == ["warm_up"]  # type: ignore[arg-type]
 
 

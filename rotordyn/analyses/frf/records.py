@@ -108,14 +108,15 @@ def _sign(data_set: dict[str, Any], pair: str) -> float:
 
 
 def _speed(data_set: dict[str, Any]) -> float | None:
-    """Of the spindle [rad/s], where that is what the third axis says in a unit that is known."""
+    """Of the spindle [rad/s], whichever way it turns, where that is what the third axis says in a
+    unit that is known."""
     if data_set.get("z_axis_spec_data_type") != _ROTATION:
         return None
     try:
         scale = _plain(_label(data_set, "z_axis"), "rpm", "speed", "rpm, rad/s")
     except InvalidInput:
         return None
-    return float(data_set["z_axis_value"]) * scale
+    return abs(float(data_set["z_axis_value"])) * scale
 
 
 def _coherence_of(data_set: dict[str, Any], other: dict[str, Any]) -> bool:

@@ -18,8 +18,9 @@ class WarmUpResult:
     """Every bearing over time from the start.
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
-    ``largest_load`` at ``largest_time``; ``steady_load``: in the end, where temperatures are in
-    balance. ``error``: largest change of a temperature when the steps were halved [K].
+    ``largest_load``, by its size, at ``largest_time``; ``steady_load``: in the end, where
+    temperatures are in balance. ``error``: largest change of a temperature when the steps were
+    halved [K].
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

@@ -77,8 +77,7 @@ def ball_capacity(bearing: BallBearing) -> float:
 def _result(scene: Scene, found: Warming, error: float) -> WarmUpResult:
     seats = scene.spindle.seats
     none = np.isnan(found.load[:, 0, 0]).tolist()
-    load = np.where(np.isnan(found.load), -np.inf, found.load)
-    place = load.argmax(axis=1)
+    place = np.nan_to_num(np.abs(found.load), nan=-1.0).argmax(axis=1)
     largest = np.take_along_axis(found.load, place[:, None], axis=1)[:, 0]
     steady = scene.solved_only(scene.unloaded.seat_load())
     balls, inner, outer = np.moveaxis(found.temperature, -1, 0)

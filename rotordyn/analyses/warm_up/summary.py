@@ -10,6 +10,7 @@ from rotordyn.analyses.warm_up.result import WarmUpResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, ends
+from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 OVERSHOOT = 1.2  # of the load at the end, from which the largest one is worth a word
@@ -71,7 +72,9 @@ def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
 
 
 def accuracy(result: WarmUpResult) -> list[str]:
-    """How far the steps of time move temperatures."""
+    """How far the steps of time move temperatures, those that run away apart."""
+    if all(result.ending):
+        return []
     return [f"temperatures over time within {max(result.error, 0.001):.2g} K"]
 
 
@@ -81,8 +84,8 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
         if why and not result.outcome[row]:
             yield f"at {result.speed[row] * RPM.factor:.0f} rpm {why}"
     yield from _on_the_way(result)
-    late = np.abs(result.axial_load[:, -1] / result.steady_load - 1.0)
-    late = np.where(np.isfinite(late), late, 0.0)
+    away = np.abs(result.axial_load[:, -1] - result.steady_load)
+    late = _share(away, np.abs(result.steady_load))
     if late.max(initial=0.0) > EARLY:
         row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
         yield (
@@ -97,13 +100,12 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     rows = np.arange(len(result.speed))
     last = [_last(result, int(row)) for row in rows]
     end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
-    after = np.fmax(end, result.steady_load)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = np.where(after > 0.0, result.largest_load / after, 0.0)
+    largest = np.abs(result.largest_load)
+    share = _share(largest, np.fmax(np.abs(end), np.abs(result.steady_load)))
     above = share > OVERSHOOT
     if not above.any():
         return
-    worst = np.where(above, result.largest_load, 0.0)
+    worst = np.where(above, largest, 0.0)
     row, k = (int(place) for place in np.unravel_index(int(worst.argmax()), worst.shape))
     others = [name for j, name in enumerate(result.bearing) if j != k and above[:, j].any()]
     also = f" (so, less, {', '.join(others)})" if others else ""
@@ -114,3 +116,9 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
         f"spindle{also}: pressure, friction and life are worse there than in the steady state; "
         "warm it up at lower speeds, or take springs"
     )
+
+
+def _share(part: Array, whole: Array) -> Array:
+    """Of sizes of loads (speeds, bearings); 0 where one is not known, or there is no load."""
+    known = np.isfinite(part) & (whole > 0.0)
+    return np.divide(part, whole, out=np.zeros_like(part), where=known)

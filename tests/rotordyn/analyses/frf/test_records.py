@@ -198,8 +198,10 @@ def test_a_record_of_other_directions_is_refused(
 TURNING = {"z_axis_value": 600.0, "z_axis_spec_data_type": 19, "z_axis_axis_units_lab": "rpm"}
 
 
-def test_the_speed_of_a_record_is_that_of_the_response(tmp_path: Path) -> None:
-    uff(tmp_path / "tap.uff", **TURNING)
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_the_speed_of_a_record_is_that_of_the_response(tmp_path: Path, way: float) -> None:
+    """Whichever way it counts: axes of the record are not those of the case."""
+    uff(tmp_path / "tap.uff", **TURNING | {"z_axis_value": 600.0 * way})
     for more in ("", ", speed: 600 rpm", ", speed: 62.83 rad/s"):
         asked = MEASURED % ("tap.uff", more)
         (known,) = case(tmp_path, measured=asked).analyses["frf"].measured
