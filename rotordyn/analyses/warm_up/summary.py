@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, ends
@@ -23,11 +23,12 @@ def summary(result: WarmUpResult) -> list[str]:
     for row in sorted({0, len(result.speed) - 1}):
         if result.outcome[row]:
             continue
-        last = _last(result, row)
+        last, load = _last(result, row), result.axial_load[row]
+        most = np.searchsorted(result.time, result.largest_time[row])
         words = ", ".join(
             unbroken(
-                f"{name} {result.axial_load[row, 0, k]:.0f} → {result.largest_load[row, k]:.0f} "
-                f"({minutes(result.largest_time[row, k])}) → {result.axial_load[row, last, k]:.0f}"
+                f"{name} {load[0, k]:.0f} → {load[most[k], k]:.0f} "
+                f"({minutes(result.largest_time[row, k])}) → {load[last, k]:.0f}"
             )
             for k, name in enumerate(result.bearing)
         )
@@ -71,24 +72,33 @@ def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
 
 
 def accuracy(result: WarmUpResult) -> list[str]:
-    """How far the steps of time move temperatures."""
-    return [f"temperatures over time within {max(result.error, 0.001):.2g} K"]
+    """How far the steps of time move temperatures, where they are followed to the end."""
+    if np.isnan(result.error):
+        return []
+    where = " at speeds followed to the end" * any(result.ending)
+    return [f"temperatures over time within {max(result.error, 0.001):.2g} K{where}"]
 
 
 def warnings(result: WarmUpResult) -> Iterator[str]:
-    """Where it ends early, and loads on the way that the end does not show."""
+    """Where it ends early, steps too long, and loads on the way that the end does not show."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
             yield f"at {result.speed[row] * RPM.factor:.0f} rpm {why}"
+    if result.error > ENOUGH:
+        yield (
+            f"the shortest steps of time still move temperatures by {result.error:.2g} K, and "
+            "loads with them: take a shorter duration"
+        )
     yield from _on_the_way(result)
-    late = np.abs(result.axial_load[:, -1] / result.steady_load - 1.0)
-    late = np.where(np.isfinite(late), late, 0.0)
+    end, steady = result.axial_load[:, -1], result.steady_load
+    size = np.fmax(np.abs(end), np.abs(steady))
+    late = np.nan_to_num(np.abs(end - steady) / np.where(size > 0.0, size, 1.0))
     if late.max(initial=0.0) > EARLY:
         row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
         yield (
             f"bearing {result.bearing[k]} is still warming up at the end: "
-            f"{result.axial_load[row, -1, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
-            f"{result.steady_load[row, k]:.0f} N in balance; take a longer duration"
+            f"{end[row, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
+            f"{steady[row, k]:.0f} N in balance; take a longer duration"
         )
 
 
@@ -97,7 +107,7 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     rows = np.arange(len(result.speed))
     last = [_last(result, int(row)) for row in rows]
     end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
-    after = np.fmax(end, result.steady_load)
+    after = np.fmax(np.abs(end), np.abs(result.steady_load))
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.where(after > 0.0, result.largest_load / after, 0.0)
     above = share > OVERSHOOT

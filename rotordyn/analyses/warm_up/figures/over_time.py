@@ -41,7 +41,9 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
             axes = add_axes(figure, box, TIME * last, label * (not place))
             draw_columns(axes, result.time / 60.0, values[row], result.bearing)
             axes.set_xlim(0.0, result.time[-1] / 60.0)
-            axes.set_ylim(0.0 if not line else min(low, high) - 2.0, 1.05 * high + 1e-3)
+            axes.set_ylim(
+                min(low, high) - 2.0 if line else 1.05 * min(low, 0.0), 1.05 * high + 1e-3
+            )
             axes.tick_params(labelbottom=last)
             if not line:
                 rpm = result.speed[row] * RPM.factor
