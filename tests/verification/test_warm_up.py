@@ -253,6 +253,17 @@ def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
     assert "at speeds followed to the end" in accuracy(some)[0]
 
 
+@pytest.mark.long
+def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
+    """Runs of 160 and 320 steps end at 778 and 766 s, one of 40 at 879 s."""
+    machine = rotordyn.load("spindle_deep_groove_rear").spindle
+    assert machine is not None
+    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
+    result = answer(Scene(machine, Conditions(heat_flow=weak), np.array([9e3]) * RPM), spec(60.0))
+    assert "run away at bearing rear" in result.ending[0]
+    assert result.ended == pytest.approx(770.0, rel=0.05)
+
+
 def test_steps_too_long_for_what_they_follow_are_told() -> None:
     told = [*warnings(replace(warmed()[1], error=14.0))]
     assert any("still move temperatures by 14 K" in line for line in told)

@@ -16,6 +16,7 @@ from rotordyn.preload.warming import Begin, Warming, warming
 from rotordyn.scene.scene import Scene
 
 STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
+NEAR = 0.1  # of the time up to which temperatures run away: a change by the last halving
 STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them
 
 
@@ -44,7 +45,9 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
         through, coarse = (np.array(each.ending) == "" for each in (found, before))
         gaps = np.abs(found.temperature[through, ::2] - before.temperature[through])
         error = float(np.nanmax(gaps, initial=0.0))  # what runs away leaves any bound
-        if (error <= ENOUGH and (through == coarse).all()) or steps >= MOST_STEPS:
+        end, coarse_end = (each.time[each.last] for each in (found, before))
+        settled = (through == coarse) & (np.abs(end - coarse_end) <= NEAR * end)
+        if (error <= ENOUGH and settled.all()) or steps >= MOST_STEPS:
             break
     error = error if through.any() else math.nan
     return _result(scene, found, error)
