@@ -262,6 +262,56 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     assert not [*warnings(result), *summary(result)]
 
 
+def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
+    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
+    gone = answer(scene(15e3, flow=weak), spec(30.0))
+    assert gone.ending[0]
+    assert math.isnan(gone.error)
+    assert not accuracy(gone)
+    some = answer(scene(3e3, 15e3, flow=weak), spec(30.0))
+    assert 0.0 < some.error < 1.0
+    assert "at speeds followed to the end" in accuracy(some)[0]
+
+
+@pytest.mark.long
+def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
+    """Runs of 160 and 320 steps end at 778 and 766 s, one of 40 at 879 s."""
+    machine = rotordyn.load("spindle_deep_groove_rear").spindle
+    assert machine is not None
+    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
+    result = answer(Scene(machine, Conditions(heat_flow=weak), np.array([9e3]) * RPM), spec(60.0))
+    assert "run away at bearing rear" in result.ending[0]
+    assert result.ended == pytest.approx(770.0, rel=0.05)
+
+
+def test_steps_too_long_for_what_they_follow_are_told() -> None:
+    told = [*warnings(replace(warmed()[1], error=14.0))]
+    assert any("still move temperatures by 14 K" in line for line in told)
+    assert not any("still move" in line for line in warnings(warmed()[1]))
+
+
+def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
+    """The rear bearing takes thrust both ways: which way it counts as its own changes but signs."""
+    machine = rotordyn.load("spindle_deep_groove_rear").spindle
+    assert machine is not None
+    turned = tuple(
+        replace(seat, thrust=-seat.thrust) if seat.name == "rear" else seat
+        for seat in machine.seats
+    )
+    one, other = (
+        answer(Scene(each, Conditions(heat_flow=FLOW), np.array([6e3]) * RPM), spec(60.0))
+        for each in (machine, replace(machine, seats=turned))
+    )
+    assert other.axial_load[..., 2] == pytest.approx(-one.axial_load[..., 2], rel=1e-6)
+    assert other.largest_load == pytest.approx(one.largest_load, rel=1e-6)
+    assert other.largest_time == pytest.approx(one.largest_time)
+    assert other.largest_load[0, 2] > 1.05 * abs(other.steady_load[0, 2])
+    peak = f"-{other.largest_load[0, 2]:.0f} (1.62 min) → -{abs(other.axial_load[0, -1, 2]):.0f}"
+    assert peak in summary(other)[0].replace("\N{NO-BREAK SPACE}", " ")
+    picture = warming_figure(other)
+    assert picture.axes[0].get_ylim()[0] < other.axial_load.min()
+
+
 def test_a_duration_too_short_says_so() -> None:
     result = answer(scene(9e3), spec(3.0))
     assert any("still warming up at the end" in line for line in warnings(result))

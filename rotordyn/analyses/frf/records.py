@@ -104,19 +104,26 @@ def _sign(data_set: dict[str, Any], pair: str) -> float:
             f"response in direction {ways[0]} of the record, excitation in {ways[1]}: no {pair}, "
             "whose directions are one"
         )
+    if all(ways) and ends[0] != ends[1] and abs(ways[0]) == abs(ways[1]):
+        raise InvalidInput(
+            f"response and excitation both in direction {abs(ways[0])} of the record: no {pair}, "
+            "whose directions are two"
+        )
     return -1.0 if ways[0] * ways[1] < 0 else 1.0
 
 
 def _speed(data_set: dict[str, Any]) -> float | None:
     """Of the spindle [rad/s], whichever way it turns, where that is what the third axis says in a
-    unit that is known."""
+    unit that is known; rpm by its kind, without a unit. At 0 it may be unknown."""
     if data_set.get("z_axis_spec_data_type") != _ROTATION:
         return None
     try:
-        scale = _plain(_label(data_set, "z_axis"), "rpm", "speed", "rpm, rad/s")
+        unit = _label(data_set, "z_axis")
+        unit = "rpm" if unit.lower() in ("", "rpm") else unit
+        scale = _plain(unit, "rpm", "speed", "rpm, rad/s")
     except InvalidInput:
         return None
-    return abs(float(data_set["z_axis_value"])) * scale
+    return abs(float(data_set["z_axis_value"])) * scale or None
 
 
 def _coherence_of(data_set: dict[str, Any], other: dict[str, Any]) -> bool:

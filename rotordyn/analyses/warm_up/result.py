@@ -11,6 +11,8 @@ OVER = ("speed", "time", "bearing")
 BY = ("speed", "bearing")
 LATER = Absence("after its end, where it ends early", last="time")
 UNBALANCED = Absence("where temperatures reach no balance", by=BY)
+NONE_THROUGH = Absence("where every speed ends early")
+ENOUGH = 1.0  # K: a change of temperatures by the last halving that is small beside all hypotheses
 
 
 @dataclass(frozen=True)
@@ -18,9 +20,10 @@ class WarmUpResult:
     """Every bearing over time from the start.
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
-    ``largest_load``, by its size, at ``largest_time``; ``steady_load``: in the end, where
+    ``axial_load`` in the frame of a bearing, below 0 where one for both ways is pressed from the
+    other side; ``largest_load`` its size at ``largest_time``; ``steady_load``: in the end, where
     temperatures are in balance. ``error``: largest change of a temperature when the steps were
-    halved [K].
+    halved [K], of speeds that do not end early.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -45,4 +48,6 @@ class WarmUpResult:
     steady_load: Array = quantity(
         *BY, unit="N", label="axial load in thermal balance", absent=(UNBALANCED,)
     )
-    error: float = quantity(unit="K", label="estimated error of temperatures")
+    error: float = quantity(
+        unit="K", label="estimated error of temperatures", absent=(NONE_THROUGH,)
+    )

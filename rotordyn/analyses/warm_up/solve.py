@@ -9,14 +9,14 @@ import numpy as np
 
 from bearings.bearing import BallBearing
 from rotordyn.allowance import require_history, require_time
-from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.analyses.warm_up.spec import WarmUpSpec
 from rotordyn.preload.heat_balance import Flow, cold
 from rotordyn.preload.warming import Begin, Warming, warming
 from rotordyn.scene.scene import Scene
 
 STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
-ENOUGH = 1.0  # K: a change of temperatures by the last halving that is small beside all hypotheses
+NEAR = 0.1  # of the time up to which temperatures run away: a change by the last halving
 STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them
 
 
@@ -42,11 +42,14 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
     while True:
         before, steps = found, 2 * steps
         found = run(steps)
-        through = np.array([not word for word in found.ending])  # what runs away leaves any bound
+        through, coarse = (np.array(each.ending) == "" for each in (found, before))
         gaps = np.abs(found.temperature[through, ::2] - before.temperature[through])
-        error = float(np.nanmax(gaps, initial=0.0))
-        if error <= ENOUGH or steps >= MOST_STEPS:
+        error = float(np.nanmax(gaps, initial=0.0))  # what runs away leaves any bound
+        end, coarse_end = (each.time[each.last] for each in (found, before))
+        settled = (through == coarse) & (np.abs(end - coarse_end) <= NEAR * end)
+        if (error <= ENOUGH and settled.all()) or steps >= MOST_STEPS:
             break
+    error = error if through.any() else math.nan
     return _result(scene, found, error)
 
 
@@ -77,8 +80,9 @@ def ball_capacity(bearing: BallBearing) -> float:
 def _result(scene: Scene, found: Warming, error: float) -> WarmUpResult:
     seats = scene.spindle.seats
     none = np.isnan(found.load[:, 0, 0]).tolist()
-    place = np.nan_to_num(np.abs(found.load), nan=-1.0).argmax(axis=1)
-    largest = np.take_along_axis(found.load, place[:, None], axis=1)[:, 0]
+    size = np.abs(found.load)
+    place = np.nan_to_num(size, nan=-1.0).argmax(axis=1)
+    largest = np.take_along_axis(size, place[:, None], axis=1)[:, 0]
     steady = scene.solved_only(scene.unloaded.seat_load())
     balls, inner, outer = np.moveaxis(found.temperature, -1, 0)
     return WarmUpResult(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, ends
@@ -24,11 +24,12 @@ def summary(result: WarmUpResult) -> list[str]:
     for row in sorted({0, len(result.speed) - 1}):
         if result.outcome[row]:
             continue
-        last = _last(result, row)
+        last, load = _last(result, row), result.axial_load[row]
+        most = np.searchsorted(result.time, result.largest_time[row])
         words = ", ".join(
             unbroken(
-                f"{name} {result.axial_load[row, 0, k]:.0f} → {result.largest_load[row, k]:.0f} "
-                f"({minutes(result.largest_time[row, k])}) → {result.axial_load[row, last, k]:.0f}"
+                f"{name} {load[0, k]:.0f} → {load[most[k], k]:.0f} "
+                f"({minutes(result.largest_time[row, k])}) → {load[last, k]:.0f}"
             )
             for k, name in enumerate(result.bearing)
         )
@@ -72,26 +73,32 @@ def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
 
 
 def accuracy(result: WarmUpResult) -> list[str]:
-    """How far the steps of time move temperatures, those that run away apart."""
-    if all(result.ending):
+    """How far the steps of time move temperatures, where they are followed to the end."""
+    if np.isnan(result.error):
         return []
-    return [f"temperatures over time within {max(result.error, 0.001):.2g} K"]
+    where = " at speeds followed to the end" * any(result.ending)
+    return [f"temperatures over time within {max(result.error, 0.001):.2g} K{where}"]
 
 
 def warnings(result: WarmUpResult) -> Iterator[str]:
-    """Where it ends early, and loads on the way that the end does not show."""
+    """Where it ends early, steps too long, and loads on the way that the end does not show."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
             yield f"at {result.speed[row] * RPM.factor:.0f} rpm {why}"
+    if result.error > ENOUGH:
+        yield (
+            f"the shortest steps of time still move temperatures by {result.error:.2g} K, and "
+            "loads with them: take a shorter duration"
+        )
     yield from _on_the_way(result)
-    away = np.abs(result.axial_load[:, -1] - result.steady_load)
-    late = _share(away, np.abs(result.steady_load))
+    end, steady = result.axial_load[:, -1], result.steady_load
+    late = _share(np.abs(end - steady), np.fmax(np.abs(end), np.abs(steady)))
     if late.max(initial=0.0) > EARLY:
         row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
         yield (
             f"bearing {result.bearing[k]} is still warming up at the end: "
-            f"{result.axial_load[row, -1, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
-            f"{result.steady_load[row, k]:.0f} N in balance; take a longer duration"
+            f"{end[row, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
+            f"{steady[row, k]:.0f} N in balance; take a longer duration"
         )
 
 
@@ -100,12 +107,11 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     rows = np.arange(len(result.speed))
     last = [_last(result, int(row)) for row in rows]
     end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
-    largest = np.abs(result.largest_load)
-    share = _share(largest, np.fmax(np.abs(end), np.abs(result.steady_load)))
+    share = _share(result.largest_load, np.fmax(np.abs(end), np.abs(result.steady_load)))
     above = share > OVERSHOOT
     if not above.any():
         return
-    worst = np.where(above, largest, 0.0)
+    worst = np.where(above, result.largest_load, 0.0)
     row, k = (int(place) for place in np.unravel_index(int(worst.argmax()), worst.shape))
     others = [name for j, name in enumerate(result.bearing) if j != k and above[:, j].any()]
     also = f" (so, less, {', '.join(others)})" if others else ""

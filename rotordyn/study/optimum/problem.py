@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import pickle
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -94,7 +94,7 @@ class Trial:
 
     ``goals``: worst values, as printed; ``margins`` of the limits, shares of their bounds, and
     ``readings``, the values with these; ``units`` of goals, then limits. ``sentence``: why there
-    are none, or why some speeds have none. ``seconds``: to solve it.
+    are none, why some speeds have none or end early. ``seconds``: to solve it.
     """
 
     number: Place
@@ -160,9 +160,14 @@ def _read(
         margins=tuple(margin for margin, _ in margins),
         readings=tuple(value for _, value in margins),
         units=tuple(reading.unit for _, reading in (*goals, *limits)),
-        sentence="; ".join(unsolved(answers.results)),
+        sentence="; ".join(dict.fromkeys((*unsolved(answers.results), *_early(answers.results)))),
         warnings=(*answers.warnings, *result_warnings(answers.results)),
     )
+
+
+def _early(results: Mapping[str, Any]) -> list[str]:
+    """Why answers over time end early: the largest up to there is not the largest of all."""
+    return [str(w) for r in results.values() for w in getattr(r, "ending", ()) if str(w)]
 
 
 @lru_cache(maxsize=1)

@@ -19,10 +19,11 @@ from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
 from rotordyn.results.headline import Number
+from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum import criterion, trials
 from rotordyn.study.optimum.criterion import Criterion, Reading, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
-from rotordyn.study.optimum.problem import Problem, Trial
+from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
 from rotordyn.study.optimum.solve import Optimum
 from rotordyn.study.optimum.summary import summary
 from rotordyn.study.parameter import parameters
@@ -58,6 +59,21 @@ analyses:
 def case() -> Case:
     whole = rotordyn.load("grinding_spindle")
     return rotordyn.vary(whole, {"speeds": (0.0, 400.0 * math.pi)})
+
+
+def test_a_trial_whose_answer_ends_early_has_none(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A machine whose temperatures run away on the way is not that of the lowest peak of load."""
+    problem = Problem(case, (), (Goal(lowest="warm_up: load"),), ())
+    ended = SimpleNamespace(outcome=("", ""), ending=("", "temperatures run away"))
+    answers = SimpleNamespace(results={"warm_up": ended}, warnings=())
+    monkeypatch.setattr(Neighbours, "solve", lambda self, case: (answers, None))
+    monkeypatch.setattr(Criterion, "read", lambda *_: Reading(np.array([5.0]), "N", ("a",), (1.0,)))
+    monkeypatch.setattr("rotordyn.study.optimum.problem.result_warnings", lambda _: ())
+    found = as_it_stands(problem)
+    assert found.sentence == "temperatures run away"
+    assert not found.feasible
 
 
 def test_span_of_least_deflection(tmp_path: Path) -> None:

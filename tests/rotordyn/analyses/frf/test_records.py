@@ -195,6 +195,15 @@ def test_a_record_of_other_directions_is_refused(
         read_record(path, PAIR, None)
 
 
+def test_a_record_of_one_direction_is_no_response_across(tmp_path: Path) -> None:
+    across = "nose.y / nose.z"
+    path = uff(tmp_path / "tap.uff", rsp_dir=-3, ref_dir=3)
+    with pytest.raises(InvalidInput, match=f"both in direction 3 of the record: no {across}"):
+        read_record(path, across, None)
+    path = uff(tmp_path / "other.uff", rsp_dir=2, ref_dir=-1)
+    assert read_record(path, across, None).values[1] == pytest.approx(-3.0)
+
+
 TURNING = {"z_axis_value": 600.0, "z_axis_spec_data_type": 19, "z_axis_axis_units_lab": "rpm"}
 
 
@@ -211,6 +220,13 @@ def test_the_speed_of_a_record_is_that_of_the_response(tmp_path: Path, way: floa
     uff(tmp_path / "tip.uff", **TURNING | {"z_axis_axis_units_lab": "turns"})
     (known,) = case(tmp_path, measured=MEASURED % ("tip.uff", "")).analyses["frf"].measured
     assert known.speed == 0.0
+
+
+@pytest.mark.parametrize("unit", ["RPM", "[rpm]", "NONE"])
+def test_a_speed_by_its_kind_is_in_rpm_however_that_is_written(tmp_path: Path, unit: str) -> None:
+    """Kind 19 is rpm by the format itself."""
+    path = uff(tmp_path / "tap.uff", **TURNING | {"z_axis_axis_units_lab": unit})
+    assert read_record(path, PAIR, None).speed == pytest.approx(20.0 * np.pi)
 
 
 TABLES = {
