@@ -31,7 +31,6 @@ from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, case
-from tests.rotordyn.preload.test_both_ways import PRESSED, sprung_set
 from tests.verification.test_heat_balance import FLOW, NEXT_TO_NONE, OIL, grinding
 
 Array = NDArray[np.float64]
@@ -324,26 +323,6 @@ def test_loads_across_the_axis_take_no_part() -> None:
     both = [answer(each, spec(0.5)) for each in (alone, loaded)]
     assert (both[0].axial_load == both[1].axial_load).all()
     assert both[0].steady_load == pytest.approx(both[1].steady_load, rel=1e-9)
-
-
-def test_a_load_counts_whichever_way_it_pushes() -> None:
-    """Of a bearing that takes thrust both ways, mounted the one way and the other."""
-    results = []
-    for thrust in (1, -1):
-        machine = sprung_set(1, PRESSED)
-        *front, rear = machine.seats
-        turned = replace(machine, seats=(*front, replace(rear, thrust=thrust)))
-        here = Scene(turned, Conditions(heat_flow=FLOW), np.array([6e3]) * RPM)
-        results.append(answer(here, spec(10.0)))
-    plus, minus = results
-    assert plus.axial_load[0, 0, 2] < 0.0
-    for name in ("axial_load", "largest_load", "steady_load"):
-        values = getattr(plus, name)
-        assert getattr(minus, name)[..., 2] == pytest.approx(-values[..., 2], rel=1e-6)
-    assert plus.largest_load[0, 2] == plus.axial_load[0, :, 2].min()
-    assert plus.largest_time[0, 2] > 60.0
-    axes = warming_figure(plus).axes[0]
-    assert axes.get_ylim()[0] < plus.largest_load[0, 2]
 
 
 def test_a_bearing_that_carries_nothing_is_not_late() -> None:
