@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from copy import copy
 
 import numpy as np
 
@@ -37,6 +38,12 @@ class Sleeves:
             for way, stiffness in springs(sleeve):
                 if math.isfinite(stiffness):
                     self.dofs[sleeve.name, way] = dofs.add(f"sleeve {sleeve.name}", [way]).item()
+
+    def of(self, spindle: Spindle) -> Sleeves:
+        """The same DOF on the springs of another spindle."""
+        other = copy(self)
+        other.spindle = spindle
+        return other
 
     def under(self, seat: str) -> dict[str, int]:
         """DOF of the sleeve that carries a bearing, by direction."""

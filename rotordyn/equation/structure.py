@@ -7,6 +7,7 @@ Theory: docs/theory/rotor.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 
@@ -25,7 +26,7 @@ from rotordyn.equation.lumped import lumped_parts
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import seat_matrices
 from rotordyn.equation.shaft import PLANES, Rows, Shaft
-from rotordyn.equation.sleeve import Sleeves
+from rotordyn.equation.sleeve import Sleeves, springs
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Link, Part
@@ -81,10 +82,11 @@ class Structure:
         }
         self.sleeves = Sleeves(self.dofs, spindle, fine)
         self.housings = [Foundation(self.dofs, spindle, each) for each in spindle.housings]
-        terms = [self.sleeves.parts(), *(housing.parts() for housing in self.housings)]
+        terms = [housing.parts() for housing in self.housings]
         for shaft in self.shafts.values():
             terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
-        self.parts: list[Part] = [part for term in terms for part in term]
+        self._sleeve_parts = list(self.sleeves.parts())
+        self.parts: list[Part] = [*self._sleeve_parts, *(part for term in terms for part in term)]
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
         self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
@@ -93,6 +95,29 @@ class Structure:
         self._ports = self._port_dofs(ports)
         self._gyroscopic: dict[tuple[int, int], Array] = {}
         self._slopes: dict[int, Slopes] = {}
+
+    def on_springs_of(self, spindle: Spindle) -> Structure:
+        """The same on springs of the sleeves of a ``spindle`` that differs in these alone; shafts
+        and housings, and what is solved of them, are shared."""
+        if [springs(each) for each in spindle.sleeves] == [
+            springs(each) for each in self.spindle.sleeves
+        ]:
+            return self
+        other = copy(self)
+        other.spindle, other.sleeves = spindle, self.sleeves.of(spindle)
+        other._sleeve_parts = list(other.sleeves.parts())
+        other.parts = [*other._sleeve_parts, *self.parts[len(self._sleeve_parts) :]]
+        other.sleeve_springs = list(other.sleeves.links())
+        own = [*self.sleeves.dofs.values()]
+        other.components = [
+            replace(
+                each, parts=[p for p in other._sleeve_parts if np.isin(p.rows, each.dofs).all()]
+            )
+            if np.isin(each.dofs, own).all()
+            else each
+            for each in self.components
+        ]
+        return other
 
     @property
     def connections(self) -> list[Link]:

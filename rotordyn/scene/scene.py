@@ -165,7 +165,8 @@ class Scene(Statics):
             self.rigid,
             self._pressed,
             self.loaded and self.conditions.loads,
-        )
+        ),
+        lambda self, shared: shared.on_springs_of(self.spindle),
     )
     def rotor(self) -> Structure:
         """Terms of the machine and its components, each reduced when it is first asked for."""

@@ -68,17 +68,21 @@ class stage(property):  # noqa: N801
     """A shared result: a property solved on first use.
 
     ``follows``: what of the machine it depends on beside its speeds; with it the value serves every
-    machine of the same memo for which that is the same.
+    machine of the same memo for which that is the same. ``own``: makes the value of a machine from
+    such a shared one, where little of it depends on more.
     """
 
     def __init__(
-        self, solve: Callable[[Any], Any], follows: Callable[[Any], Inputs] | None = None
+        self,
+        solve: Callable[[Any], Any],
+        follows: Callable[[Any], Inputs] | None = None,
+        own: Callable[[Any, Any], Any] = lambda staged, value: value,
     ) -> None:
         name = solve.__name__
 
         def get(staged: Staged) -> Any:
             if name not in staged.solved:
-                staged.solved[name] = _value(staged)
+                staged.solved[name] = own(staged, _value(staged))
             return staged.solved[name]
 
         def _value(staged: Staged) -> Any:
@@ -96,9 +100,11 @@ class stage(property):  # noqa: N801
         self.name = name
 
 
-def stage_of(follows: Callable[[Any], Inputs]) -> Callable[[Callable[[Any], Any]], stage]:
-    """A stage whose value depends on ``follows`` alone."""
-    return lambda solve: stage(solve, follows)
+def stage_of(
+    follows: Callable[[Any], Inputs], own: Callable[[Any, Any], Any] = lambda staged, value: value
+) -> Callable[[Callable[[Any], Any]], stage]:
+    """A stage whose value depends on ``follows`` alone, but for what ``own`` adds."""
+    return lambda solve: stage(solve, follows, own)
 
 
 class Staged:

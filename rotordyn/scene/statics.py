@@ -18,7 +18,7 @@ from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.errors import NoSolution
 from rotordyn.machine.history import Past
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.sleeve import Spring
+from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
@@ -33,6 +33,8 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
     from rotordyn.preload.heat_balance import HeatBalance
+
+ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
 
 class Statics(Staged):
@@ -159,11 +161,11 @@ class Statics(Staged):
 
     @cached_property
     def bodies(self) -> Spindle:
-        """The machine without what its bodies and springs do not depend on: preloads and stops of
+        """The machine without what shafts and housings do not depend on: springs and stops of
         sleeves, words."""
         with unchecked():  # of a machine that is checked
             sleeves = tuple(
-                replace(sleeve, spring=Spring(0.0, sleeve.spring.stiffness), stop_travel=math.inf)
+                replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
                 for sleeve in self.spindle.sleeves
             )
             return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
@@ -345,6 +347,11 @@ class Statics(Staged):
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
+
+
+def _kind(sleeve: Sleeve) -> Spring:
+    """One that stands for any: a sleeve moves along the axis, or it does not."""
+    return LOCKED if math.isinf(sleeve.spring.stiffness) else ANY_SPRING
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:
