@@ -34,6 +34,7 @@ from tests.oracles.spindles import RPM, case
 from tests.verification.test_heat_balance import FLOW, NEXT_TO_NONE, OIL, grinding
 
 Array = NDArray[np.float64]
+WEAK = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
 LENGTH = 40.0  # s
 INNER, OUTER, START = 500.0, 3000.0, 20.0
 COOLED = Flow(
@@ -65,6 +66,16 @@ def spec(minutes: float, **more: float) -> WarmUpSpec:
 def warmed() -> tuple[Scene, WarmUpResult]:
     here = scene(12e3)
     return here, answer(here, spec(90.0))
+
+
+@cache
+def running_away() -> WarmUpResult:
+    return answer(scene(3e3, 15e3, flow=WEAK), spec(30.0))
+
+
+@cache
+def begun() -> WarmUpResult:
+    return answer(scene(9e3), spec(3.0))
 
 
 def test_given_heat_leads_where_the_exact_solution_does() -> None:
@@ -231,8 +242,7 @@ def test_rigid_preload_passes_through_a_peak_that_a_spring_has_not() -> None:
 
 
 def test_temperatures_that_run_away_end_with_their_time() -> None:
-    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
-    result = answer(scene(3e3, 15e3, flow=weak), spec(30.0))
+    result = running_away()
     assert result.ending[0] == ""
     assert "temperatures run away" in result.ending[1]
     assert result.outcome == ("", "")
@@ -262,12 +272,11 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
 
 
 def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
-    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
-    gone = answer(scene(15e3, flow=weak), spec(30.0))
+    gone = answer(scene(15e3, flow=WEAK), spec(30.0))
     assert gone.ending[0]
     assert math.isnan(gone.error)
     assert not accuracy(gone)
-    some = answer(scene(3e3, 15e3, flow=weak), spec(30.0))
+    some = running_away()
     assert 0.0 < some.error < 1.0
     assert "at speeds followed to the end" in accuracy(some)[0]
 
@@ -277,8 +286,7 @@ def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
     """Runs of 160 and 320 steps end at 778 and 766 s, one of 40 at 879 s."""
     machine = rotordyn.load("spindle_deep_groove_rear").spindle
     assert machine is not None
-    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
-    result = answer(Scene(machine, Conditions(heat_flow=weak), np.array([9e3]) * RPM), spec(60.0))
+    result = answer(Scene(machine, Conditions(heat_flow=WEAK), np.array([9e3]) * RPM), spec(60.0))
     assert "run away at bearing rear" in result.ending[0]
     assert result.ended == pytest.approx(770.0, rel=0.05)
 
@@ -312,7 +320,7 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
 
 
 def test_a_duration_too_short_says_so() -> None:
-    result = answer(scene(9e3), spec(3.0))
+    result = begun()
     assert any("still warming up at the end" in line for line in warnings(result))
 
 
@@ -326,16 +334,9 @@ def test_loads_across_the_axis_take_no_part() -> None:
 
 
 def test_a_bearing_that_carries_nothing_is_not_late() -> None:
-    result = answer(scene(9e3), spec(0.5))
+    result = begun()
     idle = replace(result, axial_load=0.0 * result.axial_load, steady_load=0.0 * result.steady_load)
     assert not [*warnings(idle)]
-
-
-def test_nothing_is_said_of_the_error_where_all_run_away() -> None:
-    weak = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
-    result = answer(scene(15e3, flow=weak), spec(30.0))
-    assert all(result.ending)
-    assert accuracy(result) == []
 
 
 def test_balls_hold_what_their_mass_does() -> None:

@@ -18,15 +18,16 @@ if TYPE_CHECKING:
 TIME = "time from the start [min]"
 ROWS = (
     ("axial_load", "axial load [N]"),
+    ("ball_temperature", "balls [°C]"),
     ("inner_temperature", "inner ring [°C]"),
     ("outer_temperature", "outer ring [°C]"),
 )
 
 
 def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
-    """A column at the first, the middle and the last speed: loads, and temperatures of rings."""
+    """A column at the first, the middle and the last speed: loads, and temperatures."""
     picked = evenly(result.speed.size, speeds)
-    figure = new_figure(168.0, 150.0)
+    figure = new_figure(168.0, 190.0)
     boxes = grid_boxes(
         figure, len(ROWS), len(picked), margins=(15.0, 5.0, 11.0, 9.0), gaps=(11.0, 5.0)
     )
