@@ -34,6 +34,7 @@ NOTHING = 1e-16  # of the flexibility at a port: modes that lack so little lack 
 RIGIDLY = 1e-13  # of a load: with less beside inertia it moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
+FEW = 32  # rows of a triangular matrix that is inverted as any other
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
 RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
 NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
@@ -207,7 +208,7 @@ class _Body:
         if isinstance(mass, np.ndarray):
             lower = np.linalg.cholesky(stiff)
             _refuse_singular(lower.diagonal() ** 2, stiff)
-            upwards = np.linalg.inv(lower)
+            upwards = _inverse(lower)
 
             def solve(load: Array) -> Array:
                 return np.asarray(upwards.T @ (upwards @ load))
@@ -325,6 +326,18 @@ def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
     """Raise LinAlgError where a pivot (n,) is rounding: a part of the body is held by nothing."""
     if (pivots <= ROUNDING * matrix.diagonal()).any():
         raise np.linalg.LinAlgError
+
+
+def _inverse(lower: Array) -> Array:
+    """Of a lower triangular matrix, by halves: half the time of a general inverse, of large ones a
+    fifth."""
+    if len(lower) <= FEW:
+        return np.asarray(np.linalg.inv(lower))
+    half, inverse = len(lower) // 2, np.zeros_like(lower)
+    first = inverse[:half, :half] = _inverse(lower[:half, :half])
+    last = inverse[half:, half:] = _inverse(lower[half:, half:])
+    inverse[half:, :half] = -last @ (lower[half:, :half] @ first)
+    return inverse
 
 
 def _factors(matrix: Matrix) -> Any:

@@ -1,10 +1,12 @@
 """Poles of lightly damped systems: those of their conservative part, refined all together.
 
-In the vectors of the conservative part (``numerics.conservative``) the matrix of the system is
-nearly diagonal. Where it is Λ + R in the vectors X so far, Λ its diagonal, F_ij = R_ij/(Λ_j − Λ_i)
-and F_ii = 0, X (1 + F) are better ones: there it is Λ + (1 + F)⁻¹ R F, so that what is left beside
-the diagonal is squared, as in Jacobi's method for matrices that are nearly diagonal. As all vectors
-are refined at once and stay independent, none is lost and none comes twice.
+In the vectors of the conservative part (``numerics.conservative``) the matrix A of the system is
+nearly diagonal. With vectors X so far and Y near their inverse, S = Y A X and G = Y X, better ones
+are X (1 + F) and (2 − G − F) Y, where F_ij = (S_ij − λ_j G_ij)/(λ_j − λ_i), F_ii = 0 and
+λ_i = S_ii/G_ii. What they are off by is squared, as in Newton's method. (Where A is symmetric the
+inverse is the transpose: Ogita and Aishima, Iterative refinement for symmetric eigenvalue
+decomposition, 2018.) As all vectors are refined at once and stay independent, none is lost and none
+comes twice.
 """
 
 from __future__ import annotations
@@ -20,9 +22,8 @@ from rotordyn.numerics.threads import in_threads
 
 STEPS = 7
 FAR = 0.5  # of a vector, from another one: so much is no small correction
-CLOSE = 1e-4  # the series of (1 + F)⁻¹ up to F² lacks rounding alone
-SAME = 1e-7  # its square is rounding
-CHAIN = 8  # systems, the first of which begins anew: so threads do not change a digit
+SAME = 1e-7  # vectors are off by its square, and poles, once polished, by less
+CHAIN = 16  # systems, the first of which begins anew: so threads do not change a digit
 
 
 def lightly_damped_modes(
@@ -42,12 +43,10 @@ def lightly_damped_modes(
         near: _Near | None = None
         for k in range(count)[CHAIN * part.start : CHAIN * part.stop]:
             system = stiffness[k], damping[k]
-            found = None if near is None or k % CHAIN == 0 else near.refined(*system)
-            if found is None and (near := _Near.conservative(*system)) is not None:
-                found = near.refined(*system)
-            near = found
-            if found is not None:
-                pole[k], vector[k], left[k] = found.modes
+            near = near.refined(*system) if near is not None and k % CHAIN else None
+            near = near or _Near.begun(*system)
+            if near is not None:
+                pole[k], vector[k], left[k] = near.modes
                 known[k] = True
 
     in_threads(refine, -(-count // CHAIN), 1)
@@ -61,7 +60,7 @@ class _Near:
         [[i D, K L⁻ᴴ], [Lᴴ, 0]],   (v, u), v = ν q, u = Lᴴ q,
 
     coordinates in the ``order`` (n,) of ``whirls``, with the root ``upper`` Lᴴ of some near K and
-    its inverse ``back`` L⁻ᴴ."""
+    its inverse ``back`` L⁻ᴴ. ``before``: vectors and inverse of the system before in a chain."""
 
     order: Indices
     upper: Matrix
@@ -69,15 +68,19 @@ class _Near:
     rate: NDArray[np.inexact]
     vectors: Matrix
     inverse: Matrix
+    before: tuple[Matrix, Matrix] | None = None
 
     @classmethod
-    def conservative(cls, stiffness: Matrix, damping: Matrix) -> _Near | None:
-        """Of the conservative part of a system; None where that is no start."""
+    def begun(cls, stiffness: Matrix, damping: Matrix) -> _Near | None:
+        """Of a system by itself; None where its conservative part is no start."""
         known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
         if known is None:
             return None
         order, upper, rate, both = known
-        return cls(order, upper, np.linalg.inv(upper), rate, both, both.conj().T)  # orthonormal
+        pair = both.astype(complex), both.conj().T.astype(complex)  # orthonormal
+        near = cls(order, upper, np.linalg.inv(upper), rate, *pair)
+        found = near.refined(stiffness, damping)
+        return None if found is None else replace(found, before=None)
 
     def refined(self, stiffness: Matrix, damping: Matrix) -> _Near | None:
         """Of a system near by; None where the vectors are too far, or two eigenvalues too close."""
@@ -86,29 +89,27 @@ class _Near:
         matrix[:n, :n] = 1j * damping[swapped]
         matrix[:n, n:] = stiffness[swapped] @ self.back
         matrix[n:, :n] = self.upper
-        vectors, diagonal = self.vectors.astype(complex), slice(None, None, 2 * n + 1)
-        rest = self.inverse @ (matrix @ vectors)
-        rate = rest.diagonal().copy()
+        vectors, inverse, diagonal = self.vectors, self.inverse, slice(None, None, 2 * n + 1)
+        if self.before is not None:  # on in a straight line
+            vectors, inverse = 2.0 * vectors - self.before[0], 2.0 * inverse - self.before[1]
         for _ in range(STEPS):
+            change, off = inverse @ (matrix @ vectors), inverse @ vectors
+            rate = change.diagonal() / off.diagonal()
+            off.flat[diagonal] -= 1.0
             apart = rate - rate[:, None]
-            rest.flat[diagonal], apart.flat[diagonal] = 0.0, 1.0
+            apart.flat[diagonal] = 1.0
             with np.errstate(divide="ignore", invalid="ignore"):  # of equal rates: not below FAR
-                change = rest / apart
-            size = np.abs(change).max()
+                change = (change - off * rate) / apart
+            change.flat[diagonal] = 0.0
+            size = max(np.abs(change).max(), np.abs(off).max())
             if not size < FAR:
                 return None
-            vectors = vectors + vectors @ change
+            vectors, inverse = vectors + vectors @ change, inverse - (off + change) @ inverse
             if size < SAME:
                 if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
                     return None  # as of ``whirls``
-                return replace(self, rate=rate, vectors=vectors, inverse=np.linalg.inv(vectors))
-            rest = rest @ change
-            if size < CLOSE:
-                rest = rest - change @ (rest - change @ rest)
-            else:
-                change.flat[diagonal] = 1.0
-                rest = np.linalg.solve(change, rest)
-            rate = rate + rest.diagonal()
+                known = self.order, self.upper, self.back
+                return _Near(*known, rate, vectors, inverse, (self.vectors, self.inverse))
         return None
 
     @property

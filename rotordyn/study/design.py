@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import repeat
 from typing import Any
 
@@ -22,22 +23,33 @@ from rotordyn.results.kinds import Array
 from rotordyn.study.parameter import Parameter, is_whole, parameters, require_whole
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Design:
     """The points of a study, numbered from 0; those of a grid with the last parameter fastest.
 
-    ``shares`` (points, parameters) in [0, 1): of a sample, None otherwise.
+    ``samples``, ``seed``: of a sample, which is drawn when it is first asked for; else None.
     """
 
     parameters: tuple[Parameter, ...]
     sampling: str
-    shares: Array | None = None
+    samples: int | None = None
+    seed: int = 0
+
+    @cached_property
+    def shares(self) -> Array | None:
+        """(points, parameters) in [0, 1): of a sample, None otherwise."""
+        if self.samples is None:
+            return None
+        from scipy.stats import qmc
+
+        kind = qmc.LatinHypercube if self.sampling == "latin-hypercube" else qmc.Sobol
+        return np.asarray(kind(len(self.parameters), rng=self.seed).random(self.samples))
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Points along each dimension: of a grid one a parameter, else one in all."""
-        if self.shares is not None:
-            return (len(self.shares),)
+        if self.samples is not None:
+            return (self.samples,)
         sizes = tuple(len(each.values) for each in self.parameters)
         return sizes if self.sampling == "grid" else sizes[:1]
 
@@ -104,7 +116,8 @@ def design(
         )
     found = tuple(parameters(case, varied))
     if sampling in SAMPLED:
-        drawn = Design(found, sampling, _shares(sampling, len(found), samples, seed))
+        _require_sample(sampling, samples, seed)
+        drawn = Design(found, sampling, samples, seed)
         _require_begun(case, drawn)
         return drawn
     if samples is not None:
@@ -141,22 +154,16 @@ def _require_fitting(whole: Design) -> None:
         raise InvalidInput(f"a list has as many values of every path: got {given}")
 
 
-def _shares(sampling: str, size: int, samples: Any, seed: int) -> Array:
-    """A sample (samples, size) in [0, 1)."""
-    from scipy.stats import qmc
-
+def _require_sample(sampling: str, samples: Any, seed: Any) -> None:
     if not is_whole(samples, 1, MOST_DRAWN):
         raise InvalidInput(
             f"samples: given {shown(samples)}; {sampling} needs a whole number, up to "
             f"{MOST_DRAWN:g}, since a sample is drawn whole; a grid may have more"
         )
     require_whole("seed", seed, 0)
-    if sampling == "latin-hypercube":
-        return np.asarray(qmc.LatinHypercube(size, rng=seed).random(samples))
-    if samples & (samples - 1):
+    if sampling == "sobol" and samples & (samples - 1):
         near = 2 ** round(math.log2(samples))
         raise InvalidInput(
             f"samples: given {samples}; a Sobol sequence is balanced for powers of two alone: "
             f"take {near}"
         )
-    return np.asarray(qmc.Sobol(size, rng=seed).random(samples))

@@ -35,6 +35,11 @@ class Journal:
     def __init__(self, folder: Path, study: Study) -> None:
         self.folder, self.study, self._path = folder, study, folder / JOURNAL
 
+    @property
+    def begun(self) -> bool:
+        """Whether there is a file of it."""
+        return self._path.exists()
+
     def begin(self) -> dict[int, Outcome]:
         """Outcomes kept so far, by the number of the point, those whose results are there; the file
         is begun where there is none.

@@ -35,7 +35,7 @@ HOUR, DAY, YEAR = 3600.0, 86400.0, 365.25 * 86400.0  # s
 KEPT, HELD = 1.5, 4.0  # bytes on disk and in memory at the end, over those of points as they come
 LONG = HOUR  # that a study may take unasked
 TOGETHER, BLOCK = 32, 2.0  # points solved together, and seconds that they may take
-LOOKED = 3  # points solved before a study is called long: the first one loads what solves them
+LOOKED = 3  # points solved before a study is called long: the first ones load what solves them
 Progress = Callable[[int, int], None]
 
 
@@ -145,6 +145,8 @@ def solved(
     with _place(folder) as place:
         journal = Journal(place, study)
         with record.alone(place, "points"):
+            if cluster is None and count > 1 and not journal.begun:
+                start(min(most, processors(), count))  # they load while a sample is drawn
             found = journal.begin()
             progress(len(found), count)
             for outcome in _outcomes(journal, found, most, cluster, yes=yes):
@@ -162,44 +164,41 @@ def _outcomes(
     count = study.design.count
     total = count - len(known)
     left = (k for k in range(count) if k not in known)  # one by one: they may be any number
-    packed, least = pack(study), math.inf
-    if cluster is None:  # they load what solves while the first point is solved here
-        start(min(workers, processors(), total - 1))
+    packed, least, looked = pack(study), math.inf, 0
+    pace, share = math.inf, 2 * workers if workers > 1 else 1
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)
-    for number in islice(left, LOOKED):
-        (found,) = solve_points(packed, (number,))
-        yield found
-        total -= 1
-        least = min(least, found.seconds)
-        if least * total / workers <= LONG or unasked:
-            break
-    if total and least * total / workers > LONG and not unasked:
-        size = journal.size / len(known)
-        raise InvalidInput(
-            f"the study has {count} points, {total} of them to solve: about "
-            f"{_long(least * total / workers)} with {workers} worker{'s' * (workers > 1)}, "
-            f"{_large(KEPT * size * count)} on disk ({_large(journal.room)} are free) and "
-            f"{_large(HELD * size * count)} of memory at its end; say yes to that (--yes), or take "
-            "fewer points"
-        )
-    if cluster is not None:
-        yield from solved_on_cluster(packed, left, cluster, total)
-        return
-
-    pace, share = least, 2 * workers if workers > 1 else 1
 
     def blocks() -> Iterator[tuple[int, ...]]:
+        """The first points one by one, until it is known how long each takes."""
         room = total
         while room:
-            most = min(TOGETHER, room // share, int(BLOCK / pace))
+            most = min(TOGETHER, room // share, int(BLOCK / pace)) if total - room >= LOOKED else 1
             block = tuple(islice(left, max(1, most)))
             yield block
             room -= len(block)
 
-    for block in solved_here(packed, blocks(), workers, solve_points, total=total):
-        solved = [outcome.seconds for outcome in block if outcome.solved]
-        pace = max(pace / 2.0, *solved) if solved else pace  # a refusal tells of no other point
+    found: Iterator[Sequence[Outcome]]
+    if cluster is not None:
+        found = ((each,) for each in solved_on_cluster(packed, left, cluster, total))
+    else:
+        found = solved_here(packed, blocks(), workers, solve_points, total=total)
+    for block in found:
         yield from block
+        solved = [outcome.seconds for outcome in block if outcome.solved]
+        if solved:  # a refusal tells of no other point
+            pace = max(*solved, pace / 2.0 if pace < math.inf else 0.0)
+        looked += len(block)
+        least = min(least, *(outcome.seconds for outcome in block))
+        seconds = least * (total - looked) / workers
+        if looked >= min(LOOKED, total) and seconds > LONG and not unasked:
+            size = journal.size / len(known)
+            raise InvalidInput(
+                f"the study has {count} points, {total - looked} of them to solve: about "
+                f"{_long(seconds)} with {workers} worker{'s' * (workers > 1)}, "
+                f"{_large(KEPT * size * count)} on disk ({_large(journal.room)} are free) and "
+                f"{_large(HELD * size * count)} of memory at its end; say yes to that (--yes), or "
+                "take fewer points"
+            )
 
 
 def _long(seconds: float) -> str:

@@ -586,7 +586,7 @@ def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
 def test_blocks_are_as_long_as_their_points_allow(
     case: Case, monkeypatch: pytest.MonkeyPatch, seconds: float, workers: int, most: int
 ) -> None:
-    """Points of 0.3 s, of which one is refused at once: blocks of two seconds at most; and those of
+    """Points of 0.3 s, of which two are refused at once: blocks of two seconds at most; and those of
     next to no time in blocks of the largest size."""
     blocks: list[int] = []
 
@@ -594,7 +594,7 @@ def test_blocks_are_as_long_as_their_points_allow(
         blocks.append(len(numbers))
         return [
             Outcome(n, sentence="no", seconds=1e-6, solved=False)
-            if n == 2
+            if n in (0, 2)
             else Outcome(n, {"a": (1.0, "")}, seconds=seconds)
             for n in numbers
         ]
