@@ -586,8 +586,8 @@ def test_heat_that_flows_otherwise_leads_to_another_state() -> None:
 def test_blocks_are_as_long_as_their_points_allow(
     case: Case, monkeypatch: pytest.MonkeyPatch, seconds: float, workers: int, most: int
 ) -> None:
-    """Points of 0.3 s, of which two are refused at once: blocks of two seconds at most; and those of
-    next to no time in blocks of the largest size."""
+    """Points of 0.3 s, of which two are refused at once: blocks of two seconds at most; and those
+    of next to no time in blocks of the largest size."""
     blocks: list[int] = []
 
     def made(packed: bytes, numbers: Any, points: int = 1) -> Any:
