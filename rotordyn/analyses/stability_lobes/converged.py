@@ -5,14 +5,16 @@ lacks them gives limits that are far too high, most of all between the lobes of 
 So limits at some speeds are computed once more with a finer model and twice the frequencies; while
 they change, all are computed with that one. Between modes that are far apart doubling changes
 nothing: at the fastest speed and that of the deepest cut, of few speeds at all that are looked at,
-they are computed with the finest model too.
+they are computed with the finest model too, which ends where no tool chatters.
 
 Theory: docs/theory/lobes.md.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +23,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.sampling import HIGHEST
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.scene import Scene
 
@@ -50,13 +53,14 @@ def converged(
 ) -> Converged:
     """At every usable speed above 0; ``limits_of`` some rows of a scene, in which modes up to the
     frequency ``modelled`` [Hz] take part, and no chatter is above it."""
-    best = _at(scene, limits_of, operations)
+    best, finer = _at(scene, limits_of, operations), _Finer(limits_of, operations)
     for doubling in range(DOUBLINGS + 1):
         if not scene.checks.wanted:
             break
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
-        left = max(DOUBLINGS - doubling, 1)
-        error = _change(scene, left, limits_of, operations, rows, best.depths)
+        room = math.log2(HIGHEST / (2.0 * math.pi * modelled(scene)))
+        left = max(min(DOUBLINGS - doubling, math.floor(room)), 1)
+        error = _change(scene, left, finer, rows, best.depths)
         best, every = best._replace(error=error), [one for each in best.depths for one in each]
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
         chatter = np.nanmax([limit.frequency for limit in every], initial=0.0)
@@ -78,18 +82,46 @@ def _at(
     return Converged(scene, limits, [limits.of(each) for each in operations], np.nan)
 
 
+@dataclass(frozen=True)
+class _Finer:
+    """Depths at single speeds by finer models, each model and each depth solved once."""
+
+    limits_of: Callable[[Scene, Rows], Limits]
+    operations: Sequence[Operation]
+    models: dict[tuple[float, int], Limits] = field(default_factory=dict)
+    depths: dict[tuple[int, float, int], float] = field(default_factory=dict)
+
+    def depth(self, scene: Scene, row: int, doublings: int, number: int) -> float:
+        """Of the operation of this number at a usable speed; NaN where that turns too slowly for
+        waves of such frequencies."""
+        speed = float(scene.speed[scene.usable[row]])
+        model = speed, scene.finer + doublings
+        if model not in self.models:
+            one = scene.at(np.array([speed]))
+            for _ in range(doublings):
+                one = one.refined
+            self.models[model] = self.limits_of(one, np.zeros(1, dtype=np.intp))
+        key = number, *model
+        if key not in self.depths:
+            try:
+                (limit,) = self.models[model].of(self.operations[number])
+                self.depths[key] = limit.depth
+            except InvalidInput:
+                self.depths[key] = math.nan
+        return self.depths[key]
+
+
 def _change(
     scene: Scene,
     doublings: int,
-    limits_of: Callable[[Scene, Rows], Limits],
-    operations: Sequence[Operation],
+    finer: _Finer,
     rows: Rows,
     found: Sequence[Sequence[Limit]],
 ) -> float:
     """Largest change of a limit by the finer model, or by one ``doublings`` finer, over the smaller
     of both."""
-    worst, usable = 0.0, scene.speed[scene.usable]
-    for operation, known in zip(operations, found, strict=True):
+    worst = 0.0
+    for number, known in enumerate(found):
         depth = np.array([limit.depth for limit in known])
         many, last = len(rows) > 2 * LOOKED_AT, len(rows) - 1
         first = len(rows) // 2 if many else 0
@@ -98,14 +130,9 @@ def _change(
         once = {(int(k), 1) for k in (*spread, deepest)}
         far = {(int(k), doublings) for k in (deepest, *([last] if many else spread))}
         for k, times in sorted(once | far):
-            finer = scene.at(usable[rows[k] : rows[k] + 1])
-            for _ in range(times):
-                finer = finer.refined
-            try:
-                (limit,) = limits_of(finer, np.zeros(1, dtype=np.intp)).of(operation)
-            except InvalidInput:  # a cut that turns too slowly for waves of such frequencies
-                continue
-            worst = max(worst, _apart(limit.depth, known[k].depth))
+            other = finer.depth(scene, int(rows[k]), times, number)
+            if not math.isnan(other):
+                worst = max(worst, _apart(other, known[k].depth))
     return worst
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.bessel import modified_bessel
 from rotordyn.analyses.stability_lobes.modal import ModalTip
-from rotordyn.analyses.stability_lobes.spans import Spans
+from rotordyn.analyses.stability_lobes.spans import Spans, factors
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -150,33 +150,41 @@ class Floquet:
         return np.concatenate([chip @ forced, left]), np.pad(still, ((0, 0), (len(chip), 0)))
 
     @cached_property
-    def _products(self) -> tuple[Array, Array]:
-        """Forces per unit of depth by forces (2p, 2p), and by chip thickness before and state
-        (2p, r + 2m)."""
+    def _felt(self) -> tuple[Array, Array, Array]:
+        """What teeth feel, chip thickness and with process damping velocity: forces by that, per
+        unit of depth (2p, n); that by forces (n, 2p), and less that one period ago by chip
+        thickness and state before (n, r + 2m)."""
         forces, chip = self.spans.thickness
-        by_force, by_state = (forces @ each[: len(chip)] for each in self._after)
-        by_state = by_state[:, len(chip) :]
-        if self.damping is not None:
-            slow = self._slow
-            size = np.abs(self._free(slow.shape)).max(axis=0, initial=0.0)
-            size = np.maximum(size, 1e-300)
-            by_force = by_force + self.damping @ self._forced(velocity=True)
-            moving = self._free(slow.shape * slow.pole[:, None]) / size
-            by_state = by_state + self.damping @ moving
-        return by_force, np.concatenate([forces, -by_state], axis=1)
-
-    def forces(self, depth: float) -> Array:
-        """Forces over the cut by chip thickness before and state (2p, r + 2m)."""
-        by_force, by_past = self._products
-        return np.asarray(
-            np.linalg.solve(np.eye(len(by_force)) + depth * by_force, depth * by_past)
+        after, still = self._after
+        by_force, by_past = after[: len(chip)], still[: len(chip)] - np.eye(len(chip), len(still))
+        if self.damping is None:
+            return forces, by_force, by_past
+        rubbing, along = factors(self.damping)
+        slow = self._slow
+        size = np.maximum(np.abs(self._free(slow.shape)).max(axis=0, initial=0.0), 1e-300)
+        moving = along @ (self._free(slow.shape * slow.pole[:, None]) / size)
+        return (
+            np.concatenate([forces, rubbing], axis=1),
+            np.concatenate([by_force, along @ self._forced(velocity=True)]),
+            np.concatenate([by_past, np.pad(moving, ((0, 0), (len(chip), 0)))]),
         )
+
+    @cached_property
+    def _loop(self) -> tuple[Array, Array]:
+        """By what teeth feel, through the forces of a unit of depth: itself (n, n), and chip
+        thickness and state after a tooth period (r + 2m, n)."""
+        forces, by_force, _ = self._felt
+        return by_force @ forces, self._after[0] @ forces
+
+    def _feeling(self, depth: float) -> Array:
+        """Depth times what teeth feel by chip thickness and state before (n, r + 2m)."""
+        loop, _ = self._loop
+        return np.asarray(np.linalg.solve(np.eye(len(loop)) + depth * loop, -depth * self._felt[2]))
 
     def map(self, depth: float) -> Array:
         """Chip thickness by the displacement over the cut, and state after a tooth period, by those
         before, both (r + 2m,)."""
-        by_forces, still = self._after
-        return by_forces @ self.forces(depth) + still
+        return np.asarray(self._loop[1] @ self._feeling(depth) + self._after[1])
 
     def multipliers(self, depth: float) -> Complex:
         """Floquet multipliers at a depth [m]; beyond 1 in size the cut is unstable."""
@@ -188,9 +196,9 @@ class Floquet:
         At a multiplier −1 the motion of one period is that of the last with the opposite sign, and
         depths are the eigenvalues of one matrix: none is missed.
         """
-        (by_force, by_past), (after, still) = self._products, self._after
+        (forces, by_force, by_past), (after, still) = self._felt, self._after
         back = np.linalg.solve(np.eye(len(still)) + still, after)
-        value = -np.linalg.eigvals(by_force + by_past @ back)
+        value = -np.linalg.eigvals((by_force - by_past @ back) @ forces)
         real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
         return 1.0 / float(real.max()) if real.size else np.inf
 
@@ -198,7 +206,7 @@ class Floquet:
         """The largest multiplier of Im ≥ 0, and forces over the cut of its motion (2p,)."""
         values, vectors = np.linalg.eig(self.map(depth))
         place = int(np.where(values.imag >= 0.0, np.abs(values), 0.0).argmax())
-        return complex(values[place]), self.forces(depth) @ vectors[:, place]
+        return complex(values[place]), self._felt[0] @ (self._feeling(depth) @ vectors[:, place])
 
 
 def _integrated(pole: Complex, half: float, count: int) -> Complex:

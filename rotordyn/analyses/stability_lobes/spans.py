@@ -89,11 +89,7 @@ class Spans:
 
         A tooth feels motion in one direction at a time: where one cuts, r is little above p.
         """
-        from scipy.linalg import qr
-
-        left, right, order = qr(self.cutting, pivoting=True, check_finite=False)
-        kept = np.abs(right.diagonal()) > ROUNDED * abs(right[0, 0])
-        return left[:, kept], right[kept][:, np.argsort(order)]
+        return factors(self.cutting)
 
     def coefficients(self, angle: Array) -> Complex:
         """Fourier coefficients at frequencies times period ``angle`` (…) of the orthonormal
@@ -126,6 +122,15 @@ def refuse_waves(spans: Spans, most: int) -> None:
             f"{spans.size / math.pi:.0f} waves; allowed: {most / math.pi:.0f}: raise the speed, "
             "take the method zero-order, or leave that mode out (max_frequency of a case)"
         )
+
+
+def factors(matrix: Array) -> tuple[Array, Array]:
+    """A square matrix (n, n) of low rank as a product (n, r) by (r, n)."""
+    from scipy.linalg import qr
+
+    left, right, order = qr(matrix, pivoting=True, check_finite=False)
+    kept = np.abs(right.diagonal()) > ROUNDED * abs(right[0, 0])
+    return left[:, kept], right[kept][:, np.argsort(order)]
 
 
 def both_signs(receptance: Receptance, omega: Array) -> Complex:

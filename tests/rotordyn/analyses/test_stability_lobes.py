@@ -11,7 +11,7 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import find_peaks
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import converged, limit_depth, turning_limit
+from rotordyn.analyses.stability_lobes import converged, limit_depth, solve, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.pockets import MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.tip import Tip
@@ -227,6 +227,25 @@ def test_modes_above_the_band_are_found_where_they_limit(tmp_path, monkeypatch):
     assert "modes above 900 Hz" in said
 
 
+def test_each_finer_model_is_solved_once(tmp_path, monkeypatch):
+    """At its speed, for all sources of the workpiece and however often the model is refined."""
+    asked = ASKED | {"max_frequency": "900 Hz", "milling": "down", "workpiece": "al7075"}
+    del asked["tangential"], asked["radial"]
+    path = tmp_path / "tool.yaml"
+    path.write_text(SLENDER.replace("tip: 0", "tip: -40") + f"    {asked}\n")
+    models = []
+
+    def tip(scene, *rest):
+        models.append((scene.finer, *scene.speed))
+        return Tip(scene, *rest)
+
+    monkeypatch.setattr(solve, "Tip", tip)
+    found = rotordyn.run(rotordyn.load(path))["stability_lobes"]
+    assert float(found["modelled"]) > 900.0
+    assert len({finer for finer, *_ in models}) > 2
+    assert len(models) == len({*models})
+
+
 def test_a_mode_far_above_all_others_is_found(tmp_path):
     """Of a stubby tool on hardly damped springs; a model of twice the band does not have it."""
     stub = (
@@ -373,9 +392,9 @@ def test_sources_of_a_workpiece_span_a_band(case):
 
 
 def test_process_damping_deepens_slow_cuts(case):
-    slow = "{from: 900 rpm, to: 1500 rpm, count: 3}"
+    slow = "[3600 rpm, 6000 rpm]"
     plain, damped = (
-        lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, 2e5)
+        lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, 8e5)
     )
     assert (damped > 1.05 * plain).all()
 
