@@ -20,6 +20,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.results.kinds import Array
+from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.parameter import Parameter, is_whole, parameters, require_whole
 
 
@@ -40,10 +41,11 @@ class Design:
         """(points, parameters) in [0, 1): of a sample, None otherwise."""
         if self.samples is None:
             return None
+        if self.sampling == "latin-hypercube":
+            return latin_hypercube(self.samples, len(self.parameters), self.seed)
         from scipy.stats import qmc
 
-        kind = qmc.LatinHypercube if self.sampling == "latin-hypercube" else qmc.Sobol
-        return np.asarray(kind(len(self.parameters), rng=self.seed).random(self.samples))
+        return np.asarray(qmc.Sobol(len(self.parameters), rng=self.seed).random(self.samples))
 
     @property
     def shape(self) -> tuple[int, ...]:

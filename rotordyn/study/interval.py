@@ -20,6 +20,7 @@ from rotordyn.case.uncertain import Uncertain
 from rotordyn.job.values import Values, difference, values_of
 from rotordyn.results.interval import ENDS, Interval
 from rotordyn.study import quantiles
+from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.machines import Machines, lean
 from rotordyn.study.sensitivity import Derivatives, derivatives
 
@@ -183,10 +184,7 @@ def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, 
 
 def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str, Any]]:
     """Machines drawn within tolerances, each evenly (Latin hypercube): values by path."""
-    from scipy.stats import qmc
-
-    shares = qmc.LatinHypercube(len(given), rng=seed).random(count)
-    return [_together(given, row.tolist()) for row in shares]
+    return [_together(given, row.tolist()) for row in latin_hypercube(count, len(given), seed)]
 
 
 def _tails(drawn: Array) -> Array:

@@ -7,6 +7,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from importlib import import_module
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -146,7 +147,8 @@ def solved(
         journal = Journal(place, study)
         with record.alone(place, "points"):
             if cluster is None and count > 1 and not journal.begun:
-                start(min(most, processors(), count))  # they load while a sample is drawn
+                start(min(most, processors(), count))
+                import_module("xarray")  # what gathers the outcomes, while the processes load
             found = journal.begin()
             progress(len(found), count)
             for outcome in _outcomes(journal, found, most, cluster, yes=yes):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from rotordyn.errors import NoSolution
 from rotordyn.study.identification.problem import Problem
+from rotordyn.study.latin_hypercube import latin_hypercube
 
 Array = NDArray[np.float64]
 FAR = 1e4  # weighed difference of every row of a machine without a solution
@@ -164,13 +165,11 @@ def begin_at(problem: Problem, start: int, seed: int) -> Array:
     ------
     NoSolution : none of them has one
     """
-    from scipy.stats import qmc
-
     if start == 0:
         return problem.start
     low, high = problem.bounds
     best, least = problem.start, np.inf
-    for share in qmc.LatinHypercube(len(low), rng=(seed, start)).random(CANDIDATES):
+    for share in latin_hypercube(CANDIDATES, len(low), (seed, start)):
         values = low + share * (high - low)
         predicted = problem.predicted(values)
         if predicted is None:

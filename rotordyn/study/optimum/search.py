@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.results.kinds import Array
+from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.optimum.problem import Place, Problem, Trial
 from rotordyn.study.optimum.trials import Spent, Trials
 
@@ -68,12 +69,11 @@ def _evolve(
     problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Sequence[Place]
 ) -> None:
     from scipy.optimize import differential_evolution
-    from scipy.stats import qmc
 
     size = len(problem.parameters)
     each, least, largest = POPULATION
     count = int(np.clip(each * size, least, min(largest, max(most // 4, least))))
-    shares = qmc.LatinHypercube(size, rng=seed).random(count)
+    shares = latin_hypercube(count, size, seed)
     first = shares * np.where(problem.whole, problem.last + 1.0, 1.0)
     first = np.where(problem.whole, np.minimum(np.floor(first), problem.last), first)
     for k, place in enumerate(known[: count // 2]):
