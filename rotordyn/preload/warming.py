@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from bearings.heat.temperature import HOTTEST, network, sources
+from bearings.heat.temperature import HOTTEST, Surroundings, network, sources
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.preload.heat_balance import Flow, Solve, contact_heat, run_away, tables, with_oil
 
@@ -43,6 +43,9 @@ class Warming(NamedTuple):
     ending: tuple[str, ...]
 
 
+Around = Callable[[float], Surroundings]  # of a time from the start [s]
+
+
 class Begin(NamedTuple):
     """``temperature`` [°C] and ``capacity`` [J/K] of balls, inner and outer ring at the start, each
     (bearings, 3)."""
@@ -57,18 +60,20 @@ def warming(
     spindle: Spindle,
     flow: Flow,
     begin: Begin,
+    around: Around,
     duration: float,
     steps: int,
     watch: Callable[[int], None],
 ) -> Warming:
     """At every ``speed`` [rad/s], turning at it from the start on for a ``duration`` [s].
 
-    ``solve`` gives the preload state at temperatures; ``watch`` is called before every step.
+    ``solve`` gives the preload state at temperatures; ``around``: those of the surroundings, which
+    take the place of those of the ``flow``; ``watch`` is called before every step.
     """
     names = tuple(seat.name for seat in spindle.seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
     time = duration * np.linspace(0.0, 1.0, steps + 1) ** 3
-    oiled = _Oiled(pitches, speed, flow, begin.capacity)
+    oiled = _Oiled(pitches, speed, flow, begin.capacity, around)
     here = np.broadcast_to(begin.temperature, (len(speed), *begin.temperature.shape)).copy()
     shape = len(speed), steps + 1, len(names)
     temperature = np.full((*shape, 3), np.nan)
@@ -92,7 +97,8 @@ def warming(
 
     for k in range(steps + 1):
         watch(k)
-        state = solve(tables(np.minimum(here, HOTTEST), speed, names, flow))  # hotter ones end
+        now = flow._replace(surroundings=around(float(time[k])))
+        state = solve(tables(np.minimum(here, HOTTEST), speed, names, now))  # hotter ones end
         contacts, known = contact_heat(state, flow)
         end(~known | (here.max(axis=(1, 2)) > HOTTEST), k)
         if not active.any():
@@ -102,34 +108,39 @@ def warming(
         if k == steps:
             break
         slope = (contacts - before) / (time[k] - time[k - 1]) if k else 0.0 * contacts
-        ahead = oiled.onward(here, contacts, slope, time[k + 1] - time[k])
+        ahead = oiled.onward(here, contacts, slope, (float(time[k]), float(time[k + 1])))
         here, before = np.where(active[:, None, None], ahead, here), contacts
     return Warming(time, temperature, heat, load, last, tuple(words))
 
 
 class _Oiled(NamedTuple):
-    """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, oiled and cooled by a ``flow``,
-    with ``capacity`` (bearings, 3) [J/K]."""
+    """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, oiled and cooled by a ``flow``
+    to what is ``around``, with ``capacity`` (bearings, 3) [J/K]."""
 
     pitches: Array
     speed: Array
     flow: Flow
     capacity: Array
+    around: Around
 
     def heat(self, contacts: Array, at: Array) -> Array:
         """Of inner contacts, outer contacts and oil (speeds, bearings, 3) [W]."""
         return with_oil(contacts, at, self.pitches, self.speed, self.flow)
 
-    def onward(self, at: Array, contacts: Array, slope: Array, length: float) -> Array:
-        """Temperatures (speeds, bearings, 3) after a ``length`` of time [s], the heat of the
-        ``contacts`` (speeds, bearings, 2) changing by ``slope`` [W/s]."""
-        matrix, outside = network(self.flow.conductances, self.flow.surroundings)
-        cooling, h = matrix / self.capacity[:, :, None], length / PARTS
-        drift = sources(np.concatenate([slope, 0.0 * slope[..., :1]], axis=-1)) / self.capacity
+    def onward(
+        self, at: Array, contacts: Array, slope: Array, between: tuple[float, float]
+    ) -> Array:
+        """Temperatures (speeds, bearings, 3) from ``at`` on, ``between`` two times [s], the heat of
+        the ``contacts`` (speeds, bearings, 2) changing by ``slope`` [W/s]."""
+        times, h = np.linspace(*between, PARTS + 1), (between[1] - between[0]) / PARTS
+        outside = [network(self.flow.conductances, self.around(t))[1] for t in times.tolist()]
+        matrix, _ = network(self.flow.conductances, self.flow.surroundings)
+        cooling = matrix / self.capacity[:, :, None]
+        change = sources(np.concatenate([slope, 0.0 * slope[..., :1]], axis=-1))
 
-        def rate(t: float, here: Array) -> Array:
-            power = sources(self.heat(contacts + t * slope, here))
-            return (power + outside) / self.capacity - np.einsum("bij,sbj->sbi", cooling, here)
+        def rate(part: int, here: Array) -> Array:
+            power = sources(self.heat(contacts + part * h * slope, here)) + outside[part]
+            return power / self.capacity - np.einsum("bij,sbj->sbi", cooling, here)
 
         def oil(here: Array) -> Array:
             return self.heat(contacts, here)[..., 2]
@@ -138,9 +149,10 @@ class _Oiled(NamedTuple):
             warmer = (oil(at + NUDGE) - oil(at)) / NUDGE
             jacobian = np.broadcast_to(-cooling, (*at.shape, 3)).copy()
             jacobian[..., 0, 0] += warmer / self.capacity[:, 0]
-            left, t = np.eye(3) - GAMMA * h * jacobian, part * h
-            one = _solved(left, rate(t, at) + GAMMA * h * drift)
-            two = _solved(left, rate(t + h, at + h * one) - 2.0 * one - GAMMA * h * drift)
+            left = np.eye(3) - GAMMA * h * jacobian
+            drift = (change * h + outside[part + 1] - outside[part]) / self.capacity
+            one = _solved(left, rate(part, at) + GAMMA * drift)
+            two = _solved(left, rate(part + 1, at + h * one) - 2.0 * one - GAMMA * drift)
             at = at + h * (1.5 * one + 0.5 * two)
         return at
 

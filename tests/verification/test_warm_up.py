@@ -19,10 +19,10 @@ from rotordyn.analyses import WarmUpSpec
 from rotordyn.analyses.warm_up.figures import figures
 from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
-from rotordyn.analyses.warm_up.solve import answer, ball_capacity
+from rotordyn.analyses.warm_up.solve import answer, around, ball_capacity
 from rotordyn.analyses.warm_up.summary import accuracy, numbers, summary, warnings
 from rotordyn.errors import InvalidInput
-from rotordyn.machine import RingGrowth
+from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
 from rotordyn.preload.warming import Begin, _Oiled, warming
@@ -37,6 +37,7 @@ Array = NDArray[np.float64]
 WEAK = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
 LENGTH = 40.0  # s
 INNER, OUTER, START = 500.0, 3000.0, 20.0
+LATE = {"shaft_time": 180.0, "housing_time": 900.0}  # s
 COOLED = Flow(
     OIL.oil, Conductances(3.0, 6.0, 1.0, 1.5, 0.8), Surroundings(30.0, 25.0, 32.0), 0.05, 1.0
 )
@@ -78,12 +79,20 @@ def begun() -> WarmUpResult:
     return answer(scene(9e3), spec(3.0))
 
 
-def test_given_heat_leads_where_the_exact_solution_does() -> None:
+@pytest.mark.parametrize("constants", [(None, None), (15.0, None), (30.0, 12.0)])
+def test_given_heat_leads_where_the_exact_solution_does(
+    constants: tuple[float | None, float | None],
+) -> None:
     """Without heat of the oil the nodes are linear: a matrix exponential, heat that grows along a
-    straight line included; errors fall with the square of the step."""
+    straight line and a shaft and a housing that warm in their own time included; errors fall with
+    the square of the step."""
     flow = COOLED._replace(oil_factor=NEXT_TO_NONE)
     capacity = np.array([[40.0, 500.0, 3000.0], [25.0, 300.0, 900.0]])
-    oiled = _Oiled(np.array([0.09, 0.06]), np.array([900.0, 300.0]), flow, capacity)
+    names = ("shaft_time", "housing_time")
+    given_times = {n: t for n, t in zip(names, constants, strict=True) if t}
+    outside_of = around(spec(1.0, **given_times), flow)
+    pitches, speeds = np.array([0.09, 0.06]), np.array([900.0, 300.0])
+    oiled = _Oiled(pitches, speeds, flow, capacity, outside_of)
     start = np.array(
         [[[20.0, 20.0, 20.0], [35.0, 25.0, 20.0]], [[60.0, 50.0, 40.0], [20.0, 30.0, 40.0]]]
     )
@@ -92,18 +101,25 @@ def test_given_heat_leads_where_the_exact_solution_does() -> None:
     matrix, outside = network(flow.conductances, flow.surroundings)
     exact = np.empty_like(start)
     for s, b in np.ndindex(2, 2):
-        known = np.zeros((5, 5))  # (T, 1, t)
+        known = np.zeros((7, 7))  # (T, 1, t, what shaft and housing are off their end)
         known[:3, :3] = -matrix / capacity[b][:, None]
         for column, (inner, outer) in ((3, contacts[s, b]), (4, slope[s, b])):
             given = np.array([0.5 * (inner + outer), 0.5 * inner, 0.5 * outer])
             known[:3, column] = (given + (outside if column == 3 else 0.0)) / capacity[b]
         known[4, 3] = 1.0
-        exact[s, b] = (expm(LENGTH * known) @ [*start[s, b], 1.0, 0.0])[:3]
+        by, ends = flow.conductances, flow.surroundings
+        both = ((by.inner_shaft, ends.shaft), (by.outer_housing, ends.housing))
+        for k, ((conductance, end), constant) in enumerate(zip(both, constants, strict=True)):
+            if constant:
+                known[1 + k, 5 + k] = conductance * (START - end) / capacity[b, 1 + k]
+                known[5 + k, 5 + k] = -1.0 / constant
+        exact[s, b] = (expm(LENGTH * known) @ [*start[s, b], 1.0, 0.0, 1.0, 1.0])[:3]
     errors = []
     for parts in (4, 8, 16, 32):
         found, each = start, LENGTH / parts
         for k in range(parts):
-            found = oiled.onward(found, contacts + k * each * slope, slope, each)
+            between = k * each, (k + 1) * each
+            found = oiled.onward(found, contacts + k * each * slope, slope, between)
         errors.append(np.abs(found - exact).max())
     assert errors[0] < 0.02
     assert np.array(errors[:-1]) / errors[1:] == pytest.approx(4.0, rel=0.12)
@@ -112,9 +128,10 @@ def test_given_heat_leads_where_the_exact_solution_does() -> None:
 def test_oil_that_thins_is_followed_however_little_the_balls_hold() -> None:
     """Balls of hardly any capacity are at once where oil, rings and balls are in balance."""
     capacity = np.array([[0.1, 500.0, 3000.0]])
-    oiled = _Oiled(np.array([0.09]), np.array([1200.0]), COOLED, capacity)
+    still = around(spec(1.0), COOLED)
+    oiled = _Oiled(np.array([0.09]), np.array([1200.0]), COOLED, capacity, still)
     start, none = np.array([[[20.0, 20.0, 20.0]]]), np.zeros((1, 1, 2))
-    here = oiled.onward(start, none, none, 5.0)
+    here = oiled.onward(start, none, none, (0.0, 5.0))
     matrix, outside = network(COOLED.conductances, COOLED.surroundings)
 
     def gap(at: Array) -> Array:
@@ -146,11 +163,11 @@ def test_it_ends_where_heat_and_cooling_are_in_balance() -> None:
 def test_what_is_produced_is_stored_or_flows_off() -> None:
     here, result = warmed()
     flow = FLOW.conductances
-    around = FLOW.surroundings
+    ends = FLOW.surroundings
     off = (
-        flow.inner_shaft * (result.inner_temperature - around.shaft)
-        + flow.outer_housing * (result.outer_temperature - around.housing)
-        + flow.balls_oil * (result.ball_temperature - around.oil)
+        flow.inner_shaft * (result.inner_temperature - ends.shaft)
+        + flow.outer_housing * (result.outer_temperature - ends.housing)
+        + flow.balls_oil * (result.ball_temperature - ends.oil)
     )
     made, gone = (np.trapezoid(each, result.time, axis=1) for each in (result.heat, off))
     balls = [ball_capacity(seat.bearing) for seat in here.spindle.seats]
@@ -174,6 +191,7 @@ def test_twice_the_capacity_takes_twice_as_long() -> None:
             here.spindle,
             FLOW.flow,
             Begin(np.full((4, 3), START), times * capacity),
+            around(spec(1.0, shaft_time=times * 90.0, housing_time=times * 500.0), FLOW.flow),
             times * 300.0,
             8,
             lambda _: None,
@@ -196,12 +214,13 @@ def test_a_general_integrator_finds_the_same() -> None:
     names = tuple(seat.name for seat in seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
     capacity = np.array([[ball_capacity(seat.bearing), INNER, OUTER] for seat in seats])
-    matrix, outside = network(flow.conductances, flow.surroundings)
-    solve = here.warm(at)
+    solve, outside_of = here.warm(at), around(spec(minutes, **LATE), flow)
 
-    def rate(_: float, flat: Array) -> Array:
+    def rate(time: float, flat: Array) -> Array:
+        now = flow._replace(surroundings=outside_of(time))
+        matrix, outside = network(flow.conductances, now.surroundings)
         temperature = flat.reshape(1, -1, 3)
-        contacts, known = contact_heat(solve(tables(temperature, at, names, flow)), flow)
+        contacts, known = contact_heat(solve(tables(temperature, at, names, now)), flow)
         assert known.all()
         inner, outer, oil = with_oil(contacts, temperature, pitches, at, flow)[0].T
         power = np.stack([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer], axis=1)
@@ -217,6 +236,7 @@ def test_a_general_integrator_finds_the_same() -> None:
             here.spindle,
             flow,
             Begin(start, capacity),
+            outside_of,
             60.0 * minutes,
             steps,
             lambda _: None,
@@ -224,7 +244,7 @@ def test_a_general_integrator_finds_the_same() -> None:
         errors.append(np.abs(found.temperature[0, -1].ravel() - exact).max())
     assert errors[1] < 0.05
     assert errors[0] > 2.5 * errors[1]
-    told = answer(here, spec(minutes))
+    told = answer(here, spec(minutes, **LATE))
     worst = np.abs(told.inner_temperature[0, -1] - exact.reshape(-1, 3)[:, 1]).max()
     assert worst < told.error + 1e-3
 
@@ -319,6 +339,47 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
     assert picture.axes[0].get_ylim()[0] < other.axial_load.min()
 
 
+@cache
+def late() -> tuple[Scene, WarmUpResult]:
+    """The spindle whose shaft and housing warm in their own time."""
+    here = scene(9e3)
+    return here, answer(here, spec(20.0, **LATE))
+
+
+def test_loads_on_the_way_are_those_of_all_temperatures_there() -> None:
+    """Shaft and housing among them, which move the bearings along the axis."""
+    here, result = late()
+    names = [seat.name for seat in here.spindle.seats]
+    for k in (0, len(result.time) // 2, -1):
+        shaft = 30.0 - 10.0 * math.exp(-result.time[k] / 180.0)
+        housing = 25.0 - 5.0 * math.exp(-result.time[k] / 900.0)
+        assert result.shaft_temperature[k] == pytest.approx(shaft)
+        assert result.housing_temperature[k] == pytest.approx(housing)
+        bearing = {
+            name: BearingTemperatures(
+                inner_ring=result.inner_temperature[0, k, j],
+                outer_ring=result.outer_temperature[0, k, j],
+                balls=result.ball_temperature[0, k, j],
+            )
+            for j, name in enumerate(names)
+        }
+        given = Temperatures(shaft=shaft, housing=housing, bearings=bearing)
+        alone = Scene(here.spindle, Conditions(temperatures=given), here.speed)
+        assert result.axial_load[0, k] == pytest.approx(alone.unloaded.seat_load()[0], rel=1e-8)
+
+
+def test_shaft_and_housing_end_where_they_would_have_been() -> None:
+    """A shaft and a housing that are there in no time, or that never come, are those of no time."""
+    here, bare = scene(9e3), spec(3.0)
+    at_once = answer(here, replace(bare, shaft_time=1e-3, housing_time=1e-3))
+    assert at_once.axial_load[0, 2:] == pytest.approx(begun().axial_load[0, 2:], rel=2e-5)
+    assert abs(at_once.axial_load[0, 0] / begun().axial_load[0, 0] - 1.0).min() > 0.01
+    never = answer(here, replace(bare, shaft_time=1e12, housing_time=1e12))
+    cool = replace(FLOW, shaft=START, housing=START)
+    cooler = answer(scene(9e3, flow=cool), bare)
+    assert never.axial_load == pytest.approx(cooler.axial_load, rel=1e-9)
+
+
 def test_a_duration_too_short_says_so() -> None:
     result = begun()
     assert any("still warming up at the end" in line for line in warnings(result))
@@ -368,6 +429,14 @@ FAULTY = {
         "leave their friction out",
     ),
     "conditions: {heat_flow: HEAT}\n#inner: 0 J/K\n": ("analyses.warm_up.inner", "out of range"),
+    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, shaft_time: 3 min\n": (
+        "analyses.warm_up.shaft_time",
+        "give start beside it",
+    ),
+    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, start: 20 degC, housing_time: 0 s\n": (
+        "analyses.warm_up.housing_time",
+        "out of range",
+    ),
     "conditions: {heat_flow: HEAT}\n#inner: 3 W/K\n": ("analyses.warm_up.inner", "J/K"),
 }
 HEAT = (

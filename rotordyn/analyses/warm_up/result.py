@@ -42,6 +42,8 @@ class WarmUpResult:
     outer_temperature: Array = quantity(
         *OVER, unit="degC", label="temperature of the outer ring", absent=(LATER,)
     )
+    shaft_temperature: Array = quantity("time", unit="degC", label="temperature of the shaft")
+    housing_temperature: Array = quantity("time", unit="degC", label="temperature of the housing")
     heat: Array = quantity(*OVER, unit="W", label="heat", absent=(LATER,))
     largest_load: Array = quantity(*BY, unit="N", label="largest axial load")
     largest_time: Array = quantity(*BY, unit="s", label="time of the largest axial load")

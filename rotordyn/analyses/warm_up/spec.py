@@ -14,8 +14,8 @@ from rotordyn.scene.spec import Setting, Spec
 class WarmUpSpec(Spec):
     """Temperatures and preload over time, the spindle turning at each speed from the start on.
 
-    Heat and what it flows off through are those of `heat_flow` in the conditions; shaft, housing
-    and oil keep their temperatures there.
+    Heat and what it flows off through are those of `heat_flow` in the conditions; oil keeps its
+    temperature there, and so do shaft and housing, or they come to it in their own time.
     """
 
     duration: Annotated[Duration, "length of time that is computed"]
@@ -36,10 +36,19 @@ class WarmUpSpec(Spec):
         "of balls and rings at the start; by default where shaft, housing and oil bring them "
         "without heat",
     ] = None
+    shaft_time: Annotated[
+        Duration | None,
+        "time in which the shaft covers 63 % of the way from `start` to its temperature, on which "
+        "its length depends; by default it has that from the start",
+    ] = None
+    housing_time: Annotated[Duration | None, "the same of the housing"] = None
 
     def faults_on(self, setting: Setting) -> Faults:
         if setting.conditions.heat_flow is None:
             yield (), "needs to know how heat flows off: give heat_flow in the conditions"
+        for key in ("shaft_time", "housing_time"):
+            if getattr(self, key) is not None and self.start is None:
+                yield (key,), "needs the temperature from which it counts: give start beside it"
         if setting.spindle.rubs:
             yield (
                 (),

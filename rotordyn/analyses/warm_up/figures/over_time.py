@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,19 +13,26 @@ from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 TIME = "time from the start [min]"
+DOTTED = (0, (1.0, 1.2))
 ROWS = (
     ("axial_load", "axial load [N]"),
     ("ball_temperature", "balls [°C]"),
     ("inner_temperature", "inner ring [°C]"),
     ("outer_temperature", "outer ring [°C]"),
 )
+BESIDE = {
+    "inner_temperature": ("shaft_temperature", "shaft"),
+    "outer_temperature": ("housing_temperature", "housing"),
+}
 
 
 def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
-    """A column at the first, the middle and the last speed: loads, and temperatures."""
+    """A column at the first, the middle and the last speed: loads, and temperatures; those of shaft
+    and housing where they are on their way."""
     picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 190.0)
     boxes = grid_boxes(
@@ -41,6 +48,8 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
             draw_columns(axes, result.time / 60.0, values[row], result.bearing)
+            if field in BESIDE:
+                _draw_beside(axes, result, *BESIDE[field])
             axes.set_xlim(0.0, result.time[-1] / 60.0)
             lowest = min(low, high) - 2.0 if line else min(1.05 * low, 0.0)
             axes.set_ylim(lowest, 1.05 * high + 1e-3)
@@ -51,3 +60,13 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
             if not line and not place:
                 legend(axes)
     return figure
+
+
+def _draw_beside(axes: Axes, result: WarmUpResult, field: str, name: str) -> None:
+    """The temperature of what a ring stands on, named at its end."""
+    values = getattr(result, field)
+    if np.ptp(values) > 0.0:
+        axes.plot(result.time / 60.0, values, color="black", linestyle=DOTTED)
+        at = result.time[-1] / 60.0, values[-1]
+        style: dict[str, Any] = {"ha": "right", "va": "top", "fontsize": FONT_SIZE}
+        axes.annotate(name, at, (-3.0, -3.0), textcoords="offset points", **style)
