@@ -99,6 +99,19 @@ def _arrangement(machine: Asked | PreloadState, speed: Array) -> Arrangement:
     return arrangement(machine.spindle, speed, *acting)
 
 
+def at_temperatures(state: PreloadState, temperatures: Temperatures) -> PreloadState:
+    """The same machine at other ``temperatures``, sought from where it stands; how it was assembled
+    does not depend on them."""
+    other = replace(state, temperatures=temperatures, place=None)
+    joined = _arrangement(other, state.speed)
+    if joined.structure != state.network.arrangement.structure:  # alike at some temperatures alone
+        acting = state.law, state.force, temperatures, state.films
+        return dynamic_preload(state.spindle, state.speed, *acting)
+    network = Network(joined, springs(state.spindle, joined, state.mounted.position))
+    start = np.where(state.net.converged[:, None], state.net.position, state.rest)
+    return settled([replace(other, network=network)], [start])[0]
+
+
 def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[PreloadState]:
     """States in balance under their networks, sought from rest or from ``start`` (speeds, bodies)
     of each; the stops end the travel of these networks."""

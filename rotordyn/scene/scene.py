@@ -185,7 +185,12 @@ class Scene(Statics):
     @property
     def _pressed(self) -> bool:
         conditions = self.conditions
-        return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
+        acting = (
+            conditions.tension,
+            conditions.axial_force,
+            *(load.Fx for load in conditions.loads),
+        )
+        return conditions.axial_stiffening and any(acting)
 
     @cached_property
     def stop_speeds(self) -> Array:

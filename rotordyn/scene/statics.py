@@ -24,6 +24,7 @@ from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.preload.friction import operating_state, with_friction
 from rotordyn.preload.state import PreloadState
+from rotordyn.preload.together import at_temperatures
 from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
@@ -235,9 +236,19 @@ class Statics(Staged):
 
     def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
         """The preload state without loads across the axis at ``speed`` [rad/s], a function of
-        temperatures."""
-        machine, force = self.grounded, self.axial_force
-        return lambda given: operating_state(machine, speed, self.law, force, given, self.past)
+        temperatures that goes on from those of its last call."""
+        acting = self.grounded, speed, self.law, self.axial_force
+        last: PreloadState | None = None
+
+        def solve(given: Temperatures) -> PreloadState:
+            nonlocal last
+            if last is None or last.rubs.any():
+                last = operating_state(*acting, given, self.past)
+            else:
+                last = at_temperatures(last, given)
+            return last
+
+        return solve
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:

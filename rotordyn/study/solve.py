@@ -171,10 +171,12 @@ def _outcomes(
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)
 
     def blocks() -> Iterator[tuple[int, ...]]:
-        """The first points one by one, until it is known how long each takes."""
+        """The first points one by one, until it is known how long each takes; as many as before
+        where all are refused."""
         room = total
         while room:
-            most = min(TOGETHER, room // share, int(BLOCK / pace)) if total - room >= LOOKED else 1
+            most = int(BLOCK / pace) if pace < math.inf else looked
+            most = min(TOGETHER, room // share, most) if total - room >= LOOKED else 1
             block = tuple(islice(left, max(1, most)))
             yield block
             room -= len(block)

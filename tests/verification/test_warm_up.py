@@ -370,14 +370,21 @@ def test_loads_on_the_way_are_those_of_all_temperatures_there() -> None:
 
 def test_shaft_and_housing_end_where_they_would_have_been() -> None:
     """A shaft and a housing that are there in no time, or that never come, are those of no time."""
-    here, bare = scene(9e3), spec(3.0)
-    at_once = answer(here, replace(bare, shaft_time=1e-3, housing_time=1e-3))
-    assert at_once.axial_load[0, 2:] == pytest.approx(begun().axial_load[0, 2:], rel=2e-5)
-    assert abs(at_once.axial_load[0, 0] / begun().axial_load[0, 0] - 1.0).min() > 0.01
-    never = answer(here, replace(bare, shaft_time=1e12, housing_time=1e12))
-    cool = replace(FLOW, shaft=START, housing=START)
-    cooler = answer(scene(9e3, flow=cool), bare)
-    assert never.axial_load == pytest.approx(cooler.axial_load, rel=1e-9)
+    here, capacity = scene(9e3), np.array([[30.0, INNER, OUTER]] * 4)
+
+    def loads(flow: Flow, constant: float | None = None) -> Array:
+        outside = around(replace(spec(1.0), shaft_time=constant, housing_time=constant), flow)
+        machine = here.warm(here.speed), here.speed, here.spindle, flow
+        begin = Begin(np.full((4, 3), START), capacity)
+        return warming(*machine, begin, outside, 180.0, 8, lambda _: None).load[0]
+
+    flow, cool = FLOW.flow, Surroundings(START, START, FLOW.flow.surroundings.oil)
+    at_once, warm = loads(flow, 1e-3), loads(flow)
+    assert at_once[1:] == pytest.approx(warm[1:], rel=1e-2)
+    assert at_once[-1] == pytest.approx(warm[-1], rel=2e-5)
+    assert abs(at_once[0] / warm[0] - 1.0).min() > 0.01
+    never, cooler = loads(flow, 1e12), loads(flow._replace(surroundings=cool))
+    assert never == pytest.approx(cooler, rel=1e-9)
 
 
 def test_a_duration_too_short_says_so() -> None:
