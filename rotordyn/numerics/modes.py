@@ -210,9 +210,10 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
 
 def _damped(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Complex, Array]:
     """As ``_general``, sooner where both planes of a lightly damped system are one: without, a
-    study takes 1.15 times as long. Of ``LARGE`` systems the QR method takes less."""
-    lightly = stiffness.ndim == 3 and np.iscomplexobj(damping) and stiffness.shape[-1] < LARGE
-    if not lightly or not np.isfinite(stiffness).all():
+    study takes 1.15 times as long. Of a ``LARGE`` system by itself the QR method takes less."""
+    lightly = stiffness.ndim == 3 and np.iscomplexobj(damping)
+    alone = len(stiffness) == 1 and stiffness.shape[-1] >= LARGE
+    if not lightly or alone or not np.isfinite(stiffness).all():
         return _general(stiffness, damping)
     pole, vector, left, found = lightly_damped_modes(stiffness, damping)
     solved = pole, *_of_unit_length(stiffness, pole, vector, left)

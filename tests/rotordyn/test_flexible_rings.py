@@ -12,6 +12,7 @@ import pytest
 import rotordyn
 from bearings import ElasticRing
 from rotordyn import InvalidInput
+from rotordyn.job.solving import restricted
 from rotordyn.machine import RingBodies
 from tests.oracles.spindles import CASES
 
@@ -245,7 +246,8 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
     case = rotordyn.load(CASES / "grinding_spindle_rings.yaml")
     stiffness = {}
     for name in ("rigid", "apart", "cartridge"):
-        results = rotordyn.run(case.variants[name])
+        asked = restricted(case.variants[name], ("stiffness",))
+        results = rotordyn.run(rotordyn.vary(asked, {"speeds": case.speeds[-1:]}))
         stiffness[name] = float(results["stiffness"].tangent[-1, 0])
     assert 0.85 < stiffness["apart"] / stiffness["rigid"] < 0.95
     assert stiffness["cartridge"] / stiffness["rigid"] > 0.85
