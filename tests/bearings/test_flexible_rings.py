@@ -201,6 +201,7 @@ def test_a_set_fills_its_piece_of_the_wall_once(inner: bool) -> None:
     assert np.diff(row.far) == pytest.approx(ring.length + 74e-3)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("held", "mirrored"), [(False, True), (True, False)])
 def test_equal_loads_on_a_set_hold_the_energy_of_all_they_do(held: bool, mirrored: bool) -> None:
     """Front and rear of a pair together have Σ C of all four blocks, by reciprocity one matrix."""

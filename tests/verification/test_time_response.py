@@ -576,6 +576,7 @@ def test_what_is_left_after_the_beginning_is_named() -> None:
     assert not any("quarter" in line for line in summary(gone))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("mass", "stiffness"), [(0.2, 3e9), (0.05, 3e10)])
 def test_knocks_shorter_than_the_steps_are_told(mass: float, stiffness: float) -> None:
     """The force of a stop is as far from that of small steps as its change says, or told."""

@@ -109,7 +109,7 @@ def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
     assert ends in section
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", CASES)
 def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) -> None:
     pytest.importorskip("plotly", reason="the extra report is not installed")
