@@ -20,7 +20,7 @@ from rotordyn.analyses.warm_up.figures import figures
 from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
 from rotordyn.analyses.warm_up.solve import answer, around, ball_capacity
-from rotordyn.analyses.warm_up.summary import accuracy, numbers, summary, warnings
+from rotordyn.analyses.warm_up.summary import accuracy, in_words, numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
 from rotordyn.machine.spindle import Spindle
@@ -385,6 +385,15 @@ def test_shaft_and_housing_end_where_they_would_have_been() -> None:
     assert abs(at_once[0] / warm[0] - 1.0).min() > 0.01
     never, cooler = loads(flow, 1e12), loads(flow._replace(surroundings=cool))
     assert never == pytest.approx(cooler, rel=1e-9)
+
+
+def test_times_are_told_in_units_that_suit_them() -> None:
+    assert [in_words(t) for t in (3.21, 97.0, 7100.0, 9e4)] == [
+        "3.21 s",
+        "1.62 min",
+        "118 min",
+        "25 h",
+    ]
 
 
 def test_a_duration_too_short_says_so() -> None:

@@ -29,13 +29,13 @@ def summary(result: WarmUpResult) -> list[str]:
         words = ", ".join(
             unbroken(
                 f"{name} {load[0, k]:.0f} → {load[most[k], k]:.0f} "
-                f"({minutes(result.largest_time[row, k])}) → {load[last, k]:.0f}"
+                f"({in_words(result.largest_time[row, k])}) → {load[last, k]:.0f}"
             )
             for k, name in enumerate(result.bearing)
         )
         lines.append(
             f"warm-up    at {result.speed[row] * RPM.factor:.0f} rpm, axial load [N] at the start, "
-            f"largest, after {minutes(result.time[last])}: {words}"
+            f"largest, after {in_words(result.time[last])}: {words}"
         )
         lines.append(f"           {_hottest(result, row)}")
     return lines
@@ -45,9 +45,11 @@ def _last(result: WarmUpResult, row: int) -> int:
     return int(np.searchsorted(result.time, result.ended[row]))
 
 
-def minutes(seconds: float) -> str:
+def in_words(seconds: float) -> str:
     """A time in words."""
-    return f"{seconds:.3g} s" if seconds < 60.0 else f"{seconds / 60.0:.3g} min"
+    if seconds < 60.0:
+        return f"{seconds:.3g} s"
+    return f"{seconds / 60.0:.3g} min" if seconds < 7200.0 else f"{seconds / 3600.0:.3g} h"
 
 
 def _hottest(result: WarmUpResult, row: int) -> str:
@@ -62,7 +64,7 @@ def _hottest(result: WarmUpResult, row: int) -> str:
     at, k = np.unravel_index(int(np.nanargmax(values)), values.shape)
     return (
         f"hottest {values[at, k]:.0f} °C, {part} of bearing {result.bearing[k]} after "
-        f"{minutes(result.time[at])}"
+        f"{in_words(result.time[at])}"
     )
 
 
@@ -117,7 +119,7 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     also = f" (so, less, {', '.join(others)})" if others else ""
     yield (
         f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N along its axis "
-        f"{minutes(result.largest_time[row, k])} after the start at "
+        f"{in_words(result.largest_time[row, k])} after the start at "
         f"{result.speed[row] * RPM.factor:.0f} rpm, {share[row, k]:.2g} times that of the warm "
         f"spindle{also}: pressure, friction and life are worse there than in the steady state; "
         "warm it up at lower speeds, or take springs"
