@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from importlib import import_module
 from itertools import islice
@@ -181,28 +181,32 @@ def _outcomes(
             yield block
             room -= len(block)
 
-    found: Iterator[Sequence[Outcome]]
+    found: Generator[Sequence[Outcome], None, None]
     if cluster is not None:
         found = ((each,) for each in solved_on_cluster(packed, left, cluster, total))
     else:
         found = solved_here(packed, blocks(), workers, solve_points, total=total)
-    for block in found:
-        yield from block
-        solved = [outcome.seconds for outcome in block if outcome.solved]
-        if solved:  # a refusal tells of no other point
-            pace = max(*solved, pace / 2.0 if pace < math.inf else 0.0)
-        looked += len(block)
-        least = min(least, *(outcome.seconds for outcome in block))
-        seconds = least * (total - looked) / workers
-        if looked >= min(LOOKED, total) and seconds > LONG and not unasked:
-            size = journal.size / len(known)
-            raise InvalidInput(
-                f"the study has {count} points, {total - looked} of them to solve: about "
-                f"{_long(seconds)} with {workers} worker{'s' * (workers > 1)}, "
-                f"{_large(KEPT * size * count)} on disk ({_large(journal.room)} are free) and "
-                f"{_large(HELD * size * count)} of memory at its end; say yes to that (--yes), or "
-                "take fewer points"
-            )
+    with closing(found):  # whoever is still solving ends with a refusal
+        for block in found:
+            yield from block
+            solved = [outcome.seconds for outcome in block if outcome.solved]
+            if solved:  # a refusal tells of no other point
+                pace = max(*solved, pace / 2.0 if pace < math.inf else 0.0)
+            looked += len(block)
+            least = min(least, *(outcome.seconds for outcome in block))
+            seconds = least * (total - looked) / workers
+            if looked >= min(LOOKED, total) and seconds > LONG and not unasked:
+                raise InvalidInput(_too_long(journal, count, total - looked, seconds, workers))
+
+
+def _too_long(journal: Journal, count: int, left: int, seconds: float, workers: int) -> str:
+    size = journal.size / (count - left)
+    return (
+        f"the study has {count} points, {left} of them to solve: about {_long(seconds)} with "
+        f"{workers} worker{'s' * (workers > 1)}, {_large(KEPT * size * count)} on disk "
+        f"({_large(journal.room)} are free) and {_large(HELD * size * count)} of memory at its "
+        "end; say yes to that (--yes), or take fewer points"
+    )
 
 
 def _long(seconds: float) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from itertools import islice
 from typing import Any, TypeVar
 from uuid import uuid4
@@ -33,7 +33,7 @@ def solved_here(
     task: Callable[[bytes, Any, int], T],
     *,
     total: int | None = None,
-) -> Iterator[T]:
+) -> Generator[T, None, None]:
     """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
 
     ``task`` solves a point of what is ``packed``, or several that are one item, of so many that a

@@ -329,6 +329,23 @@ def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) ->
     assert sweep(case, asked, **how, yes=True)["sentence"].values.tolist() == [""] * 4
 
 
+def test_a_refusal_ends_what_is_still_solved(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At once, also while somebody holds on to the refusal."""
+    monkeypatch.setattr(solve, "LONG", 1e-6)
+    ended: list[int] = []
+    end = processes.Process.end
+
+    def noted(process: processes.Process) -> None:
+        ended.append(1)
+        end(process)
+
+    monkeypatch.setattr(processes.Process, "end", noted)
+    many = {SPRING: Span(800.0, 1600.0, 400)}
+    with pytest.raises(InvalidInput, match="to solve") as refusal:
+        sweep(case, many, analyses=["preload"], workers=2)
+    assert ended, refusal
+
+
 def test_a_thousand_million_points_ask_first_and_begin_at_once(case: Case) -> None:
     huge = {SPRING: Span(800.0, 1600.0, 10**6), "spindle.points.nose": Span(0.0, 0.01, 1000)}
     said = r"1000000000 points, 999999997 of them to solve: about .* (years|days) with 2 workers, "
