@@ -173,9 +173,9 @@ class Settled:
             stiffness=self.stiffness.copy(),
             error=self.error.copy(),
         )
-        gone = (self.displacement != displacement).any(axis=-1).reshape(-1)
-        moved = [(k, p, np.flatnonzero(gone[k])) for k, p in self.parts]
-        there._solve([(k[own], p.take(own)) for k, p, own in moved if own.size], near=True)
+        moved = (self.displacement != displacement).any(axis=-1).reshape(-1)
+        rows = [(k, p, np.flatnonzero(moved[k])) for k, p in self.parts]
+        there._solve([(k[own], p.take(own)) for k, p, own in rows if own.size], near=True)
         return there
 
     def _solve(self, parts: Iterable[tuple[Index, Problem]], *, near: bool) -> None:

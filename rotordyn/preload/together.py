@@ -104,9 +104,10 @@ def at_temperatures(state: PreloadState, temperatures: Temperatures) -> PreloadS
     does not depend on them."""
     other = replace(state, temperatures=temperatures, place=None)
     joined = _arrangement(other, state.speed)
-    if joined.structure != state.network.arrangement.structure:  # alike at some temperatures alone
+    if joined.structure != state.network.arrangement.structure:
+        # bearings are solved as one only while their temperatures are equal
         acting = state.law, state.force, temperatures, state.films
-        return dynamic_preload(state.spindle, state.speed, *acting)
+        return replace(dynamic_preload(state.spindle, state.speed, *acting), past=state.past)
     network = Network(joined, springs(state.spindle, joined, state.mounted.position))
     start = np.where(state.net.converged[:, None], state.net.position, state.rest)
     return settled([replace(other, network=network)], [start])[0]

@@ -43,7 +43,7 @@ class Warming(NamedTuple):
     ending: tuple[str, ...]
 
 
-Around = Callable[[float], Surroundings]  # of a time from the start [s]
+SurroundingsAt = Callable[[float], Surroundings]  # of a time from the start [s]
 
 
 class Begin(NamedTuple):
@@ -60,20 +60,20 @@ def warming(
     spindle: Spindle,
     flow: Flow,
     begin: Begin,
-    around: Around,
+    surroundings_at: SurroundingsAt,
     duration: float,
     steps: int,
     watch: Callable[[int], None],
 ) -> Warming:
     """At every ``speed`` [rad/s], turning at it from the start on for a ``duration`` [s].
 
-    ``solve`` gives the preload state at temperatures; ``around``: those of the surroundings, which
-    take the place of those of the ``flow``; ``watch`` is called before every step.
+    ``solve`` gives the preload state at temperatures; ``surroundings_at``: those over time, of
+    which the ``flow`` has the end; ``watch`` is called before every step.
     """
     names = tuple(seat.name for seat in spindle.seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
     time = duration * np.linspace(0.0, 1.0, steps + 1) ** 3
-    oiled = _Oiled(pitches, speed, flow, begin.capacity, around)
+    oiled = _Oiled(pitches, speed, flow, begin.capacity, surroundings_at)
     here = np.broadcast_to(begin.temperature, (len(speed), *begin.temperature.shape)).copy()
     shape = len(speed), steps + 1, len(names)
     temperature = np.full((*shape, 3), np.nan)
@@ -97,7 +97,7 @@ def warming(
 
     for k in range(steps + 1):
         watch(k)
-        now = flow._replace(surroundings=around(float(time[k])))
+        now = flow._replace(surroundings=surroundings_at(float(time[k])))
         state = solve(tables(np.minimum(here, HOTTEST), speed, names, now))  # hotter ones end
         contacts, known = contact_heat(state, flow)
         end(~known | (here.max(axis=(1, 2)) > HOTTEST), k)
@@ -115,13 +115,13 @@ def warming(
 
 class _Oiled(NamedTuple):
     """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, oiled and cooled by a ``flow``
-    to what is ``around``, with ``capacity`` (bearings, 3) [J/K]."""
+    to surroundings over time, with ``capacity`` (bearings, 3) [J/K]."""
 
     pitches: Array
     speed: Array
     flow: Flow
     capacity: Array
-    around: Around
+    surroundings_at: SurroundingsAt
 
     def heat(self, contacts: Array, at: Array) -> Array:
         """Of inner contacts, outer contacts and oil (speeds, bearings, 3) [W]."""
@@ -133,13 +133,14 @@ class _Oiled(NamedTuple):
         """Temperatures (speeds, bearings, 3) from ``at`` on, ``between`` two times [s], the heat of
         the ``contacts`` (speeds, bearings, 2) changing by ``slope`` [W/s]."""
         times, h = np.linspace(*between, PARTS + 1), (between[1] - between[0]) / PARTS
-        outside = [network(self.flow.conductances, self.around(t))[1] for t in times.tolist()]
-        matrix, _ = network(self.flow.conductances, self.flow.surroundings)
+        conductances = self.flow.conductances
+        given = [network(conductances, self.surroundings_at(t))[1] for t in times.tolist()]
+        matrix, _ = network(conductances, self.flow.surroundings)
         cooling = matrix / self.capacity[:, :, None]
         change = sources(np.concatenate([slope, 0.0 * slope[..., :1]], axis=-1))
 
         def rate(part: int, here: Array) -> Array:
-            power = sources(self.heat(contacts + part * h * slope, here)) + outside[part]
+            power = sources(self.heat(contacts + part * h * slope, here)) + given[part]
             return power / self.capacity - np.einsum("bij,sbj->sbi", cooling, here)
 
         def oil(here: Array) -> Array:
@@ -150,7 +151,7 @@ class _Oiled(NamedTuple):
             jacobian = np.broadcast_to(-cooling, (*at.shape, 3)).copy()
             jacobian[..., 0, 0] += warmer / self.capacity[:, 0]
             left = np.eye(3) - GAMMA * h * jacobian
-            drift = (change * h + outside[part + 1] - outside[part]) / self.capacity
+            drift = (change * h + given[part + 1] - given[part]) / self.capacity
             one = _solved(left, rate(part, at) + GAMMA * drift)
             two = _solved(left, rate(part + 1, at + h * one) - 2.0 * one - GAMMA * drift)
             at = at + h * (1.5 * one + 0.5 * two)

@@ -236,7 +236,7 @@ class Statics(Staged):
 
     def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
         """The preload state without loads across the axis at ``speed`` [rad/s], a function of
-        temperatures that goes on from those of its last call."""
+        temperatures, sought from the state of its last call."""
         acting = self.grounded, speed, self.law, self.axial_force
         last: PreloadState | None = None
 

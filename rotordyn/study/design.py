@@ -28,7 +28,7 @@ from rotordyn.study.parameter import Parameter, is_whole, parameters, require_wh
 class Design:
     """The points of a study, numbered from 0; those of a grid with the last parameter fastest.
 
-    ``samples``, ``seed``: of a sample, which is drawn when it is first asked for; else None.
+    ``samples``, ``seed``: of a sample, which is drawn when first asked for; no ``samples``: none.
     """
 
     parameters: tuple[Parameter, ...]

@@ -7,7 +7,6 @@ import tempfile
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import replace
-from importlib import import_module
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -148,7 +147,7 @@ def solved(
         with record.alone(place, "points"):
             if cluster is None and count > 1 and not journal.begun:
                 start(min(most, processors(), count))
-                import_module("xarray")  # what gathers the outcomes, while the processes load
+                import xarray  # noqa: F401 - gathers the outcomes; meanwhile the processes load
             found = journal.begin()
             progress(len(found), count)
             for outcome in _outcomes(journal, found, most, cluster, yes=yes):
@@ -181,9 +180,15 @@ def _outcomes(
             yield block
             room -= len(block)
 
+    def on_cluster(address: str) -> Generator[Sequence[Outcome], None, None]:
+        """The first points here where they may be too many: a cluster takes thousands at once."""
+        here = 0 if unasked else min(LOOKED, total)
+        yield from (solve_points(packed, (number,)) for number in islice(left, here))
+        yield from ((each,) for each in solved_on_cluster(packed, left, address, total - here))
+
     found: Generator[Sequence[Outcome], None, None]
     if cluster is not None:
-        found = ((each,) for each in solved_on_cluster(packed, left, cluster, total))
+        found = on_cluster(cluster)
     else:
         found = solved_here(packed, blocks(), workers, solve_points, total=total)
     with closing(found):  # whoever is still solving ends with a refusal

@@ -19,7 +19,7 @@ from rotordyn.analyses import WarmUpSpec
 from rotordyn.analyses.warm_up.figures import figures
 from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
-from rotordyn.analyses.warm_up.solve import answer, around, ball_capacity
+from rotordyn.analyses.warm_up.solve import answer, ball_capacity, over_time
 from rotordyn.analyses.warm_up.summary import accuracy, in_words, numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
@@ -37,7 +37,7 @@ Array = NDArray[np.float64]
 WEAK = replace(FLOW, inner_shaft=0.3, outer_housing=0.6, balls_oil=0.2)
 LENGTH = 40.0  # s
 INNER, OUTER, START = 500.0, 3000.0, 20.0
-LATE = {"shaft_time": 180.0, "housing_time": 900.0}  # s
+LATE = {"shaft_time_constant": 180.0, "housing_time_constant": 900.0}  # s
 COOLED = Flow(
     OIL.oil, Conductances(3.0, 6.0, 1.0, 1.5, 0.8), Surroundings(30.0, 25.0, 32.0), 0.05, 1.0
 )
@@ -88,9 +88,9 @@ def test_given_heat_leads_where_the_exact_solution_does(
     the square of the step."""
     flow = COOLED._replace(oil_factor=NEXT_TO_NONE)
     capacity = np.array([[40.0, 500.0, 3000.0], [25.0, 300.0, 900.0]])
-    names = ("shaft_time", "housing_time")
+    names = ("shaft_time_constant", "housing_time_constant")
     given_times = {n: t for n, t in zip(names, constants, strict=True) if t}
-    outside_of = around(spec(1.0, **given_times), flow)
+    outside_of = over_time(spec(1.0, **given_times), flow)
     pitches, speeds = np.array([0.09, 0.06]), np.array([900.0, 300.0])
     oiled = _Oiled(pitches, speeds, flow, capacity, outside_of)
     start = np.array(
@@ -128,7 +128,7 @@ def test_given_heat_leads_where_the_exact_solution_does(
 def test_oil_that_thins_is_followed_however_little_the_balls_hold() -> None:
     """Balls of hardly any capacity are at once where oil, rings and balls are in balance."""
     capacity = np.array([[0.1, 500.0, 3000.0]])
-    still = around(spec(1.0), COOLED)
+    still = over_time(spec(1.0), COOLED)
     oiled = _Oiled(np.array([0.09]), np.array([1200.0]), COOLED, capacity, still)
     start, none = np.array([[[20.0, 20.0, 20.0]]]), np.zeros((1, 1, 2))
     here = oiled.onward(start, none, none, (0.0, 5.0))
@@ -191,7 +191,10 @@ def test_twice_the_capacity_takes_twice_as_long() -> None:
             here.spindle,
             FLOW.flow,
             Begin(np.full((4, 3), START), times * capacity),
-            around(spec(1.0, shaft_time=times * 90.0, housing_time=times * 500.0), FLOW.flow),
+            over_time(
+                spec(1.0, shaft_time_constant=times * 90.0, housing_time_constant=times * 500.0),
+                FLOW.flow,
+            ),
             times * 300.0,
             8,
             lambda _: None,
@@ -214,7 +217,7 @@ def test_a_general_integrator_finds_the_same() -> None:
     names = tuple(seat.name for seat in seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
     capacity = np.array([[ball_capacity(seat.bearing), INNER, OUTER] for seat in seats])
-    solve, outside_of = here.warm(at), around(spec(minutes, **LATE), flow)
+    solve, outside_of = here.warm(at), over_time(spec(minutes, **LATE), flow)
 
     def rate(time: float, flat: Array) -> Array:
         now = flow._replace(surroundings=outside_of(time))
@@ -368,23 +371,55 @@ def test_loads_on_the_way_are_those_of_all_temperatures_there() -> None:
         assert result.axial_load[0, k] == pytest.approx(alone.unloaded.seat_load()[0], rel=1e-8)
 
 
-def test_shaft_and_housing_end_where_they_would_have_been() -> None:
-    """A shaft and a housing that are there in no time, or that never come, are those of no time."""
+def loads_over_time(
+    shaft: float | None = None, housing: float | None = None, flow: Flow = FLOW.flow
+) -> Array:
+    """Axial loads (t, bearings) over three minutes in a few steps."""
     here, capacity = scene(9e3), np.array([[30.0, INNER, OUTER]] * 4)
+    late = replace(spec(1.0), shaft_time_constant=shaft, housing_time_constant=housing)
+    machine = here.warm(here.speed), here.speed, here.spindle, flow
+    begin = Begin(np.full((4, 3), START), capacity)
+    return warming(*machine, begin, over_time(late, flow), 180.0, 8, lambda _: None).load[0]
 
-    def loads(flow: Flow, constant: float | None = None) -> Array:
-        outside = around(replace(spec(1.0), shaft_time=constant, housing_time=constant), flow)
-        machine = here.warm(here.speed), here.speed, here.spindle, flow
-        begin = Begin(np.full((4, 3), START), capacity)
-        return warming(*machine, begin, outside, 180.0, 8, lambda _: None).load[0]
 
-    flow, cool = FLOW.flow, Surroundings(START, START, FLOW.flow.surroundings.oil)
-    at_once, warm = loads(flow, 1e-3), loads(flow)
+def test_time_constants_of_nothing_and_of_eternity() -> None:
+    """Shaft and housing have their temperatures from the start, or keep those of the start."""
+    at_once, warm = loads_over_time(1e-3, 1e-3), loads_over_time()
     assert at_once[1:] == pytest.approx(warm[1:], rel=1e-2)
     assert at_once[-1] == pytest.approx(warm[-1], rel=2e-5)
     assert abs(at_once[0] / warm[0] - 1.0).min() > 0.01
-    never, cooler = loads(flow, 1e12), loads(flow._replace(surroundings=cool))
-    assert never == pytest.approx(cooler, rel=1e-9)
+    cool = FLOW.flow._replace(surroundings=Surroundings(START, START, FLOW.flow.surroundings.oil))
+    assert loads_over_time(1e12, 1e12) == pytest.approx(loads_over_time(flow=cool), rel=1e-9)
+
+
+def test_the_slower_the_shaft_and_the_faster_the_housing_the_higher_the_peak() -> None:
+    """Of this spindle, whose preload a longer shaft relieves and a longer housing raises."""
+    here = scene(9e3)
+    loads = {}
+    for shaft, housing in ((20.0, 20.0), (30.0, 20.0), (20.0, 30.0)):
+        given = Conditions(temperatures=Temperatures(shaft=shaft, housing=housing))
+        loads[shaft, housing] = Scene(here.spindle, given, here.speed).unloaded.seat_load()[0, 0]
+    assert loads[30.0, 20.0] < loads[20.0, 20.0] < loads[20.0, 30.0]
+    shafts = [loads_over_time(shaft, 900.0).max() for shaft in (None, 60.0, 600.0)]
+    assert shafts == sorted(shafts)
+    housings = [loads_over_time(180.0, housing).max() for housing in (None, 60.0, 600.0)]
+    assert housings == sorted(housings, reverse=True)
+
+
+def test_shaft_and_housing_are_drawn_within_their_axes() -> None:
+    """Also where they are hotter than the rings."""
+    _, result = late()
+    hot = replace(result, shaft_temperature=result.shaft_temperature + 100.0)
+    picture = warming_figure(hot)
+    for row, name, values in (
+        (2, "shaft", hot.shaft_temperature),
+        (3, "housing", hot.housing_temperature),
+    ):
+        axes = picture.axes[row]
+        assert [text.get_text() for text in axes.texts] == [name]
+        low, high = axes.get_ylim()
+        assert low < values.min()
+        assert values.max() < high
 
 
 def test_times_are_told_in_units_that_suit_them() -> None:
@@ -445,12 +480,12 @@ FAULTY = {
         "leave their friction out",
     ),
     "conditions: {heat_flow: HEAT}\n#inner: 0 J/K\n": ("analyses.warm_up.inner", "out of range"),
-    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, shaft_time: 3 min\n": (
-        "analyses.warm_up.shaft_time",
+    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, shaft_time_constant: 3 min\n": (
+        "analyses.warm_up.shaft_time_constant",
         "give start beside it",
     ),
-    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, start: 20 degC, housing_time: 0 s\n": (
-        "analyses.warm_up.housing_time",
+    "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, start: 9 degC, housing_time_constant: 0 s\n": (
+        "analyses.warm_up.housing_time_constant",
         "out of range",
     ),
     "conditions: {heat_flow: HEAT}\n#inner: 3 W/K\n": ("analyses.warm_up.inner", "J/K"),

@@ -5,7 +5,8 @@ lacks them gives limits that are far too high, most of all between the lobes of 
 So limits at some speeds are computed once more with a finer model and twice the frequencies; while
 they change, all are computed with that one. Between modes that are far apart doubling changes
 nothing: at the fastest speed and that of the deepest cut, of few speeds at all that are looked at,
-they are computed with the finest model too, which ends where no tool chatters.
+they are computed with the finest model too, which need not go beyond ``HIGHEST``: receptances are
+not looked at there either.
 
 Theory: docs/theory/lobes.md.
 """
@@ -59,7 +60,7 @@ def converged(
             break
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
         room = math.log2(HIGHEST / (2.0 * math.pi * modelled(scene)))
-        left = max(min(DOUBLINGS - doubling, math.floor(room)), 1)
+        left = max(min(DOUBLINGS - doubling, math.ceil(room)), 1)
         error = _change(scene, left, finer, rows, best.depths)
         best, every = best._replace(error=error), [one for each in best.depths for one in each]
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
@@ -69,7 +70,7 @@ def converged(
         scene = scene.refined
         try:
             best = _at(scene, limits_of, operations)
-        except InvalidInput:  # as in ``_change``, at slow speeds: what there is and its error
+        except InvalidInput:  # as in ``_Finer.depth``, at slow speeds: what there is and its error
             break
     return best
 

@@ -2,8 +2,10 @@
 
 Over each span of the cut the displacement of the tip follows from the state of the modes at its
 start and from the forces, expanded in Legendre polynomials: u = F x + L g, and the state after it
-from both, x' = P x + W g. With g = −a H (u − u_old), and the forces of process damping, these give
-the map of one tooth period. H = D N has a low rank: of u the map needs the chip thickness N u only.
+from both, x' = P x + W g. Forces of a depth a are g = −a D w by what the teeth feel, which is the
+chip thickness N (u − u_old) and, with process damping, the velocity. With H = D N of low rank w is
+shorter than u. It follows from the forces and from what was before, y = (N u_old, x):
+w = V g + Q y, so that w = (1 + a V D)⁻¹ Q y, and forces give the map of one tooth period.
 The same limits follow from all harmonics of the tooth frequency.
 
 Theory: docs/theory/lobes.md.
@@ -133,58 +135,51 @@ class Floquet:
         return turn.reshape(2 * len(decay), 2 * len(decay))
 
     @cached_property
-    def _parts(self) -> tuple[Array, Array, Array, Array]:
-        """L, F, W and P, states measured by the displacement that they give."""
-        free = self._free(self._slow.shape)
-        size = np.maximum(np.abs(free).max(axis=0, initial=0.0), 1e-300)
-        kept = self._kept * (size[:, None] / size)
-        return self._forced(), free / size, self._left * size[:, None], kept
+    def _size(self) -> Array:
+        """The displacement that a state of 1 gives (2m,), by which states are measured."""
+        return np.maximum(np.abs(self._free(self._slow.shape)).max(axis=0, initial=0.0), 1e-300)
 
     @cached_property
     def _after(self) -> tuple[Array, Array]:
         """Chip thickness and state after a tooth period by forces (r + 2m, 2p), and without these
         by both before (r + 2m, r + 2m)."""
-        forced, free, left, kept = self._parts
         _, chip = self.spans.thickness
-        still = np.concatenate([chip @ free, kept])
-        return np.concatenate([chip @ forced, left]), np.pad(still, ((0, 0), (len(chip), 0)))
+        free, size = self._free(self._slow.shape) / self._size, self._size[:, None]
+        still = np.concatenate([chip @ free, self._kept * (size / self._size)])
+        by_force = np.concatenate([chip @ self._forced(), self._left * size])
+        return by_force, np.pad(still, ((0, 0), (len(chip), 0)))
 
     @cached_property
-    def _felt(self) -> tuple[Array, Array, Array]:
-        """What teeth feel, chip thickness and with process damping velocity: forces by that, per
-        unit of depth (2p, n); that by forces (n, 2p), and less that one period ago by chip
-        thickness and state before (n, r + 2m)."""
+    def _teeth(self) -> tuple[Array, Array, Array]:
+        """D (2p, n), V (n, 2p) and Q (n, r + 2m) of what the teeth feel."""
         forces, chip = self.spans.thickness
         after, still = self._after
-        by_force, by_past = after[: len(chip)], still[: len(chip)] - np.eye(len(chip), len(still))
+        by_force, before = after[: len(chip)], still[: len(chip)] - np.eye(len(chip), len(still))
         if self.damping is None:
-            return forces, by_force, by_past
+            return forces, by_force, before
         rubbing, along = factors(self.damping)
-        slow = self._slow
-        size = np.maximum(np.abs(self._free(slow.shape)).max(axis=0, initial=0.0), 1e-300)
-        moving = along @ (self._free(slow.shape * slow.pole[:, None]) / size)
+        velocity = self._free(self._slow.shape * self._slow.pole[:, None]) / self._size
         return (
             np.concatenate([forces, rubbing], axis=1),
             np.concatenate([by_force, along @ self._forced(velocity=True)]),
-            np.concatenate([by_past, np.pad(moving, ((0, 0), (len(chip), 0)))]),
+            np.concatenate([before, np.pad(along @ velocity, ((0, 0), (len(chip), 0)))]),
         )
 
     @cached_property
     def _loop(self) -> tuple[Array, Array]:
-        """By what teeth feel, through the forces of a unit of depth: itself (n, n), and chip
-        thickness and state after a tooth period (r + 2m, n)."""
-        forces, by_force, _ = self._felt
+        """V D (n, n), and chip thickness and state after a tooth period by D (r + 2m, n)."""
+        forces, by_force, _ = self._teeth
         return by_force @ forces, self._after[0] @ forces
 
-    def _feeling(self, depth: float) -> Array:
-        """Depth times what teeth feel by chip thickness and state before (n, r + 2m)."""
+    def _felt(self, depth: float) -> Array:
+        """w by y (n, r + 2m)."""
         loop, _ = self._loop
-        return np.asarray(np.linalg.solve(np.eye(len(loop)) + depth * loop, -depth * self._felt[2]))
+        return np.asarray(np.linalg.solve(np.eye(len(loop)) + depth * loop, self._teeth[2]))
 
     def map(self, depth: float) -> Array:
         """Chip thickness by the displacement over the cut, and state after a tooth period, by those
         before, both (r + 2m,)."""
-        return np.asarray(self._loop[1] @ self._feeling(depth) + self._after[1])
+        return np.asarray(self._after[1] - depth * self._loop[1] @ self._felt(depth))
 
     def multipliers(self, depth: float) -> Complex:
         """Floquet multipliers at a depth [m]; beyond 1 in size the cut is unstable."""
@@ -196,9 +191,9 @@ class Floquet:
         At a multiplier −1 the motion of one period is that of the last with the opposite sign, and
         depths are the eigenvalues of one matrix: none is missed.
         """
-        (forces, by_force, by_past), (after, still) = self._felt, self._after
+        (forces, by_force, before), (after, still) = self._teeth, self._after
         back = np.linalg.solve(np.eye(len(still)) + still, after)
-        value = -np.linalg.eigvals((by_force - by_past @ back) @ forces)
+        value = -np.linalg.eigvals((by_force - before @ back) @ forces)
         real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
         return 1.0 / float(real.max()) if real.size else np.inf
 
@@ -206,7 +201,8 @@ class Floquet:
         """The largest multiplier of Im ≥ 0, and forces over the cut of its motion (2p,)."""
         values, vectors = np.linalg.eig(self.map(depth))
         place = int(np.where(values.imag >= 0.0, np.abs(values), 0.0).argmax())
-        return complex(values[place]), self._felt[0] @ (self._feeling(depth) @ vectors[:, place])
+        forces = -depth * self._teeth[0] @ (self._felt(depth) @ vectors[:, place])
+        return complex(values[place]), forces
 
 
 def _integrated(pole: Complex, half: float, count: int) -> Complex:

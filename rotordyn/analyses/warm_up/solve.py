@@ -13,7 +13,7 @@ from rotordyn.allowance import require_history, require_time
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.analyses.warm_up.spec import WarmUpSpec
 from rotordyn.preload.heat_balance import Flow, cold
-from rotordyn.preload.warming import Around, Begin, Warming, warming
+from rotordyn.preload.warming import Begin, SurroundingsAt, Warming, warming
 from rotordyn.scene.scene import Scene
 
 STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
@@ -30,12 +30,13 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
     """
     heat = scene.conditions.heat_flow
     assert heat is not None, "a fault of the case"
-    begin, speed, outside = _begin(scene, spec, heat.flow), scene.speed, around(spec, heat.flow)
+    begin, speed = _begin(scene, spec, heat.flow), scene.speed
+    surroundings_at = over_time(spec, heat.flow)
 
     def run(steps: int) -> Warming:
         require_history(f"warm_up: {steps} steps at {len(speed)} speeds", 0, steps * len(speed))
         machine = scene.warm(speed), speed, scene.spindle, heat.flow
-        return warming(*machine, begin, outside, spec.duration, steps, _watch(scene, steps))
+        return warming(*machine, begin, surroundings_at, spec.duration, steps, _watch(scene, steps))
 
     steps, found = STEPS, run(STEPS)
     while True:
@@ -49,7 +50,7 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
         if (error <= ENOUGH and settled.all()) or steps >= MOST_STEPS:
             break
     error = error if through.any() else math.nan
-    return _result(scene, found, error, outside)
+    return _result(scene, found, error, surroundings_at)
 
 
 def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
@@ -69,19 +70,22 @@ def _begin(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
     return Begin(np.tile(at, (len(capacity), 1)), np.array(capacity))
 
 
-def around(spec: WarmUpSpec, flow: Flow) -> Around:
-    """Temperatures of shaft, housing and oil at a time from the start [s]: the way from that of the
-    start that is left falls to 37 % in each time constant."""
+def over_time(spec: WarmUpSpec, flow: Flow) -> SurroundingsAt:
+    """Temperatures of shaft, housing and oil: what shaft and housing have left of their way from
+    the start falls to 1/e in each time constant."""
     end = flow.surroundings
 
     def on_the_way(last: float, constant: float | None, time: float) -> float:
-        if spec.start is None or constant is None:
+        if constant is None:
             return last
+        assert spec.start is not None, "a fault of the case"
         return last + (spec.start - last) * math.exp(-time / constant)
 
     def at(time: float) -> Surroundings:
-        shaft = on_the_way(end.shaft, spec.shaft_time, time)
-        return Surroundings(shaft, on_the_way(end.housing, spec.housing_time, time), end.oil)
+        shaft = on_the_way(end.shaft, spec.shaft_time_constant, time)
+        return Surroundings(
+            shaft, on_the_way(end.housing, spec.housing_time_constant, time), end.oil
+        )
 
     return at
 
@@ -93,7 +97,9 @@ def ball_capacity(bearing: BallBearing) -> float:
     return mass * (CERAMIC if density < LIGHT else STEEL)
 
 
-def _result(scene: Scene, found: Warming, error: float, outside: Around) -> WarmUpResult:
+def _result(
+    scene: Scene, found: Warming, error: float, surroundings_at: SurroundingsAt
+) -> WarmUpResult:
     seats = scene.spindle.seats
     none = np.isnan(found.load[:, 0, 0]).tolist()
     size = np.abs(found.load)
@@ -101,7 +107,7 @@ def _result(scene: Scene, found: Warming, error: float, outside: Around) -> Warm
     largest = np.take_along_axis(size, place[:, None], axis=1)[:, 0]
     steady = scene.solved_only(scene.unloaded.seat_load())
     balls, inner, outer = np.moveaxis(found.temperature, -1, 0)
-    shaft, housing, _ = np.array([outside(t) for t in found.time.tolist()]).T
+    shaft, housing, _ = np.array([surroundings_at(t) for t in found.time.tolist()]).T
     return WarmUpResult(
         speed=scene.speed,
         time=found.time,

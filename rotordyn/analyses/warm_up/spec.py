@@ -36,17 +36,17 @@ class WarmUpSpec(Spec):
         "of balls and rings at the start; by default where shaft, housing and oil bring them "
         "without heat",
     ] = None
-    shaft_time: Annotated[
+    shaft_time_constant: Annotated[
         Duration | None,
-        "time in which the shaft covers 63 % of the way from `start` to its temperature, on which "
-        "its length depends; by default it has that from the start",
+        "time constant of the shaft: after it 63 % of the way from `start` to its temperature is "
+        "covered, on which its length depends; by default it has that from the start",
     ] = None
-    housing_time: Annotated[Duration | None, "the same of the housing"] = None
+    housing_time_constant: Annotated[Duration | None, "the same of the housing"] = None
 
     def faults_on(self, setting: Setting) -> Faults:
         if setting.conditions.heat_flow is None:
             yield (), "needs to know how heat flows off: give heat_flow in the conditions"
-        for key in ("shaft_time", "housing_time"):
+        for key in ("shaft_time_constant", "housing_time_constant"):
             if getattr(self, key) is not None and self.start is None:
                 yield (key,), "needs the temperature from which it counts: give start beside it"
         if setting.spindle.rubs:

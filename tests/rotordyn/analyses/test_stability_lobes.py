@@ -246,6 +246,22 @@ def test_each_finer_model_is_solved_once(tmp_path, monkeypatch):
     assert len(models) == len({*models})
 
 
+@pytest.mark.parametrize(("modelled", "most"), [(3000.0, 48e3), (4000.0, 64e3), (20e3, 80e3)])
+def test_finer_models_end_beyond_60_khz(tmp_path, monkeypatch, modelled, most):
+    """Sixteen times the frequency asked for, or the first power of two beyond 60 kHz."""
+    asked = []
+
+    def depth(self, scene, row, doublings, number):
+        asked.append(modelled * 2.0 ** (scene.finer + doublings))
+        return math.nan
+
+    monkeypatch.setattr(converged._Finer, "depth", depth)
+    path = tmp_path / "tool.yaml"
+    path.write_text(MACHINE + f"    {ASKED | {'max_frequency': f'{modelled:g} Hz'}}\n")
+    rotordyn.run(rotordyn.load(path))
+    assert max(asked) == most
+
+
 def test_a_mode_far_above_all_others_is_found(tmp_path):
     """Of a stubby tool on hardly damped springs; a model of twice the band does not have it."""
     stub = (
@@ -391,10 +407,13 @@ def test_sources_of_a_workpiece_span_a_band(case):
     np.testing.assert_allclose(result.most.values, each.max(axis=0), rtol=1e-9)
 
 
-def test_process_damping_deepens_slow_cuts(case):
-    slow = "[3600 rpm, 6000 rpm]"
+@pytest.mark.parametrize(
+    ("slow", "constant"),
+    [("[3600 rpm, 6000 rpm]", 8e5), pytest.param("[900 rpm]", 2e5, marks=pytest.mark.long)],
+)
+def test_process_damping_deepens_slow_cuts(case, slow, constant):
     plain, damped = (
-        lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, 8e5)
+        lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, constant)
     )
     assert (damped > 1.05 * plain).all()
 

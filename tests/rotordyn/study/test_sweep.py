@@ -629,6 +629,29 @@ def test_blocks_are_as_long_as_their_points_allow(
     assert workers == 1 or blocks[-1] == 1  # the last ones are shared
 
 
+@pytest.mark.parametrize("workers", [1, 2])
+def test_blocks_of_refused_points_grow(
+    case: Case, monkeypatch: pytest.MonkeyPatch, workers: int
+) -> None:
+    """How long others take is not known then, but asking for each costs more than refusing it."""
+    blocks: list[int] = []
+
+    def refused(packed: bytes, numbers: Any, points: int = 1) -> Any:
+        blocks.append(len(numbers))
+        return [Outcome(n, sentence="no", seconds=1e-6, solved=False) for n in numbers]
+
+    monkeypatch.setattr(solve, "solve_points", refused)
+    monkeypatch.setattr(
+        solve, "solved_here", lambda packed, items, _, task, total: (task(packed, i) for i in items)
+    )
+    monkeypatch.setattr(solve, "start", lambda count: None)
+    springs = {SPRING: Span(800.0, 1600.0, 400)}
+    sweep(case, springs, analyses=["preload"], workers=workers)
+    assert sum(blocks) == 400
+    assert blocks[:5] == [1, 1, 1, 3, 6]
+    assert max(blocks) == 32
+
+
 def test_a_model_for_something_else_is_checked_again(case: Case) -> None:
     held, asked = neighbours.Neighbours(), restricted(case, ("campbell",))
     errors = []

@@ -40,10 +40,10 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     )
     for line, (field, label) in enumerate(ROWS):
         values = getattr(result, field)
-        low, high = (
-            np.nanmin(values[picked], initial=np.inf),
-            np.nanmax(values[picked], initial=0.0),
-        )
+        shown = [values[picked].ravel()]
+        shown += [getattr(result, BESIDE[field][0])] if field in BESIDE else []
+        every = np.concatenate(shown)
+        low, high = np.nanmin(every, initial=np.inf), np.nanmax(every, initial=0.0)
         for place, row in enumerate(picked):
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
