@@ -18,6 +18,7 @@ from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.job.values import Values, difference, values_of
+from rotordyn.results.declaration import declared
 from rotordyn.results.interval import ENDS, Interval
 from rotordyn.study import quantiles
 from rotordyn.study.latin_hypercube import latin_hypercube
@@ -294,8 +295,12 @@ def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
 
 
 def _numerical(key: str, results: Mapping[str, Any]) -> float:
-    """Relative error that the analysis of a number reports, NaN where it reports none."""
+    """Relative error that the analysis of a number reports, NaN where it reports none, or one of
+    something else in a unit of its own."""
     result = results.get(key.partition(":")[0])
     error = getattr(result, "largest_error", getattr(result, "error", None))
+    own = declared(result).get("error") if result is not None else None
+    if own is not None and own.metadata["unit"] != "1":
+        return np.nan
     known = np.asarray(error, dtype=float) if error is not None else np.empty(0)
     return float(np.nanmax(known)) if np.isfinite(known).any() else np.nan

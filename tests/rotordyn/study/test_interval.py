@@ -6,7 +6,7 @@ import itertools
 import json
 import math
 import warnings
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +23,9 @@ from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve
 from rotordyn.job.values import values_of
 from rotordyn.report.interval import FAR
+from rotordyn.results.declaration import quantity
 from rotordyn.scene.checks import Checks
-from rotordyn.study import quantiles
+from rotordyn.study import interval, quantiles
 from rotordyn.study.interval import sampled
 from rotordyn.study.machines import Machines, lean
 
@@ -299,6 +300,22 @@ def test_folder_keeps_the_interval(tmp_path: Path) -> None:
         assert panel.get_title() in results.held_intervals[""].number  # with its analysis
         names = [label.get_text().replace("\n", "") for label in panel.get_yticklabels()]
         assert SPRING.removeprefix("spindle.") in names
+
+
+def test_an_error_in_a_unit_of_its_own_is_none_of_other_numbers() -> None:
+    """That of ``warm_up`` is of temperatures [K], its numbers are loads."""
+
+    @dataclass(frozen=True)
+    class Made:
+        error: float = quantity(unit="K", label="")
+
+    @dataclass(frozen=True)
+    class Relative:
+        error: float = quantity(unit="1", label="")
+
+    results = {"warm_up": Made(0.3), "frf": Relative(1e-4)}
+    assert math.isnan(interval._numerical("warm_up: load", results))
+    assert interval._numerical("frf: peak", results) == 1e-4
 
 
 def test_without_it_there_is_none() -> None:
