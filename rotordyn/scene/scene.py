@@ -185,12 +185,7 @@ class Scene(Statics):
     @property
     def _pressed(self) -> bool:
         conditions = self.conditions
-        acting = (
-            conditions.tension,
-            conditions.axial_force,
-            *(load.Fx for load in conditions.loads),
-        )
-        return conditions.axial_stiffening and any(acting)
+        return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
 
     @cached_property
     def stop_speeds(self) -> Array:

@@ -28,7 +28,6 @@ from rotordyn.machine.lumped import Disc
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import support, uniform
@@ -284,15 +283,6 @@ def test_axial_force_that_buckles_the_shaft_is_refused() -> None:
         NoSolution, match=r"axial force buckles the shaft at 0 rpm, 0\.5 times that force"
     ):
         first(beam(), axial_force=2.0 * EULER)
-
-
-@pytest.mark.parametrize("share", [0.5, 0.95])
-def test_a_force_at_a_point_presses_as_the_one_on_the_end(share: float) -> None:
-    """Close to buckling, where the reduced shaft needs to know of it."""
-    on_end = first(beam(), count=3, axial_force=share * CRITICAL)
-    at_point = first(beam(), count=3, loads=(PointLoad(0.0, Fx=share * CRITICAL),))
-    assert at_point == pytest.approx(on_end, rel=1e-9)
-    assert on_end[0] < math.sqrt(1.0 - 0.9 * share) * first(beam())[0]
 
 
 def test_spindle_buckles_where_the_full_model_says() -> None:
