@@ -135,18 +135,20 @@ class Floquet:
         return turn.reshape(2 * len(decay), 2 * len(decay))
 
     @cached_property
-    def _size(self) -> Array:
-        """The displacement that a state of 1 gives (2m,), by which states are measured."""
-        return np.maximum(np.abs(self._free(self._slow.shape)).max(axis=0, initial=0.0), 1e-300)
+    def _measured(self) -> tuple[Array, Array]:
+        """The largest displacement that each state gives (2m,), and F by states measured by it."""
+        free = self._free(self._slow.shape)
+        size = np.maximum(np.abs(free).max(axis=0, initial=0.0), 1e-300)
+        return size, free / size
 
     @cached_property
     def _after(self) -> tuple[Array, Array]:
         """Chip thickness and state after a tooth period by forces (r + 2m, 2p), and without these
         by both before (r + 2m, r + 2m)."""
         _, chip = self.spans.thickness
-        free, size = self._free(self._slow.shape) / self._size, self._size[:, None]
-        still = np.concatenate([chip @ free, self._kept * (size / self._size)])
-        by_force = np.concatenate([chip @ self._forced(), self._left * size])
+        size, free = self._measured
+        still = np.concatenate([chip @ free, self._kept * (size[:, None] / size)])
+        by_force = np.concatenate([chip @ self._forced(), self._left * size[:, None]])
         return by_force, np.pad(still, ((0, 0), (len(chip), 0)))
 
     @cached_property
@@ -158,7 +160,7 @@ class Floquet:
         if self.damping is None:
             return forces, by_force, before
         rubbing, along = factors(self.damping)
-        velocity = self._free(self._slow.shape * self._slow.pole[:, None]) / self._size
+        velocity = self._free(self._slow.shape * self._slow.pole[:, None]) / self._measured[0]
         return (
             np.concatenate([forces, rubbing], axis=1),
             np.concatenate([by_force, along @ self._forced(velocity=True)]),

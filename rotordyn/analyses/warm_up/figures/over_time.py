@@ -11,6 +11,7 @@ from rotordyn.figures.curves import draw_columns
 from rotordyn.figures.legends import legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_figure
 from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,16 +41,15 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     )
     for line, (field, label) in enumerate(ROWS):
         values = getattr(result, field)
-        shown = [values[picked].ravel()]
-        shown += [getattr(result, BESIDE[field][0])] if field in BESIDE else []
-        every = np.concatenate(shown)
+        beside = _beside(result, field)
+        every = np.append(values[picked], beside)
         low, high = np.nanmin(every, initial=np.inf), np.nanmax(every, initial=0.0)
         for place, row in enumerate(picked):
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
             draw_columns(axes, result.time / 60.0, values[row], result.bearing)
-            if field in BESIDE:
-                _draw_beside(axes, result, *BESIDE[field])
+            if beside.size:
+                _draw_beside(axes, result.time / 60.0, beside, BESIDE[field][1])
             axes.set_xlim(0.0, result.time[-1] / 60.0)
             lowest = min(low, high) - 2.0 if line else min(1.05 * low, 0.0)
             axes.set_ylim(lowest, 1.05 * high + 1e-3)
@@ -62,11 +62,17 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     return figure
 
 
-def _draw_beside(axes: Axes, result: WarmUpResult, field: str, name: str) -> None:
-    """The temperature of what a ring stands on, named at its end."""
-    values = getattr(result, field)
-    if np.ptp(values) > 0.0:
-        axes.plot(result.time / 60.0, values, color="black", linestyle=DOTTED)
-        at = result.time[-1] / 60.0, values[-1]
-        style: dict[str, Any] = {"ha": "right", "va": "top", "fontsize": FONT_SIZE}
-        axes.annotate(name, at, (-3.0, -3.0), textcoords="offset points", **style)
+def _beside(result: WarmUpResult, field: str) -> Array:
+    """The temperature of what a ring stands on (t,); empty where that stays as it is."""
+    if field not in BESIDE:
+        return np.zeros(0)
+    values: Array = getattr(result, BESIDE[field][0])
+    return values if np.ptp(values) > 0.0 else np.zeros(0)
+
+
+def _draw_beside(axes: Axes, minutes: Array, values: Array, name: str) -> None:
+    """Such a temperature, named at its end."""
+    axes.plot(minutes, values, color="black", linestyle=DOTTED)
+    style: dict[str, Any] = {"ha": "right", "va": "top", "fontsize": FONT_SIZE}
+    end = minutes[-1], values[-1]
+    axes.annotate(name, end, (-3.0, -3.0), textcoords="offset points", **style)
