@@ -210,7 +210,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
 
 def _damped(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Complex, Array]:
     """As ``_general``, sooner where both planes of a lightly damped system are one: without, a
-    study takes 1.15 times as long. Of a ``LARGE`` system by itself the QR method takes less."""
+    study takes 1.2 times as long. Of a ``LARGE`` system by itself the QR method takes less."""
     lightly = stiffness.ndim == 3 and np.iscomplexobj(damping)
     alone = len(stiffness) == 1 and stiffness.shape[-1] >= LARGE
     if not lightly or alone or not np.isfinite(stiffness).all():
