@@ -42,6 +42,8 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_lobes": ("period doubling limits",),
+    "mfw2310_uneven_teeth": ("period doubling limits",),
+    "deep_groove_uneven_teeth": ("period doubling limits", "repeats with the uneven teeth limits"),
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
     "mfw2310_phases": ("only if friction is above",),
@@ -80,6 +82,7 @@ SLOW = {  # whose analyses other cases have, too
     "mfw2310_lobes",
     "mfw2310_phases",
     "mfw2310_rings",
+    "mfw2310_uneven_teeth",
 }
 OFTEN = [
     pytest.param(path, marks=[pytest.mark.long] if path.stem in SLOW else [], id=path.stem)

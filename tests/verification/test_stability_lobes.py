@@ -60,7 +60,7 @@ def test_all_harmonics_give_the_limit_of_the_time_domain(seed):
     found = harmonic(cut)
     omega, top = resolving(cut.machine.receptance)
     own = Cut(cut.teeth, cut.kt, cut.kn, cut.entry, cut.exit)
-    process = Process(own, own.pitch / cut.speed)
+    process = Process(own, own.turn / cut.speed)
     other = sampled_limit(cut.machine.receptance, peaks(omega, top), top, process)
     assert other.depth == pytest.approx(found.depth, rel=2e-4)
     assert other.kind == found.kind
@@ -116,7 +116,7 @@ def test_process_damping(speed, lag):
     """Forces by velocity in the time domain, with straight edges and with a helix."""
     rate = 2e5 / (0.008 * speed)
     cut = Cut(*CUT)
-    process = Process(cut, cut.pitch / speed, lag, Cut(2, 0.0, rate, *CUT[3:]))
+    process = Process(cut, cut.turn / speed, lag, Cut(2, 0.0, rate, *CUT[3:]))
     omega, top = resolving(MACHINE.receptance)
     tip = as_modes(MACHINE.receptance, omega)
     found, without = (modal_limit(tip, top, p) for p in (process, process._replace(ploughing=None)))
@@ -142,7 +142,7 @@ def test_a_machine_that_is_unstable_by_itself_has_no_stable_depth(frequency, spe
         shape=np.append(tip.shape, [[1e-6, 0.0]], axis=0),
         participation=np.append(tip.participation, [[1e-6, 0.0]], axis=0),
     )
-    process = Process(cut, cut.pitch / speed)
+    process = Process(cut, cut.turn / speed)
     assert math.isinf(modal_limit(tip, top, process).depth) == (speed > 1e5)
     assert modal_limit(unstable, top, process).depth == 0.0
 
@@ -158,7 +158,7 @@ def test_process_damping_in_a_deep_cut_makes_no_machine_stable():
         shape=np.append(tip.shape, [[0.5 / (1j * pole.imag), 0.0]], axis=0),
         participation=np.append(tip.participation, [[1.0, 0.0]], axis=0),
     )
-    process = Process(cut, cut.pitch / 700.0, ploughing=rubbing)
+    process = Process(cut, cut.turn / 700.0, ploughing=rubbing)
     assert np.abs(process.floquet(unstable, top, 0.0).multipliers(0.0)).max() > 1.0
     assert modal_limit(unstable, top, process).depth == 0.0
 
@@ -170,7 +170,7 @@ def test_a_tooth_cuts_one_thickness(teeth, end, cutting):
     """Forces by displacement are forces by chip thickness times this, of half the size in spans
     in which one tooth is cutting."""
     spans = Spans(Cut(teeth, 9e8, 3e8, 0.0, end), 0.004, 2.0 * math.pi * 2000.0)
-    forces, chip = spans.thickness
+    forces, chip, *_ = spans.thickness
     exact = spans.cutting
     np.testing.assert_allclose(forces @ chip, exact, rtol=0.0, atol=1e-14 * np.abs(exact).max())
     thin = sum(count * k for (*_, count), k in zip(spans.each, cutting, strict=True))
@@ -182,12 +182,15 @@ def test_process_damping_at_zero_order():
     cut, speed, rate = Cut(4, 9e8, 3e8, 0.0, math.pi), 900.0, 3e4
     rubbing = Cut(4, 0.0, rate, 0.0, math.pi)
     omega, top = resolving(MACHINE.receptance)
-    process = Process(cut, cut.pitch / speed, 0.0, rubbing)
+    process = Process(cut, cut.turn / speed, 0.0, rubbing)
     many = modal_limit(as_modes(MACHINE.receptance, omega), top, process)
     mean = Mean(cut.mean()[None], rubbing.mean()[None])
-    period = np.array([process.period])
+    period = np.array([[process.period]])
     depth, at = zero_order(
-        lambda w: MACHINE.receptance(w[0])[None], mean, period, along(omega, top, period[0])[None]
+        lambda w: MACHINE.receptance(w[0])[None],
+        mean,
+        period,
+        along(omega, top, process.period)[None],
     )
     assert depth[0] == pytest.approx(many.depth, rel=1e-6)
     assert at[0] / 2.0 / math.pi == pytest.approx(many.frequency, rel=1e-5)
@@ -214,7 +217,7 @@ def test_the_largest_of_many_crossings_is_found(rubs):
         depth, _ = zero_order(
             lambda w, moved=moved: moved(w)[..., None, None],
             mean,
-            np.array([period]),
+            np.array([[period]]),
             np.arange(coarse, top, coarse)[None],
         )
         omega = np.arange(fine, top, fine)
@@ -248,7 +251,7 @@ def test_slow_milling_at_zero_order_does_not_depend_on_samples():
         for parts in (32, 256):
             step = 2.0 * math.pi / parts / period
             omega = np.arange(step, 1.3 * natural.max(), step)
-            depth.append(zero_order(moved, mean, np.array([period]), omega[None])[0][0])
+            depth.append(zero_order(moved, mean, np.array([[period]]), omega[None])[0][0])
         assert depth[0] == pytest.approx(depth[1], rel=1e-6), seed
 
 
@@ -336,7 +339,7 @@ def test_mean_of_cutting_forces():
     for low, high in lagging.pieces():
         angle = 0.5 * (low + high) + 0.5 * (high - low) * x
         total += np.einsum("q,qij->ij", 0.5 * (high - low) * w, lagging.matrix(angle))
-    np.testing.assert_allclose(total / lagging.pitch, known, rtol=1e-9)
+    np.testing.assert_allclose(total / lagging.turn, known, rtol=1e-9)
 
 
 def test_spherical_bessel_functions():

@@ -8,7 +8,7 @@ unstable multipliers at a depth a, is uncertain for any depth up to the limit.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +21,7 @@ ROUNDS = 12
 MOST_SAMPLES = 4000
 STEPS = 40  # of a root
 ROUNDED = 1e-12  # of an eigenvalue: a smaller imaginary part is rounding
-REAL = 1e-7  # the same at the last sample, where eigenvalues may be double and err more
+REAL = 1e-6  # the same at an end, where eigenvalues may be double and err more
 CLOSE = 1e-8  # of an eigenvalue, by which the imaginary part of a root may miss zero
 SAME = 0.05  # by which the line between samples may miss a crossing that is known
 FAR = 0.9  # rad of phase between samples
@@ -37,16 +37,14 @@ class Crossing(NamedTuple):
     angle: float
 
 
-def largest_crossing(solve: Solve, angle: Array) -> Crossing:
-    """``solve``: eigenvalues (n, m) at angles (n,); ``angle``: first samples, ascending.
-
-    The last sample is taken as an end at which eigenvalues may be real.
-    """
+def largest_crossing(solve: Solve, angle: Array, ends: Sequence[int] = (-1,)) -> Crossing:
+    """``solve``: eigenvalues (n, m) at angles (n,); ``angle``: first samples, ascending; ``ends``:
+    samples, the last one or the first one too, at which eigenvalues may be real."""
     z = solve(angle)
     best = Crossing(0.0, float("nan"))
     for _ in range(ROUNDS):
-        best = _best(solve, angle, z, best)
-        where = _unresolved(angle, z, best)
+        best = _best(solve, angle, z, best, ends)
+        where = _unresolved(angle, z, best, ends)
         if not len(where) or len(angle) > MOST_SAMPLES:
             break
         middle = 0.5 * (angle[where] + angle[where + 1])
@@ -65,13 +63,15 @@ def _links(z: Complex) -> tuple[Complex, Complex]:
     return np.concatenate([z[:-1], back], axis=1), np.concatenate([ahead, z[1:]], axis=1)
 
 
-def _best(solve: Solve, angle: Array, z: Complex, known: Crossing) -> Crossing:
-    """The largest crossing between samples; at the last one, the largest real eigenvalue."""
-    real = np.abs(z[-1].imag) <= REAL * np.abs(z[-1])
-    last = z[-1].real[real & (z[-1].real > 0.0)]
-    best = max(known, Crossing(float(last.max(initial=0.0)), float(angle[-1])), key=_value)
+def _best(solve: Solve, angle: Array, z: Complex, known: Crossing, ends: Sequence[int]) -> Crossing:
+    """The largest crossing between samples; at the ends, the largest real eigenvalue."""
+    best, given = known, z
     z = np.where(np.abs(z.imag) <= ROUNDED * np.abs(z), z.real, z)
-    z[-1] = np.where(real, z[-1].real, z[-1])
+    for end in ends:
+        real = np.abs(given[end].imag) <= REAL * np.abs(given[end])
+        largest = given[end].real[real].max(initial=0.0)
+        best = max(best, Crossing(float(largest), float(angle[end])), key=_value)
+        z[end] = np.where(real, given[end].real, given[end])
     low, high = _links(z)
     across = low.imag * high.imag < 0.0
     highest = np.where(across, np.maximum(low.real, high.real), 0.0)
@@ -118,7 +118,7 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
     return Crossing(0.0, middle)  # two branches taken for one: neither crosses
 
 
-def _unresolved(angle: Array, z: Complex, best: Crossing) -> NDArray[np.intp]:
+def _unresolved(angle: Array, z: Complex, best: Crossing, ends: Sequence[int]) -> NDArray[np.intp]:
     """Intervals to halve: a branch comes near the axis beyond the best crossing and turns there, or
     the count of unstable multipliers is uncertain, or contradicts the limit."""
     low, high = _links(z)
@@ -128,7 +128,7 @@ def _unresolved(angle: Array, z: Complex, best: Crossing) -> NDArray[np.intp]:
     near = np.minimum(np.abs(low.imag), np.abs(high.imag)) < 0.5 * step
     turning = size & near & (low.imag * high.imag >= 0.0) & (step > 0.02 * np.abs(low))
     unsure = turning.any(axis=1)
-    unsure[-1] = False  # at the end branches lie on the axis
+    unsure[[*ends]] = False  # there branches lie on the axis
     depth = np.geomspace(1.0 / (1.05 * np.abs(z).max()), 0.998 / floor, DEPTHS)
     phase = np.angle(1.0 - depth[:, None, None] * z).sum(axis=2)
     jump = np.abs(np.remainder(np.diff(phase, axis=1) + np.pi, 2.0 * np.pi) - np.pi)

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import lru_cache
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +20,17 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
-LEAST_PIECE = 1e-9  # of a pitch: shorter ones between entry, exit and lag are rounding
+LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and exit are rounding
+LEAST, FULL = math.radians(0.999), 1e-6  # rad, of a pitch, and by which all may miss a full turn
+ALIKE = 1e-12  # rad: pitches that differ by less are equal
 
 
 @dataclass(frozen=True, slots=True)
 class Cut:
     """``teeth`` of one helix, their cutting coefficients [Pa], ``entry`` and ``exit`` [rad].
 
-    ``lag`` [rad]: how far the end of an edge is behind its tip.
+    ``lag`` [rad]: how far the end of an edge is behind its tip. ``pitches`` [rad]: from each tooth
+    to the one that cut before it, in the order in which they cut; none where all are equal.
     """
 
     teeth: int
@@ -35,43 +39,59 @@ class Cut:
     entry: float
     exit: float
     lag: float = 0.0
+    pitches: tuple[float, ...] = ()
 
     @property
-    def pitch(self) -> float:
-        """Angle between teeth [rad]."""
-        return 2.0 * math.pi / self.teeth
+    def gaps(self) -> tuple[float, ...]:
+        """Pitches [rad] of the shortest pattern that repeats around the cutter; one of a cutter
+        whose teeth are evenly spaced."""
+        return _pattern(self.pitches) if self.pitches else (2.0 * math.pi / self.teeth,)
+
+    @property
+    def even(self) -> bool:
+        """The teeth are evenly spaced."""
+        return len(self.gaps) == 1
+
+    @property
+    def turn(self) -> float:
+        """Angle [rad] after which teeth stand as before: the pitch where they are evenly spaced."""
+        return math.fsum(self.gaps)
 
     @property
     def interruption(self) -> float:
-        """Tooth period over the time in which some tooth cuts: so much deeper short cuts are
-        stable."""
-        return self.pitch / sum(high - low for low, high in self.pieces())
+        """Period over the time in which some tooth cuts: so much deeper short cuts are stable."""
+        return self.turn / sum(high - low for low, high in self.pieces())
 
     def mean(self) -> Array:
-        """Mean of H over a tooth period (2, 2) [Pa]; the lag does not change it."""
+        """Mean of H of all teeth (2, 2) [Pa]; the lag and the pitches do not change it."""
         swept = self._integral(np.array(self.exit)) - self._integral(np.array(self.entry))
-        return swept / self.pitch
+        return swept * self.teeth / (2.0 * math.pi)
 
     def pieces(self) -> list[tuple[float, float]]:
-        """Spans of the first tooth's angle, within one pitch, in which some tooth cuts and H is
-        smooth."""
+        """Spans of the first tooth's angle, within one turn of the pattern, in which some tooth
+        cuts and H is smooth."""
         ends = np.array([self.entry, self.exit, self.entry + self.lag, self.exit + self.lag])
-        ends = np.unique(self.entry + np.mod(ends - self.entry, self.pitch))
-        ends = np.append(ends, self.entry + self.pitch)
+        ends = (ends[:, None] - self._behind).ravel()
+        ends = np.unique(self.entry + np.mod(ends - self.entry, self.turn))
+        ends = np.append(ends, self.entry + self.turn)
         spans = pairwise(ends.tolist())
         return [
             (low, high)
             for low, high in spans
-            if high - low > LEAST_PIECE * self.pitch
+            if high - low > LEAST_PIECE * self.turn
             and self.in_cut(np.array([0.5 * (low + high)]))[0]
         ]
 
     def in_cut(self, angle: Array) -> NDArray[np.bool_]:
         """Whether some tooth cuts while the first one is at ``angle`` (n,)."""
-        return np.asarray(self._cuts(self._teeth(angle)).any(axis=0))
+        return np.asarray(self._cuts(self._teeth(angle)).any(axis=(0, 1)))
 
     def matrix(self, angle: Array) -> Array:
         """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
+        return np.asarray(self.by_gap(angle).sum(axis=0))
+
+    def by_gap(self, angle: Array) -> Array:
+        """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]."""
         at = self._teeth(angle)
         if self.lag > 0.0:
             # mean of H along the edge, of which a part is in cut
@@ -85,10 +105,15 @@ class Cut:
         """Whether some part of the edge of a tooth at ``at`` is in cut."""
         return np.asarray((at > self.entry) & (at - self.lag < self.exit))
 
+    @property
+    def _behind(self) -> Array:
+        """Angles of the teeth behind the first one (gaps,) [rad], from 0 down."""
+        return -np.array([*accumulate(self.gaps[1:], initial=0.0)])
+
     def _teeth(self, angle: Array) -> Array:
-        """Angles of all teeth, with those whose edges are still in cut (k, n)."""
-        turns = np.arange(-1, math.ceil((math.pi + self.lag) / self.pitch) + 1)
-        return angle + turns[:, None] * self.pitch
+        """Angles of all teeth, with those whose edges are still in cut (turns, gaps, n)."""
+        turns = np.arange(-1, math.ceil((math.pi + self.lag) / self.turn) + 1)
+        return angle + (turns[:, None] * self.turn + self._behind)[..., None]
 
     def _one(self, angle: Array) -> Array:
         """H of one tooth in cut (…, 2, 2)."""
@@ -109,6 +134,17 @@ class Cut:
         )
 
 
+@lru_cache
+def _pattern(pitches: tuple[float, ...]) -> tuple[float, ...]:
+    """The shortest part of the pitches that repeats around the cutter."""
+    count = len(pitches)
+    for k in (k for k in range(1, count) if count % k == 0):
+        repeated = pitches[:k] * (count // k)
+        if all(abs(a - b) < ALIKE for a, b in zip(pitches, repeated, strict=True)):
+            return pitches[:k]
+    return pitches
+
+
 def checked(cut: Cut) -> Cut:
     """The cut unchanged, if it is one that can be solved.
 
@@ -119,6 +155,14 @@ def checked(cut: Cut) -> Cut:
     """
     if cut.teeth < 1:
         raise InvalidInput(f"teeth: given {cut.teeth}; allowed: at least 1")
+    if cut.pitches:
+        whole, least = math.fsum(cut.pitches), min(cut.pitches)
+        if len(cut.pitches) != cut.teeth or abs(whole - 2.0 * math.pi) > FULL or least < LEAST:
+            raise InvalidInput(
+                f"pitch: given {len(cut.pitches)} angles from {math.degrees(least):.6g}°, "
+                f"{math.degrees(whole):.6g}° together; allowed: one to each of {cut.teeth} teeth, "
+                f"from {math.degrees(LEAST):g}°, 360° together"
+            )
     if not 0.0 <= cut.entry < cut.exit <= math.pi + 1e-12:
         raise InvalidInput(
             f"entry and exit: given {cut.entry:.6g} and {cut.exit:.6g} rad; allowed: entry before "

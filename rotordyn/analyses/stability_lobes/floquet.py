@@ -3,9 +3,11 @@
 Over each span of the cut the displacement of the tip follows from the state of the modes at its
 start and from the forces, expanded in Legendre polynomials: u = F x + L g, and the state after it
 from both, x' = P x + W g. Forces of a depth a are g = −a D w by what the teeth feel, which is the
-chip thickness N (u − u_old) and, with process damping, the velocity. With H = D N of low rank w is
-shorter than u. It follows from the forces and from what was before, y = (N u_old, x):
-w = V g + Q y, so that w = (1 + a V D)⁻¹ Q y, and forces give the map of one tooth period.
+chip thickness and, with process damping, the velocity. With H = D N of low rank w is shorter than
+u: N (u − u_old) of evenly spaced teeth. It follows from the forces and from what was before,
+y = (c, x) with c = N u_old: w = V g + Q y, so that w = (1 + a V D)⁻¹ Q y, and forces give the map
+of one period: from tooth to tooth, or of a pattern of uneven pitches, within which a tooth cuts
+what another left in the same period.
 The same limits follow from all harmonics of the tooth frequency.
 
 Theory: docs/theory/lobes.md.
@@ -15,7 +17,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +35,7 @@ EXTRA = 12  # polynomials more within an integral, which truncation would spoil
 
 @dataclass(frozen=True, eq=False)
 class Floquet:
-    """The map of one tooth period of cutting over ``spans``; ``tip`` all modes of the tool's tip.
+    """The map of one period of cutting over ``spans``; ``tip`` all modes of the tool's tip.
 
     ``damping`` (2p, 2p): matrix of the forces by velocity between polynomials [N s/m²], per depth.
     """
@@ -47,12 +48,6 @@ class Floquet:
     def _slow(self) -> ModalTip:
         """Modes that decay too little over a span to be left out of the state (m,)."""
         return self.tip.below(REMEMBERED * self.spans.top)
-
-    @cached_property
-    def _places(self) -> list[slice]:
-        """Rows of every span among all polynomials."""
-        ends = accumulate((count for *_, count in self.spans.each), initial=0)
-        return [slice(low, high) for low, high in pairwise(ends)]
 
     @cached_property
     def _times(self) -> list[tuple[float, float, float]]:
@@ -80,7 +75,7 @@ class Floquet:
         ``shape`` times pole, velocities."""
         found = np.zeros((self.spans.size, 2, len(shape)), dtype=complex)
         for place, (begin, _, _), (own, _) in zip(
-            self._places, self._times, self._integrals, strict=True
+            self.spans.places, self._times, self._integrals, strict=True
         ):
             decayed = np.exp(self._slow.pole * begin)
             found[place] = np.einsum("ma,mi,m->aim", own, shape, decayed)
@@ -96,7 +91,7 @@ class Floquet:
         rate = near.pole if velocity else np.ones(len(near.pole))
         residue = np.einsum("m,mi,mj->ijm", rate, near.shape, near.participation).reshape(4, -1)
         for place, (_, half, _), (*_, count) in zip(
-            self._places, self._times, self.spans.each, strict=True
+            self.spans.places, self._times, self.spans.each, strict=True
         ):
             y = _integrated(near.pole, half, count).reshape(len(near.pole), -1)
             own = 2.0 * (residue.real @ y.real - residue.imag @ y.imag)
@@ -104,8 +99,8 @@ class Floquet:
             found[place, :, place] = own.transpose(2, 0, 3, 1)
         slow = self._slow
         shape = slow.shape * slow.pole[:, None] if velocity else slow.shape
-        for k, later in enumerate(self._places):
-            for j, earlier in enumerate(self._places[:k]):
+        for k, later in enumerate(self.spans.places):
+            for j, earlier in enumerate(self.spans.places[:k]):
                 decay = np.exp(slow.pole * (self._times[k][0] - self._times[j][2]))
                 left = np.einsum("ma,mi,m->aim", self._integrals[k][0], shape, decay)
                 right = np.einsum("mb,mk->mbk", self._integrals[j][1], slow.participation)
@@ -118,7 +113,7 @@ class Floquet:
         slow = self._slow
         found = np.zeros((len(slow.pole), self.spans.size, 2), dtype=complex)
         for place, (_, _, end), (_, own) in zip(
-            self._places, self._times, self._integrals, strict=True
+            self.spans.places, self._times, self._integrals, strict=True
         ):
             decay = np.exp(slow.pole * (self.spans.period - end))
             found[:, place] = np.einsum("ma,mi,m->mai", own, slow.participation, decay)
@@ -143,59 +138,64 @@ class Floquet:
 
     @cached_property
     def _after(self) -> tuple[Array, Array]:
-        """Chip thickness and state after a tooth period by forces (r + 2m, 2p), and without these
-        by both before (r + 2m, r + 2m)."""
-        _, chip = self.spans.thickness
+        """What is kept of the displacement, and the state, after a period by forces (q + 2m, 2p),
+        and without these by both before (q + 2m, q + 2m)."""
+        kept = self.spans.thickness.kept
         size, free = self._measured
-        still = np.concatenate([chip @ free, self._kept * (size[:, None] / size)])
-        by_force = np.concatenate([chip @ self._forced(), self._left * size[:, None]])
-        return by_force, np.pad(still, ((0, 0), (len(chip), 0)))
+        still = np.concatenate([kept @ free, self._kept * (size[:, None] / size)])
+        by_force = np.concatenate([kept @ self._moved, self._left * size[:, None]])
+        return by_force, np.pad(still, ((0, 0), (len(kept), 0)))
+
+    @cached_property
+    def _moved(self) -> Array:
+        return self._forced()
 
     @cached_property
     def _teeth(self) -> tuple[Array, Array, Array]:
-        """D (2p, n), V (n, 2p) and Q (n, r + 2m) of what the teeth feel."""
-        forces, chip = self.spans.thickness
-        after, still = self._after
-        by_force, before = after[: len(chip)], still[: len(chip)] - np.eye(len(chip), len(still))
+        """D (2p, n), V (n, 2p) and Q (n, q + 2m) of what the teeth feel."""
+        forces, now, before, kept = self.spans.thickness
+        by_force = self._after[0][: len(kept)] if now is kept else now @ self._moved
+        own = np.concatenate([-before, now @ self._measured[1]], axis=1)
         if self.damping is None:
-            return forces, by_force, before
+            return forces, by_force, own
         rubbing, along = factors(self.damping)
         velocity = self._free(self._slow.shape * self._slow.pole[:, None]) / self._measured[0]
         return (
             np.concatenate([forces, rubbing], axis=1),
             np.concatenate([by_force, along @ self._forced(velocity=True)]),
-            np.concatenate([before, np.pad(along @ velocity, ((0, 0), (len(chip), 0)))]),
+            np.concatenate([own, np.pad(along @ velocity, ((0, 0), (before.shape[1], 0)))]),
         )
 
     @cached_property
     def _loop(self) -> tuple[Array, Array]:
-        """V D (n, n), and chip thickness and state after a tooth period by D (r + 2m, n)."""
+        """V D (n, n), and what is kept and the state after a period by D (q + 2m, n)."""
         forces, by_force, _ = self._teeth
         return by_force @ forces, self._after[0] @ forces
 
     def _felt(self, depth: float) -> Array:
-        """w by y (n, r + 2m)."""
+        """w by y (n, q + 2m)."""
         loop, _ = self._loop
         return np.asarray(np.linalg.solve(np.eye(len(loop)) + depth * loop, self._teeth[2]))
 
     def map(self, depth: float) -> Array:
-        """Chip thickness by the displacement over the cut, and state after a tooth period, by those
-        before, both (r + 2m,)."""
+        """What is kept of the displacement over the cut, and the state, after a period by those
+        before, both (q + 2m,)."""
         return np.asarray(self._after[1] - depth * self._loop[1] @ self._felt(depth))
 
     def multipliers(self, depth: float) -> Complex:
         """Floquet multipliers at a depth [m]; beyond 1 in size the cut is unstable."""
         return np.asarray(np.linalg.eigvals(self.map(depth)), dtype=complex)
 
-    def doubling(self) -> float:
-        """The least depth of period doubling [m], infinite where there is none.
+    def repeating(self, multiplier: float) -> float:
+        """The least depth [m] of a ``multiplier`` −1, period doubling, or 1; infinite where there
+        is none.
 
-        At a multiplier −1 the motion of one period is that of the last with the opposite sign, and
+        The motion of one period is then that of the last with the opposite or the same sign, and
         depths are the eigenvalues of one matrix: none is missed.
         """
         (forces, by_force, before), (after, still) = self._teeth, self._after
-        back = np.linalg.solve(np.eye(len(still)) + still, after)
-        value = -np.linalg.eigvals((by_force - before @ back) @ forces)
+        back = np.linalg.solve(multiplier * np.eye(len(still)) - still, after)
+        value = -np.linalg.eigvals((by_force + before @ back) @ forces)
         real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
         return 1.0 / float(real.max()) if real.size else np.inf
 

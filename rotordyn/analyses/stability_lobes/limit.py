@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,9 +15,16 @@ from rotordyn.analyses.stability_lobes.crossings import largest_crossing
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.modal_limit import UNLIMITED, Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.multi_frequency import Harmonics
-from rotordyn.analyses.stability_lobes.sampling import along, folded, peaks, resolving, shaped
+from rotordyn.analyses.stability_lobes.sampling import (
+    MOST,
+    along,
+    folded,
+    peaks,
+    resolving,
+    shaped,
+)
 from rotordyn.analyses.stability_lobes.spans import Spans, refuse_waves
-from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, METHODS, NONE
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, METHODS, NONE
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
 
@@ -31,6 +38,7 @@ WITHIN = 1e-6  # of the depth
 MOST_INTERRUPTED = 1e4  # tooth period over cut: harmonics are as many
 MOST_POLYNOMIALS = 200  # of forces over the cut, each time for hundreds of samples
 AT_END = 1e-9  # of π: a crossing there is a flip
+REPEATING = 1e-15  # rad: vibration with so little phase from period to period is a fold
 
 
 @typed(InvalidInput, besides=("receptance",))
@@ -45,16 +53,19 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     method: str = "multi-frequency",
     helix: float = 0.0,
     diameter: float = 0.0,
+    pitch: Sequence[float] = (),
 ) -> Limit:
     """Depth of cut up to which milling is stable.
 
     receptance : angular frequencies (f,) > 0 [rad/s] -> (f, 2, 2) [m/N], tip in feed and normal
-    teeth : how many, evenly spaced
+    teeth : how many, evenly spaced unless ``pitch`` is given
     tangential, radial : cutting coefficients [Pa]
     entry, exit : angles of a tooth in cut [rad], from the normal towards the feed
     speed : of the cutter [rad/s]
     method : "multi-frequency" or "zero-order"
     helix : angle of the edges [rad], which needs the ``diameter`` [m]
+    pitch : angles from each tooth to the one that cut before it [rad], in the order in which they
+        cut, 2π together
 
     Raises
     ------
@@ -64,11 +75,11 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
 
     Sources: Altintas and Budak (1995), Budak and Altintas (1998), Merdol and Altintas (2004).
     """
-    cut = checked(Cut(teeth, tangential, radial, entry, exit))
+    cut = checked(Cut(teeth, tangential, radial, entry, exit, pitches=tuple(pitch)))
     _refuse(speed, method, helix, diameter)
     receptance = shaped(receptance, (2, 2))
     omega, top = resolving(receptance)
-    period = cut.pitch / speed
+    period = cut.turn / speed
     lag = 2.0 * math.tan(helix) / diameter if helix > 0.0 else 0.0
     process = Process(cut, period, lag)
     if method == METHODS[1]:
@@ -80,11 +91,11 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
 
 
 def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float) -> Limit:
-    samples = along(omega, top, process.period)[None]
+    gaps = np.array(process.cut.gaps)
+    delays = process.period * gaps / process.cut.turn
+    samples = along(omega, top, float(delays.max()))[None]
     mean = Mean(process.cut.mean()[None], np.zeros((1, 2, 2)))
-    depth, at = zero_order(
-        lambda rows: receptance(rows[0])[None], mean, np.array([process.period]), samples
-    )
+    depth, at = zero_order(lambda rows: receptance(rows[0])[None], mean, delays[None], samples)
     kind = HOPF if math.isfinite(depth[0]) else NONE
     return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)
 
@@ -105,6 +116,8 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
             "the immersion, or leave the loss factor out"
         )
     angle = folded(near, process.period)
+    if not process.cut.even and np.abs(receptance(np.array([AT_END]))).max() < MOST:
+        angle = np.insert(angle, 0, REPEATING)  # of a tip that is held
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)
     spans = Spans(process.cut, process.period, top)
@@ -113,10 +126,15 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
 
 def at_depth(harmonics: Harmonics, angle: Array) -> Limit:
     """The limit of a cut whose forces are those of one depth."""
-    found = largest_crossing(harmonics.eigenvalues, angle)
+    ends = (0, -1) if angle[0] <= REPEATING else (-1,)
+    found = largest_crossing(harmonics.eigenvalues, angle, ends)
     if found.value <= 0.0:
         return UNLIMITED
-    kind = FLIP if found.angle >= math.pi * (1.0 - AT_END) else HOPF
+    kind = HOPF
+    if found.angle >= math.pi * (1.0 - AT_END):
+        kind = FLIP
+    elif found.angle <= REPEATING:
+        kind = FOLD
     return Limit(1.0 / found.value, harmonics.chatter(found.angle, found.value), kind)
 
 
@@ -140,7 +158,7 @@ def with_helix(process: Process, top: float, receptance: Receptance, angle: Arra
     while (limit := found(high)).depth > high:
         if high > deepest:
             return UNLIMITED
-        step = min(AHEAD * (limit.depth - high), SHARE * process.cut.pitch / process.lag)
+        step = min(AHEAD * (limit.depth - high), SHARE * min(process.cut.gaps) / process.lag)
         low, high = high, high + max(step, LEAST_STEP * high)
     while high - low > WITHIN * high:
         middle = 0.5 * (low + high)

@@ -92,7 +92,8 @@ class Limits:
 
     def _mean(self, operation: Operation, change: Change) -> list[Limit]:
         """Zero-order limits, solved together for speeds whose tooth periods are similar."""
-        period = operation.period(self.speed)
+        delays = operation.delays(self.speed)
+        period = delays.max(axis=1)
         found: list[Limit] = []
         most = float(self.tip.tops.max()) / TURN  # samples in a second
         for part in _alike(period, AT_ONCE / most):
@@ -105,7 +106,7 @@ class Limits:
                 known = self._samples(self.rows[part], period[part], MOST_SAMPLES)
                 sampled = partial(_between, receptance, known)
             asked = omega * change.highest
-            depth, at = zero_order(receptance, mean, period[part], asked, sampled)
+            depth, at = zero_order(receptance, mean, delays[part], asked, sampled)
             found += [
                 Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)

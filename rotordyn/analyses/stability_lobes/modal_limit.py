@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.first_loss import first_loss
 from rotordyn.analyses.stability_lobes.floquet import Floquet
 from rotordyn.analyses.stability_lobes.modal import ModalTip
 from rotordyn.analyses.stability_lobes.spans import SPARE, Spans, refuse_waves
-from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, NONE
 
 Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
@@ -31,7 +31,8 @@ ANGLES = 181  # at which the cutting force is largest
 
 class Limit(NamedTuple):
     """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
-    just beyond, that of the largest motion; ``kind`` "hopf" or "flip" (period doubling)."""
+    just beyond, that of the largest motion; ``kind`` "hopf", "flip" (period doubling) or "fold" (of
+    uneven teeth: vibration that repeats with them)."""
 
     depth: float
     frequency: float
@@ -42,8 +43,9 @@ UNLIMITED = Limit(math.inf, math.nan, NONE)
 
 
 class Process(NamedTuple):
-    """A cut at a tooth ``period`` [s]; ``lag`` [rad/m] of the edges by depth; ``ploughing``: its
-    process damping as a cut whose coefficients are forces by velocity [N s/m²], or None."""
+    """A cut at the ``period`` [s] of its teeth; ``lag`` [rad/m] of the edges by depth;
+    ``ploughing``: its process damping as a cut whose coefficients are forces by velocity [N s/m²],
+    or None."""
 
     cut: Cut
     period: float
@@ -70,20 +72,23 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     low = CERTAIN / _gain(tip, process)
     coarse = _maps(tip, COARSE * top, process, COARSE_SPARE)
     fine = _maps(tip, top, process, SPARE)
-    step = SHARE * process.cut.pitch / process.lag if process.lag > 0.0 else math.inf
-    flip = fine(0.0).doubling() if process.lag == 0.0 else math.inf
+    step = SHARE * min(process.cut.gaps) / process.lag if process.lag > 0.0 else math.inf
+    signs = () if process.lag > 0.0 else (-1.0,) if process.cut.even else (-1.0, 1.0)
+    real = min((fine(0.0).repeating(sign) for sign in signs), default=math.inf)
     damped = _damped(tip)
     deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))
     if process.lag == 0.0:
         deepest *= process.cut.interruption
-    high = min(deepest, (1.0 - JUST_BELOW) * flip)
-    depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), flip)
+    high = min(deepest, (1.0 - JUST_BELOW) * real)
+    depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), real)
     if depth > deepest:
         return UNLIMITED
     final = fine(depth)
     value, force = final.dominant(depth)
     angle = abs(float(np.angle(value)))
-    kind = FLIP if value.imag == 0.0 and value.real < 0.0 else HOPF
+    kind = HOPF
+    if value.imag == 0.0:
+        kind = FLIP if value.real < 0.0 else HOPF if process.cut.even else FOLD
     return Limit(depth, final.spans.chatter(tip.receptance, angle, force), kind)
 
 
@@ -121,5 +126,5 @@ def _gain(tip: ModalTip, process: Process) -> float:
 def _largest(cut: Cut) -> float:
     """Largest force by displacement [Pa] or velocity [N s/m²], per depth."""
     pieces = cut.pieces()
-    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES)
+    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES * len(cut.gaps))
     return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max())

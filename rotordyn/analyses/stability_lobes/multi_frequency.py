@@ -32,24 +32,24 @@ class Harmonics:
     receptance: Receptance
 
     def motion(self, angle: Array) -> Complex:
-        """Motion from tooth to tooth by the forces, between polynomials (n, p, 2, p, 2) [m/N] at
-        ``angle`` ωT (n,)."""
+        """Motion by the forces, between polynomials (n, p, 2, p, 2) [m/N] at ``angle`` ωT (n,)."""
         at = angle[:, None] + 2.0 * math.pi * self.spans.order
         own = both_signs(self.receptance, at / self.spans.period)
         basis = self.spans.coefficients(at)
         n, p = len(angle), basis.shape[-1]
         found = np.empty((n, p, 2, p, 2), dtype=complex)
-        back = np.swapaxes(basis, 1, 2).conj()
+        back = np.swapaxes(basis, 1, 2).conj() / self.spans.halves[:, None]
         for i in range(2):
             for j in range(2):
                 found[:, :, i, :, j] = (back * own[:, None, :, i, j]) @ basis
-        return found * (1.0 - np.exp(-1j * angle))[:, None, None, None, None]
+        return found
 
     def matrix(self, angle: Array) -> Complex:
-        """−H times the motion (n, 2p, 2p): its eigenvalues z on the positive real axis are 1/a."""
-        motion = self.motion(angle)
-        n, p = len(angle), motion.shape[1]
-        return -(self.spans.cutting @ motion.reshape(n, 2 * p, 2 * p))
+        """−H times the motion against that when the tooth before cut (n, 2p, 2p): its eigenvalues
+        z on the positive real axis are 1/a."""
+        same, last = self.spans.delayed
+        chip = self.spans.cutting - same - np.exp(-1j * angle)[:, None, None] * last
+        return -(chip @ self.motion(angle).reshape(chip.shape))
 
     def eigenvalues(self, angle: Array) -> Complex:
         """(n, 2p), of some angles at once for the sake of memory."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,11 +28,13 @@ class Operation:
     def cut(self) -> Cut:
         """The teeth in cut, of milling."""
         own = self.spec
-        return checked(Cut(own.teeth, self.tangential, self.radial, *own.ends))
+        edges = own.teeth, self.tangential, self.radial
+        return checked(Cut(*edges, *own.ends, pitches=own.pitches))
 
-    def period(self, speed: Array) -> Array:
-        """From one tooth to the next [s] at speeds [rad/s]; of turning a revolution."""
-        return 2.0 * math.pi / (1 if self.spec.turning else self.spec.teeth) / speed
+    def delays(self, speed: Array) -> Array:
+        """From one tooth to the next [s] at speeds [rad/s] (s, gaps); of turning a revolution."""
+        gaps = (2.0 * math.pi,) if self.spec.turning else self.cut.gaps
+        return np.array(gaps) / speed[:, None]
 
     def mean(self, speed: Array) -> Mean:
         """Mean of the forces by displacement (1 or s, 2, d) [Pa] and by velocity [N s/m²]; in
@@ -40,7 +42,7 @@ class Operation:
         rate = self.spec.process_damping / self._cutting_speed(speed)
         if self.spec.turning is None:
             own = self.cut
-            rubbing = Cut(own.teeth, 0.0, 1.0, own.entry, own.exit).mean()
+            rubbing = replace(own, tangential=0.0, radial=1.0).mean()
             return Mean(own.mean()[None], rate[:, None, None] * rubbing)
         # the force on the work by its motion towards the tool, in feed and normal
         angle, force = self.spec.turning.force_angle, self.spec.turning.force
@@ -52,11 +54,11 @@ class Operation:
         """The cut at a speed [rad/s], of milling."""
         own, cut = self.spec, self.cut
         lag = 2.0 * math.tan(own.helix) / own.diameter
-        period = float(self.period(np.array(speed)))
+        period = cut.turn / speed
         if own.process_damping == 0.0:
             return Process(cut, period, lag)
         rate = own.process_damping / float(self._cutting_speed(np.array(speed)))
-        return Process(cut, period, lag, Cut(cut.teeth, 0.0, rate, cut.entry, cut.exit))
+        return Process(cut, period, lag, replace(cut, tangential=0.0, radial=rate))
 
     def removal(self, speed: Array, depth: Array) -> Array:
         """Removal rate of a depth [m³/s]."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -54,6 +55,9 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     ends = band(limits, operations, every, spec.interval)
     tip_at_rest = _tip(running.at(np.zeros(1)), spec)
     at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
+    even = np.full(len(usable), np.nan)
+    if spec.pitch:
+        even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
     measured = _on_measured(scene, spec, operations[0], usable)
 
     place = np.searchsorted(speeds, usable)
@@ -76,6 +80,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         mode_damping=modes[:, 1],
         removal=removal,
         at_rest=_spread(place, len(speeds), _depths(at_rest)),
+        even=_spread(place, len(speeds), even),
         measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),

@@ -1,4 +1,4 @@
-"""Spans of the tooth period in which teeth cut, and functions over them.
+"""Spans of the period of the cut in which teeth cut, and functions over them.
 
 Forces of the cut are zero where no tooth cuts and smooth in between. They are expanded in
 orthonormal Legendre polynomials over each span, which converges exponentially, where truncated
@@ -13,6 +13,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import accumulate, pairwise, product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,14 +28,29 @@ Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 _gauss = lru_cache(np.polynomial.legendre.leggauss)
 SPARE = 12  # polynomials: from waves resolved to rounding
+SHORTEST = 1e-12  # of a period: a shorter part of two spans in common is rounding
 ROUNDED = 1e-15  # of the largest pivot: a smaller one is rounding
 TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
 
 
+class Thickness(NamedTuple):
+    """What teeth feel of the displacement u (2p,) of a period: w = now u − before c, where c =
+    ``kept`` u of the period before; forces are −depth · ``forces`` w.
+
+    ``forces`` (2p, r), ``now`` (r, 2p), ``before`` (r, q), ``kept`` (q, 2p).
+    """
+
+    forces: Array
+    now: Array
+    before: Array
+    kept: Array
+
+
 @dataclass(frozen=True)
 class Spans:
-    """The cut at one tooth ``period`` [s] of a machine whose receptance matters up to ``top``
-    [rad/s]; ``spare``: polynomials more than its waves need."""
+    """The cut of a ``period`` [s], from tooth to tooth or over an uneven pattern of them, of a
+    machine whose receptance matters up to ``top`` [rad/s]; ``spare``: polynomials more than its
+    waves need."""
 
     cut: Cut
     period: float
@@ -42,14 +59,20 @@ class Spans:
 
     @cached_property
     def each(self) -> list[tuple[float, float, int]]:
-        """Centre and half length of the spans of the cut over the pitch, and how many polynomials
+        """Centre and half length of the spans of the cut over the period, and how many polynomials
         (centre, half length, count)."""
-        pitch, found = self.cut.pitch, []
+        turn, found = self.cut.turn, []
         for low, high in self.cut.pieces():
-            half = 0.5 * (high - low) / pitch
+            half = 0.5 * (high - low) / turn
             count = math.ceil(self.top * self.period * half) + self.spare
-            found.append((0.5 * (low + high) / pitch, half, count))
+            found.append((0.5 * (low + high) / turn, half, count))
         return found
+
+    @cached_property
+    def places(self) -> list[slice]:
+        """Rows of every span among all polynomials."""
+        ends = accumulate((count for *_, count in self.each), initial=0)
+        return [slice(low, high) for low, high in pairwise(ends)]
 
     @property
     def size(self) -> int:
@@ -67,16 +90,44 @@ class Spans:
     def between(self, cut: Cut) -> Array:
         """Galerkin matrix of H between the polynomials (2p, 2p) [Pa], of a cut with these spans."""
         size = self.size
-        found, at = np.zeros((size, 2, size, 2)), 0
-        for centre, half, count in self.each:
+        found = np.zeros((size, 2, size, 2))
+        for (centre, half, count), at in zip(self.each, self.places, strict=True):
             x, weight = _gauss(count + 12)
             basis = _legendre(x, count)
-            matrix = cut.matrix((centre + half * x) * cut.pitch)
-            right = matrix[:, :, None, :] * basis.T[:, None, :, None]
-            own = (basis * weight) @ right.reshape(len(x), -1)
-            found[at : at + count, :, at : at + count] = own.reshape(count, 2, count, 2)
-            at += count
+            found[at, :, at] = _galerkin(
+                basis * weight, cut.matrix((centre + half * x) * cut.turn), basis
+            )
         return found.reshape(2 * size, 2 * size)
+
+    @cached_property
+    def delayed(self) -> tuple[Array, Array]:
+        """What of H acts on the displacement when the tooth before cut there, in the same period
+        and in the last one (2p, 2p) each [Pa]."""
+        size, turn = self.size, self.cut.turn
+        if self.cut.even:
+            return np.zeros((2 * size, 2 * size)), self.cutting
+        found = np.zeros((2, size, 2, size, 2))
+        ends = [(turn * (c - h), turn * (c + h), count) for c, h, count in self.each]
+        for (k, here), (j, there) in product(enumerate(ends), repeat=2):
+            for (which, gap), last in product(enumerate(self.cut.gaps), (0, 1)):
+                shift = gap - last * turn  # from the one to the other
+                low, high = max(here[0], there[0] + shift), min(here[1], there[1] + shift)
+                if high - low <= SHORTEST * turn:
+                    continue
+                x, weight = _gauss((here[2] + there[2]) // 2 + 12)
+                angle = 0.5 * (low + high) + 0.5 * (high - low) * x
+                force = self.cut.by_gap(angle)[which]
+                bases = (
+                    _legendre(_within(at, angle - by), at[2])
+                    for at, by in ((here, 0.0), (there, shift))
+                )
+                left, right = bases
+                share = weight * (high - low) / (here[1] - here[0])
+                found[last, self.places[k], :, self.places[j]] += _galerkin(
+                    left * share, force, right
+                )
+        same, before = found.reshape(2, 2 * size, 2 * size)
+        return same, before
 
     @cached_property
     def cutting(self) -> Array:
@@ -84,21 +135,28 @@ class Spans:
         return self.between(self.cut)
 
     @cached_property
-    def thickness(self) -> tuple[Array, Array]:
-        """``cutting`` as a product: forces by chip thickness (2p, r), that by displacement (r, 2p).
+    def thickness(self) -> Thickness:
+        """A tooth feels motion in one direction at a time: where one cuts, r is little above p."""
+        same, last = self.delayed
+        if self.cut.even:
+            forces, chip = factors(self.cutting)
+            return Thickness(forces, chip, np.eye(len(chip)), chip)
+        forces, chip = factors(np.hstack([self.cutting - same, last]))
+        return Thickness(forces, chip[:, : len(same)], *factors(chip[:, len(same) :]))
 
-        A tooth feels motion in one direction at a time: where one cuts, r is little above p.
-        """
-        return factors(self.cutting)
+    @cached_property
+    def halves(self) -> Array:
+        """Half length of the span of each polynomial over the period (p,)."""
+        return np.concatenate([np.full(count, half) for _, half, count in self.each])
 
     def coefficients(self, angle: Array) -> Complex:
-        """Fourier coefficients at frequencies times period ``angle`` (…) of the orthonormal
-        polynomials (…, p)."""
+        """Fourier coefficients at frequencies times period ``angle`` (…) of the polynomials
+        (…, p), which are orthonormal over −1 … 1 of their spans."""
         found = []
         for centre, half, count in self.each:
             bessel = spherical_bessel(angle * half, count)
             order = np.arange(count)
-            scale = np.sqrt(2.0 * half * (2 * order + 1)) * (-1j) ** order
+            scale = half * np.sqrt(2.0 * (2 * order + 1)) * (-1j) ** order
             found.append(bessel * scale * np.exp(-1j * angle * centre)[..., None])
         return np.concatenate(found, axis=-1)
 
@@ -125,7 +183,7 @@ def refuse_waves(spans: Spans, most: int) -> None:
 
 
 def factors(matrix: Array) -> tuple[Array, Array]:
-    """A square matrix (n, n) of low rank as a product (n, r) by (r, n)."""
+    """A matrix (n, m) of low rank, n ≤ m, as a product (n, r) by (r, m)."""
     from scipy.linalg import qr
 
     left, right, order = qr(matrix, pivoting=True, check_finite=False)
@@ -137,6 +195,19 @@ def both_signs(receptance: Receptance, omega: Array) -> Complex:
     """Receptance (…, 2, 2) at frequencies of either sign (…): that at −ω is the conjugate."""
     own = receptance(np.abs(omega).ravel()).reshape(*omega.shape, 2, 2)
     return np.where((omega < 0.0)[..., None, None], own.conj(), own)
+
+
+def _galerkin(left: Array, force: Array, right: Array) -> Array:
+    """∫ left force right between weighted polynomials (m, n) and others (k, n) at points of a
+    ``force`` (n, 2, 2): (m, 2, k, 2)."""
+    acting = force[:, :, None, :] * right.T[:, None, :, None]
+    return (left @ acting.reshape(len(force), -1)).reshape(len(left), 2, len(right), 2)
+
+
+def _within(span: tuple[float, float, int], angle: Array) -> Array:
+    """Angles on −1 … 1 of a span."""
+    low, high, _ = span
+    return 2.0 * (angle - low) / (high - low) - 1.0
 
 
 def _legendre(x: Array, count: int) -> Array:

@@ -35,12 +35,14 @@ MULTI_FREQUENCY, ZERO_ORDER = "multi-frequency", "zero-order"
 METHODS = (MULTI_FREQUENCY, ZERO_ORDER)
 MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
-HOPF, FLIP, NONE = "hopf", "flip", ""
-OF_MILLING = ("teeth", "tangential", "radial", "workpiece", "helix")
+HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
+OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix")
+ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
 Immersion = Annotated[float, Quantity("ratio", above="0 %", at_most="100 %")]
 Helix = Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")]
 ForceAngle = Annotated[float, Quantity("angle", above="-90 deg", below="90 deg")]
 Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="90 %")]
+Pitch = Annotated[float, Quantity("angle", at_least="1 deg", below="360 deg")]
 Ploughing = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e9 N/m")]
 
 
@@ -73,7 +75,12 @@ class StabilityLobesSpec(Spec):
 
     point: Annotated[PointName, "tip of the tool, or of the workpiece in turning"]
     diameter: Annotated[Diameter, "of the cutter, or of the workpiece in turning"]
-    teeth: Annotated[int, Whole(0, 100), "teeth of the cutter, evenly spaced"] = 0
+    teeth: Annotated[int, Whole(0, 100), "teeth of the cutter"] = 0
+    pitch: Annotated[
+        tuple[Pitch, ...],
+        "from each tooth to the one that cut before it, in the order in which they cut; evenly "
+        "spaced by default",
+    ] = ()
     tangential: Annotated[
         CuttingCoefficient | None, "tangential cutting coefficient Ktc; or `workpiece`"
     ] = None
@@ -128,6 +135,12 @@ class StabilityLobesSpec(Spec):
         return 0.0, math.pi
 
     @property
+    def pitches(self) -> tuple[float, ...]:
+        """``pitch`` [rad], a full turn together."""
+        whole = math.fsum(self.pitch)
+        return tuple(2.0 * math.pi * each / whole for each in self.pitch)
+
+    @property
     def pairs(self) -> tuple[tuple[float, float], ...]:
         """Tangential and radial coefficient [Pa] of every source, of which the first is taken as
         the most likely; one pair without meaning in turning."""
@@ -147,6 +160,14 @@ class StabilityLobesSpec(Spec):
     def _of_milling(self) -> Faults:
         if not self.teeth:
             yield ("teeth",), "missing key: the number of teeth, or turning"
+        if self.pitch and len(self.pitch) != self.teeth:
+            yield (
+                ("pitch",),
+                f"given {len(self.pitch)} angles beside {self.teeth} teeth; allowed: one to each",
+            )
+        elif self.pitch and abs(math.fsum(self.pitch) - 2.0 * math.pi) > ROUND:
+            whole = math.degrees(math.fsum(self.pitch))
+            yield ("pitch",), f"given {whole:.6g}° together; allowed: 360°, a full turn"
         given = [self.tangential is not None, self.radial is not None]
         if self.workpiece is None and not all(given):
             key = "radial" if given[0] else "tangential"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
-from rotordyn.analyses.stability_lobes.spec import FLIP
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD
 from rotordyn.results.described import Described
 from rotordyn.results.display import MILLIMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
@@ -42,7 +42,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
         )
     ]
     lines = [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
-    return lines + _at_rest(result) + _measured(result)
+    return lines + _even(result) + _at_rest(result) + _measured(result)
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
@@ -54,6 +54,22 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
+
+
+def _even(result: StabilityLobesResult) -> list[str]:
+    """The least limit of evenly spaced teeth, and where it differs most."""
+    if np.isnan(result.even).all():
+        return []
+    row, ratio = _largest_difference(result.depth, result.even)
+    line = "even pitch evenly spaced teeth would be stable at every speed"
+    if np.isfinite(result.even).any():
+        line += f" up to {_depth(np.nanmin(result.even))}"
+    if ratio > 1.0:
+        line += (
+            f"; the uneven ones differ most at {_rpm(result, row)}: {_depth(result.depth[row])} in "
+            f"place of {_depth(result.even[row])}"
+        )
+    return [line]
 
 
 def _at_rest(result: StabilityLobesResult) -> list[str]:
@@ -122,6 +138,13 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         sentences.append(
             f"period doubling limits {flips.size} of {len(result.depth)} speeds, first at {rpm} "
             "rpm: zero-order limits do not see it"
+        )
+    folds = np.flatnonzero(np.array(result.loss) == FOLD)
+    if folds.size:
+        rpm = number(result.cutting_speed[folds[0]] * RPM.factor, 0)
+        sentences.append(
+            f"vibration that repeats with the uneven teeth limits {folds.size} of "
+            f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
     if result.error > result.error_asked:
         sentences.append(

@@ -48,6 +48,6 @@ def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: f
     period = np.array([2.0 * math.pi / speed])
     samples = along(omega, top, float(period[0]))[None]
     mean = Mean(np.array([[[force]]]), np.zeros((1, 1, 1)))
-    depth, at = zero_order(matrices, mean, period, samples)
+    depth, at = zero_order(matrices, mean, period[:, None], samples)
     kind = HOPF if math.isfinite(depth[0]) else NONE
     return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)

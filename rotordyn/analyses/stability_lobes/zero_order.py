@@ -2,8 +2,8 @@
 period, and one frequency of vibration. Exact where the cutting forces do not change with the angle.
 
 At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) Φ(iω) H̄, so
-that the lobes need not be counted and every speed has its own receptance. Process damping adds
-−iω Φ(iω) C̄.
+that the lobes need not be counted and every speed has its own receptance. Of unevenly spaced teeth
+the factor is the mean over their delays T. Process damping adds −iω Φ(iω) C̄.
 
 Theory: docs/theory/lobes.md.
 """
@@ -34,17 +34,18 @@ class Mean(NamedTuple):
 
 
 def zero_order(
-    receptances: Rows, mean: Mean, period: Array, omega: Array, sampled: Rows | None = None
+    receptances: Rows, mean: Mean, delays: Array, omega: Array, sampled: Rows | None = None
 ) -> tuple[Array, Array]:
     """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
     (s,).
 
-    ``receptances`` of frequencies (s, f): (s, f, d, e); ``period`` of the teeth (s,) [s];
+    ``receptances`` of frequencies (s, f): (s, f, d, e); ``delays`` from tooth to tooth (s, gaps)
+    [s];
     ``omega`` (s, f) ascending samples [rad/s]; ``sampled``: an approximation of the receptances
     that costs less, in which crossings are looked for.
     """
     near = receptances if sampled is None else sampled
-    z = _followed(_eigenvalues(near(omega), mean, period, omega))
+    z = _followed(_eigenvalues(near(omega), mean, delays, omega))
     low, high = z[:, :-1], z[:, 1:]
     chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -60,7 +61,7 @@ def zero_order(
             break
         k, branch = np.divmod(chosen, z.shape[2])
         ends = omega[rows, k], omega[rows, k + 1], z[rows, k, branch], z[rows, k + 1, branch]
-        frequencies, values = _roots(receptances, mean, period, ends)
+        frequencies, values = _roots(receptances, mean, delays, ends)
         values = np.where(bound[rows, chosen] > 0.0, values, 0.0)
         best = values.argmax(axis=1)[:, None]
         found, where = (np.take_along_axis(a, best, axis=1)[:, 0] for a in (values, frequencies))
@@ -71,11 +72,10 @@ def zero_order(
     return depth, at
 
 
-def _eigenvalues(receptance: Complex, mean: Mean, period: Array, omega: Array) -> Complex:
+def _eigenvalues(receptance: Complex, mean: Mean, delays: Array, omega: Array) -> Complex:
     """Of Z (s, f, d, d): (s, f, d), d at most 2."""
-    own = (np.exp(-1j * omega * period[:, None]) - 1.0)[..., None, None] * (
-        receptance @ mean.cutting[:, None]
-    )
+    back = np.exp(-1j * omega[..., None] * delays[:, None]).mean(axis=-1)
+    own = (back - 1.0)[..., None, None] * (receptance @ mean.cutting[:, None])
     if mean.rubbing.any():
         own = own - 1j * omega[..., None, None] * (receptance @ mean.rubbing[:, None])
     if own.shape[-1] == 1:
@@ -103,7 +103,7 @@ def _followed(z: Complex) -> Complex:
 
 
 def _roots(
-    receptances: Rows, mean: Mean, period: Array, ends: tuple[Array, Array, Complex, Complex]
+    receptances: Rows, mean: Mean, delays: Array, ends: tuple[Array, Array, Complex, Complex]
 ) -> tuple[Array, Array]:
     """Frequencies (s, c) at which branches between two samples are real, and the values there."""
     a, b, one, other = ends
@@ -113,7 +113,7 @@ def _roots(
         with np.errstate(divide="ignore", invalid="ignore"):
             share = np.nan_to_num(weight_a / (weight_a - weight_b), nan=0.5)
         middle = a + np.clip(share, 1e-3, 1.0 - 1e-3) * (b - a)
-        found = _eigenvalues(receptances(middle), mean, period, middle)
+        found = _eigenvalues(receptances(middle), mean, delays, middle)
         with np.errstate(divide="ignore", invalid="ignore"):
             guess = one + np.nan_to_num((middle - a) / (b - a)) * (other - one)
         nearest = np.abs(found - guess[..., None]).argmin(axis=-1)[..., None]

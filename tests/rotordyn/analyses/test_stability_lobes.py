@@ -192,6 +192,9 @@ def test_without_damping_there_are_no_lobes(case):
         ({"helix": "30 deg", "method": "zero-order"}, "do not depend on it"),
         ({"teeth": 0}, "teeth"),
         ({"speeds": "[30000 rpm]"}, "above the highest speed of the case"),
+        ({"pitch": "[100 deg, 120 deg, 140 deg]"}, "given 3 angles beside 2 teeth"),
+        ({"pitch": "[170 deg, 180 deg]"}, "given 350° together; allowed: 360°"),
+        ({"pitch": "[0 deg, 360 deg]"}, "angle out of range"),
     ],
 )
 def test_faults(case, given, sentence):
@@ -457,6 +460,10 @@ def test_pockets_and_their_margins():
     [
         ({"turning": "{force: 2 GPa}"}, "of milling: given beside turning"),
         ({"teeth": 0}, "missing key: the number of teeth, or turning"),
+        (
+            {"teeth": 0, "pitch": "[180 deg, 180 deg]", "turning": "{force: 2 GPa}"},
+            "pitch.*of milling: given beside turning",
+        ),
         ({"radial": "null"}, "tangential and radial must be given, or workpiece"),
         ({"workpiece": "al7075"}, "given beside coefficients"),
         (
@@ -470,6 +477,20 @@ def test_pockets_and_their_margins():
 def test_faults_of_turning_workpieces_and_intervals(case, given, sentence):
     with pytest.raises(RotordynError, match=sentence):
         case(**given)
+
+
+def test_uneven_teeth_stand_beside_evenly_spaced_ones(case):
+    """Rounded pitches make a full turn; the figure has both."""
+    uneven, even = (lobes(case(**given)) for given in ({"pitch": "[160.04 deg, 200 deg]"}, {}))
+    np.testing.assert_array_equal(uneven.even, even.depth)
+    assert np.isnan(even.even).all()
+    assert (np.abs(uneven.depth / uneven.even - 1.0) > 0.02).all()
+    turned = lobes(case(pitch="[200 deg, 160.04 deg]"))
+    np.testing.assert_allclose(turned.depth, uneven.depth, rtol=1e-9)
+    results = rotordyn.run(case(pitch="[160.04 deg, 200 deg]"))
+    assert "even pitch evenly spaced teeth would be stable at every speed up to" in results.summary
+    upper, _, *_ = results.plot("stability_lobes").axes
+    assert "with evenly spaced teeth" in [line.get_label() for line in upper.get_lines()]
 
 
 def test_a_loss_factor_leaves_no_modes_to_change(case):

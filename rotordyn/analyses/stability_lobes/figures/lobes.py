@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS
 from rotordyn.analyses.stability_lobes.pockets import KEPT
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
-from rotordyn.analyses.stability_lobes.spec import FLIP, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, StabilityLobesSpec
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
     BLUE,
     FONT_SIZE,
     GREY,
+    ORANGE,
     RED,
     add_axes,
     axis_start,
@@ -33,6 +34,10 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 ROOM = 1.1
 MARKED, SMALL = 4, 6.0
+REPEATING = (
+    (FLIP, RED, "-", "period doubling"),
+    (FOLD, ORANGE, (0, (1.0, 0.7)), "vibration that repeats with the teeth"),
+)
 APART = 0.11  # of the axis, between marks of pockets
 ABOVE = 9.0  # [mm] of the second axis
 ROW = 3.6  # [mm] of a line below the figure
@@ -50,7 +55,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     lower = add_axes(figure, (15.0, 11.0 + foot, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
     tested = result.measured * MILLIMETRE.factor
-    top = _height([depth, rest, tested])
+    top = _height([depth, rest, tested, result.even * MILLIMETRE.factor])
     drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
     if lines:
         _band(upper, result, rpm, top)
@@ -64,10 +69,15 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         look = {"ls": ":"} if lines else {"ls": "", "marker": "+", "ms": 4.5}
         shown = np.clip(np.nan_to_num(tested, posinf=2.0 * top), 0.0, 2.0 * top)
         upper.plot(rpm, shown, color=BLACK, lw=1.0, label="on the measured spindle", **look)
-    flips = np.array(result.loss) == FLIP
-    if flips.any():
-        shown = np.where(flips, drawn, np.nan)
-        upper.plot(rpm, shown, color=RED, lw=2.0, label="period doubling")
+    even = result.even * MILLIMETRE.factor
+    if np.isfinite(even).any():
+        look = {"ls": "-."} if lines else {"ls": "", "marker": "s", "ms": 3.0, "mfc": "none"}
+        shown = np.clip(np.nan_to_num(even, posinf=2.0 * top), 0.0, 2.0 * top)
+        upper.plot(rpm, shown, color=BLACK, lw=0.8, label="with evenly spaced teeth", **look)
+    for kind, colour, line, words in REPEATING:
+        shown = np.where(np.array(result.loss) == kind, drawn, np.nan)
+        if not np.isnan(shown).all():
+            upper.plot(rpm, shown, color=colour, lw=2.0, ls=line, label=words)
     upper.set_ylim(0.0, top)
     upper.tick_params(labelbottom=False)
     _pockets(upper, result, marked, top)
@@ -174,7 +184,8 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
     said = f"turning of {size}: revolutions by second [Hz]"
     if not spec.turning:
         how = "slot" if spec.milling == "slot" else f"{spec.milling} {spec.immersion:.0%}"
-        what = f"{spec.teeth} teeth on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
+        teeth = f"{spec.teeth} uneven teeth" if spec.pitch else f"{spec.teeth} teeth"
+        what = f"{teeth} on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
         said = f"{what}: a tooth passes at [Hz]"
     other.set_xlabel(said, fontsize=FONT_SIZE)
     other.tick_params(labelsize=FONT_SIZE)
