@@ -76,6 +76,7 @@ ENDED = {"vex70_warm": "temperatures run away"}  # where states end, as the case
 
 
 SLOW = {  # whose analyses other cases have, too
+    "deep_groove_uneven_teeth",
     "grinding_spindle_knock",
     "grinding_spindle_touch",
     "mfw2310_interval",
