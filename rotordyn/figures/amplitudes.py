@@ -12,6 +12,8 @@ from rotordyn.results.kinds import Array
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+DECADES = 6.0  # of an axis, at most
+
 
 def wrapped_phase(phase: Array) -> Array:
     """``phase`` [deg] without a point where it wraps, so that no line is drawn there."""
@@ -42,3 +44,13 @@ def log_axis(axes: Axes) -> None:
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_yticks([v for v, _ in ticks], [name for _, name in ticks])
     axes.set_ylim(low, high)
+
+
+def decades(axes: Axes) -> None:
+    """A logarithmic axis over what is drawn, a few decades of it."""
+    known = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
+    known = known[np.isfinite(known)]
+    if known.size:
+        high = 1.6 * float(known.max())
+        axes.set_ylim(max(0.6 * float(known.min()), high / 10.0**DECADES), high)
+        log_axis(axes)

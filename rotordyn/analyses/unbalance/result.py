@@ -31,6 +31,7 @@ class UnbalanceResult:
     the case and at more of them about every peak, so that the highest values are the true ones; NaN
     at a speed at which a stop closes, where lines break. ``peak_…``: every peak of a point,
     ascending, NaN where it has fewer, infinite at a critical speed without damping.
+    ``run_…``: on runs through the speeds in given times, the major half axis and its largest value.
     ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
     which a balance grade is given; 0 without one.
     """
@@ -150,6 +151,14 @@ class UnbalanceResult:
         absent=(FEWER,),
         infinite=(Absence("at a critical speed without damping", beside="critical_damping"),),
     )
+    run: Words = coordinate("run", unit="", label="run through the speeds")
+    run_speed: Array = coordinate("run_speed", unit="rad/s", label="speed on the way")
+    run_amplitude: Array = quantity(
+        "run", "run_speed", "point", unit="m", label="major half axis of the orbit on a run"
+    )
+    run_peak: Array = quantity("run", "point", unit="m", label="largest half axis on a run")
+    run_peak_speed: Array = quantity("run", "point", unit="rad/s", label="speed there")
+    run_error: Array = quantity("run", unit="1", label="estimated error over the largest value")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",

@@ -7,21 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.unbalance.loads import acting, node_loads, unbalanced
+from rotordyn.analyses.unbalance.loads import acting, unbalanced
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.runs import runs_of
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unbalance.steady import (
+    AXES,
+    Steady,
+    displacements,
+    out_of_balance,
+    steady,
+)
 from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.dofs import position
-from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
+from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
-from rotordyn.equation.shaft import PLANES
 from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
@@ -33,7 +40,6 @@ from rotordyn.scene.refinement import changes, response_accuracy, solve_accurate
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
-AXES = ("y", "z")
 UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
 
 
@@ -45,7 +51,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     ------
     NoSolution : no speed has one
     """
-    for k in _moved(scene, spec):
+    for k in out_of_balance(scene, spec):
         scene.system(k)  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
@@ -55,30 +61,31 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         lambda errors: float(np.nanmax(errors, initial=0.0)),
     )
     speed = ratio * scene.speed[scene.usable]
-    motions = [scene.system(k) for k in _moved(scene, spec)]
+    motions = [scene.system(k) for k in out_of_balance(scene, spec)]
     absent = [max(words) for words in zip(*(_absences(one, speed) for one in motions), strict=True)]
     counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
     why = [word for word, one in zip(absent, counts, strict=True) if one]
     if all(why):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
-    steady = np.array([word == "" for word in absent])
+    known = np.array([word == "" for word in absent])
     moved, pushed = _response(spec, ratio, scene)
-    moved[~steady] = pushed[~steady] = complex(np.nan, np.nan)
+    moved[~known] = pushed[~known] = complex(np.nan, np.nan)
     displacement, force = scene.scattered(moved), scene.scattered(pushed)
     apart = np.full(pushed.shape[:2], np.nan)
     if spindle.seats:
         apart[:, : len(spindle.seats)] = departure(scene, _rings(scene, spec, speed))
-        apart[~steady] = np.nan
+        apart[~known] = np.nan
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
     fine, (fine_moved, fine_pushed) = _sampled(scene, spec, ratio, critical)
-    lost = np.isin(fine, scene.speed[scene.usable][~steady])
+    lost = np.isin(fine, scene.speed[scene.usable][~known])
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
     fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
     endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
     peaks = _peaks(fine, fine_orbit.major, endless)
+    runs = runs_of(scene, spec, ratio)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
@@ -119,15 +126,21 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         resonance=np.arange(1, peaks.shape[-1] + 1),
         peak_speed=peaks[0],
         peak_amplitude=peaks[1],
+        run=runs.name,
+        run_speed=runs.speed,
+        run_amplitude=runs.amplitude,
+        run_peak=runs.peak,
+        run_peak_speed=runs.peak_speed,
+        run_error=runs.error,
     )
 
 
 def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
     """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
     speed, every = ratio * scene.speed[scene.usable], []
-    for linear in map(scene.linear, _moved(scene, spec)):
-        motion = _steady(scene, linear, spec, speed)
-        moved = _displacements(scene, linear, spec, motion)
+    for linear in map(scene.linear, out_of_balance(scene, spec)):
+        motion = steady(scene, linear, spec, speed)
+        moved = displacements(scene, linear, spec, motion)
         every.append((moved, _forces(scene, linear, speed, motion)))
     parts = [np.sum(each, axis=0) for each in zip(*every, strict=True)]
     return parts if ratio > 0.0 else [each.conj() for each in parts]  # e^(irΩt) as e^(i|r|Ωt)
@@ -159,60 +172,10 @@ def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
     return peaks
 
 
-def _moved(scene: Scene, spec: UnbalanceSpec) -> list[int]:
-    """Subsystems in which something is out of balance; of rotors that nothing joins, several."""
-    return sorted({scene.owner(at, "y") for at in spec.acting})
-
-
-class Steady(NamedTuple):
-    """Coordinates ``moved`` (speeds, n), and the forces ``left`` (speeds, n) that springs, dampers
-    and inertia leave to rigid supports."""
-
-    moved: Complex
-    left: Complex
-
-
-def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
-    """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
-
-    ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
-    against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
-    is singular the answer is not finite.
-    """
-    loads = node_loads(scene.spindle, scene.mesh, spec)
-    motion = linear.motion
-    force = sum(
-        way * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
-        for way, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
-    )
-    stiffness = answering_stiffness(linear, SYNCHRONOUS)
-    moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
-    for row in np.flatnonzero(speed):
-        w = abs(speed[row])
-        dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
-        load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
-        try:
-            within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
-        except np.linalg.LinAlgError:
-            moved[row] = left[row] = complex(np.inf, np.inf)
-            continue
-        moved[row] = linear.basis @ within
-        left[row] = load - dynamic @ moved[row]
-    back = (speed < 0.0)[:, None]
-    return Steady(*(np.where(back, each.conj(), each) for each in (moved, left)))
-
-
-def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
-    """Of the points along y and z (speeds, points, 2)."""
-    places = [scene.spindle.place(name) for name in spec.points]
-    rows = [[linear.row(*place, way) for way in AXES] for place in places]
-    return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
-
-
 def _rings(scene: Scene, spec: UnbalanceSpec, speed: Array) -> Complex:
     """Of the rings of every bearing, in its frame (speeds, seats, 5)."""
-    parts = [scene.linear(k) for k in _moved(scene, spec)]
-    motions = [_steady(scene, part, spec, speed).moved for part in parts]
+    parts = [scene.linear(k) for k in out_of_balance(scene, spec)]
+    motions = [steady(scene, part, spec, speed).moved for part in parts]
     each = zip(parts, motions, strict=True)
     rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), moved) for part, moved in each]
     return np.asarray(sum(rows))
@@ -280,9 +243,9 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
 
     def values(one: Scene, rows: Indices) -> Complex:
         speed, moved = ratio * one.speed[one.usable[rows]], []
-        for k in _moved(one, spec):
+        for k in out_of_balance(one, spec):
             linear = one.linear(k, rows)
-            moved.append(_displacements(one, linear, spec, _steady(one, linear, spec, speed)))
+            moved.append(displacements(one, linear, spec, steady(one, linear, spec, speed)))
         return np.nan_to_num(np.sum(moved, axis=0))
 
     return changes(scene, values, 1)

@@ -9,7 +9,7 @@ from typing import Annotated
 from rotordyn.description import Faults, Path, repeated
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import Items, PointName
+from rotordyn.quantity import Duration, Items, PointName
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
 from rotordyn.scene.spec import Setting, Spec, placed, spanned, turning
 from rotordyn.units import format_quantity
@@ -29,14 +29,32 @@ class UnbalanceSpec(Spec):
         BalanceGrade | None,
         "residual unbalance by balance quality grade, added to the others",
     ] = None
+    run_up: Annotated[
+        tuple[Duration, ...],
+        "times in which the speed rises evenly from the first to the last one of the case, past "
+        "its resonances: the motion on the way",
+    ] = ()
+    run_down: Annotated[tuple[Duration, ...], "the same, falling"] = ()
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
+        for key in ("run_up", "run_down"):
+            times = [format_quantity(each, "s") for each in getattr(self, key)]
+            yield from repeated(key, times)
         if not (self.unbalances or self.spans or self.grade):
             yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle = setting.spindle
+        for key in ("run_up", "run_down"):
+            if getattr(self, key) and len(setting.speeds) < 2:
+                yield (key,), "needs two speeds of the case, from which and to which it goes"
+            if getattr(self, key) and spindle.hysteretic:
+                yield (
+                    (key,),
+                    "loss factors are known for steady vibration alone: give damping of rotor or "
+                    "supports in place of loss_factor",
+                )
         if misnamed(spindle):
             return
         for index, name in enumerate(self.points):

@@ -46,6 +46,7 @@ def summary(result: UnbalanceResult) -> list[str]:
         f"           largest half axis of the orbit, zero to peak: {', '.join(moved)}",
         f"           largest force, zero to peak: {', '.join(pushed)}",
         *_backward(result),
+        *_runs(result),
     ]
 
 
@@ -68,6 +69,9 @@ def numbers(result: UnbalanceResult, _: Described) -> Iterator[Number]:
         size = np.inf if endless.size else float(np.nanmax(values)) * MICROMETRE.factor
         yield Number(name, MICROMETRE.unit, size, digits=2)
         yield Number(f"{name} at", RPM.unit, float(at) * RPM.factor, digits=0)
+    for run, sizes in zip(result.run, result.run_peak, strict=True):
+        for name, size in zip(result.point, sizes.tolist(), strict=True):
+            yield Number(f"{name} {run}", MICROMETRE.unit, size * MICROMETRE.factor, digits=2)
 
 
 def _moved(result: UnbalanceResult) -> dict[str, str]:
@@ -108,6 +112,18 @@ def _backward(result: UnbalanceResult) -> list[str]:
     return [f"           whirl backward: {', '.join(words)}"] if words else []
 
 
+def _runs(result: UnbalanceResult) -> list[str]:
+    """The largest half axis of the orbit on runs through the speeds."""
+    lines = list[str]()
+    for name, sizes, speeds in zip(result.run, result.run_peak, result.run_peak_speed, strict=True):
+        words = [
+            unbroken(f"{point} {size * MICROMETRE.factor:.4g} µm at {speed * RPM.factor:.0f} rpm")
+            for point, size, speed in zip(result.point, sizes, speeds, strict=True)
+        ]
+        lines.append(f"{'' if lines else 'run':<10} {name}: {', '.join(words)}")
+    return lines
+
+
 def accuracy(result: UnbalanceResult) -> list[str]:
     """The largest estimated error of the motion."""
     worst = float(result.error.max(initial=0.0))
@@ -118,6 +134,12 @@ def warnings(result: UnbalanceResult) -> list[str]:
     """Loads beyond the tangents of bearings, motion less accurate than asked for."""
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     told += _films(result)
+    told += [
+        f"unbalance: the run {name} is less accurate than asked for: an estimated error of "
+        f"{rounded_up(error)} of its peak remains"
+        for name, error in zip(result.run, result.run_error, strict=True)
+        if error > result.error_asked
+    ]
     worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]

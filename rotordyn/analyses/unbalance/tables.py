@@ -10,6 +10,8 @@ LAYOUTS = (
     Layout("unbalance_curve", ("fine_speed", "point"), ("axis",)),
     Layout("unbalance_films", ("fine_speed", "support"), repeating=True),
     Layout("unbalance_peaks", ("point", "resonance")),
+    Layout("unbalance_runs", ("run", "point")),
+    Layout("unbalance_run_curve", ("run", "run_speed", "point")),
     Layout("unbalance_acting", ("unbalance",)),
     Layout("unbalance_critical", ("critical",)),
 )

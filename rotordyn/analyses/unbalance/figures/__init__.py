@@ -25,6 +25,8 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     if result.speed[-1] > 0.0:
         yield "unbalance", partial(code("response:response_figure"), result)
         yield "unbalance_forces", partial(code("response:forces_figure"), result)
+    if result.run:
+        yield "unbalance_runs", partial(code("runs:runs_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.figures import stations
-from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
+from rotordyn.figures.amplitudes import decades, phase_axis, wrapped_phase
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     CYCLE,
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 ROUND = 1e-6  # of an orbit: nearer to a circle than that is one
-DECADES = 6.0  # of an axis, at most
 DASH = {"y": "-", "z": "--"}
 _LETTER = 0.58 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
 
@@ -70,7 +69,7 @@ def response_figure(result: UnbalanceResult) -> Figure:
             panels[2].plot(
                 *_turning(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
             )
-    _finish(panels[0])
+    decades(panels[0])
     phase_axis(panels[1])
     if ellipses:
         panels[2].set_ylim(-1.08, 1.08)
@@ -86,7 +85,7 @@ def forces_figure(result: UnbalanceResult) -> Figure:
     for column, name in enumerate(result.support):
         x, values = _positive(result, result.fine_force_amplitude[:, column])
         axes.plot(x, values, label=name, **line_of(column))
-    _finish(axes)
+    decades(axes)
     top_legend(figure, axes, above=_criticals([axes], result, 145.0))
     return figure
 
@@ -121,16 +120,6 @@ def _positive(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
 def _turning(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
     """Speeds [rpm] and values where the shaft turns."""
     return result.fine_speed * RPM.factor, np.where(result.fine_speed > 0.0, values, np.nan)
-
-
-def _finish(axes: Axes) -> None:
-    """A logarithmic axis over what there is, a few decades of it."""
-    known = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
-    known = known[np.isfinite(known)]
-    if known.size:
-        high = 1.6 * float(known.max())
-        axes.set_ylim(max(0.6 * float(known.min()), high / 10.0**DECADES), high)
-        log_axis(axes)
 
 
 def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> float:

@@ -1,0 +1,78 @@
+"""Steady motion by unbalance, in the coordinates of each subsystem that is out of balance."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rotordyn.analyses.unbalance.loads import node_loads
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.arrays import Array, Complex
+from rotordyn.equation.dofs import position
+from rotordyn.equation.free_motion import FORWARD, answering_stiffness
+from rotordyn.equation.hysteresis import SYNCHRONOUS
+from rotordyn.equation.linear import Linear
+from rotordyn.equation.shaft import PLANES
+from rotordyn.scene.scene import Scene
+
+AXES = ("y", "z")
+
+
+def out_of_balance(scene: Scene, spec: UnbalanceSpec) -> list[int]:
+    """Subsystems in which something is; of rotors that nothing joins, several."""
+    return sorted({scene.owner(at, "y") for at in spec.acting})
+
+
+class Steady(NamedTuple):
+    """Coordinates ``moved`` (speeds, n), and the forces ``left`` (speeds, n) that springs, dampers
+    and inertia leave to rigid supports."""
+
+    moved: Complex
+    left: Complex
+
+
+def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
+    """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
+
+    ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
+    against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
+    is singular the answer is not finite.
+    """
+    force = load_of(scene, linear, spec)
+    stiffness = answering_stiffness(linear, SYNCHRONOUS)
+    moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
+    for row in np.flatnonzero(speed):
+        w = abs(speed[row])
+        dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
+        load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
+        try:
+            within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
+        except np.linalg.LinAlgError:
+            moved[row] = left[row] = complex(np.inf, np.inf)
+            continue
+        moved[row] = linear.basis @ within
+        left[row] = load - dynamic @ moved[row]
+    back = (speed < 0.0)[:, None]
+    return Steady(*(np.where(back, each.conj(), each) for each in (moved, left)))
+
+
+def load_of(scene: Scene, linear: Linear, spec: UnbalanceSpec) -> Complex:
+    """Load on the coordinates (n,) per Ω² [kg·m]."""
+    loads, motion = node_loads(scene.spindle, scene.mesh, spec), linear.motion
+    parts = [
+        way * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
+        for way, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
+    ]
+    return np.asarray(parts[0] + parts[1])
+
+
+def displacement_rows(scene: Scene, linear: Linear, spec: UnbalanceSpec) -> Array:
+    """Motion of the points along y and z by the coordinates (points, 2, n)."""
+    places = [scene.spindle.place(name) for name in spec.points]
+    return np.array([[linear.row(*place, way) for way in AXES] for place in places])
+
+
+def displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
+    """Of the points along y and z (speeds, points, 2)."""
+    return np.einsum("pan,sn->spa", displacement_rows(scene, linear, spec), motion.moved)

@@ -1,0 +1,224 @@
+"""Motion past resonances in closed form against integration in time, and what is known of it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import rotordyn
+from rotordyn.analyses.unbalance.orbit import orbit
+from rotordyn.analyses.unbalance.run_up import Parts, Run
+from rotordyn.analyses.unbalance.runs import _axes, _cuts
+from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
+from rotordyn.errors import RotordynError
+from rotordyn.numerics.modes import modes
+from rotordyn.scene.scene import Scene
+
+RATED = 2.0 * np.pi / 60.0
+
+
+def system(seed, n=3):
+    """Random symmetric stiffness, and damping with a gyroscopic part."""
+    rng = np.random.default_rng([41, seed])
+    turn = np.linalg.qr(rng.standard_normal((n, n)))[0]
+    stiffness = turn @ np.diag(rng.uniform(30.0, 300.0, n) ** 2) @ turn.T
+    part = rng.standard_normal((n, n))
+    damping = 0.05 * (part @ part.T) + 20.0 * (part - part.T)
+    return stiffness, damping, rng.standard_normal(n) + 1j * rng.standard_normal(n)
+
+
+@pytest.mark.parametrize(
+    "run", [Run(0.0, 400.0, 3.0), Run(400.0, 50.0, 1.0), Run(20.0, 350.0, 0.2)]
+)
+@pytest.mark.parametrize("seed", range(3))
+def test_constant_matrices_are_exact(seed, run):
+    """Against the equation of motion itself, in time; however the way is cut."""
+    stiffness, damping, force = system(seed)
+    n = len(force)
+    known = modes(stiffness[None], damping[None])
+    taken = known.pole, known.vector, known.participation, damping[None], force
+
+    def angle(t):
+        return run.first * t + 0.5 * run.acceleration * t**2
+
+    def rates(t, x):
+        speed = run.first + run.acceleration * t
+        load = force * (speed**2 - 1j * run.acceleration) * np.exp(1j * angle(t))
+        return np.concatenate([x[n:], load - damping @ x[n:] - stiffness @ x[:n]])
+
+    dynamic = stiffness + 1j * run.first * damping - run.first**2 * np.eye(n)
+    steady = np.linalg.solve(dynamic, run.first**2 * force)
+    begin = np.concatenate([steady, 1j * run.first * steady])
+    times = np.linspace(0.0, run.duration, 121)
+    ways = dict(t_eval=times, rtol=1e-10, atol=1e-12)
+    truth = solve_ivp(rates, (0.0, run.duration), begin, "DOP853", **ways).y[:n].T
+    truth = truth * np.exp(-1j * angle(times))[:, None]
+    for count in (1, 4, 40):
+        edges = np.linspace(run.first, run.last, count + 1)
+        found = Parts(edges, *taken, steady, np.eye(n)).moved(run, times)
+        np.testing.assert_allclose(found, truth, atol=3e-7 * np.abs(truth).max())
+
+
+def integrated(case, duration, points, nodes=100):
+    """Half axes (t, points) of a run up by the equation of the slowly varying amplitude, matrices
+    linear between ``nodes`` speeds; the times over the duration."""
+    spec = case.analyses["unbalance"]
+    speed = np.array(case.speeds)
+    scene = Scene(
+        case.spindle, case.conditions, np.linspace(speed[0], speed[-1], nodes), 200.0, spec.places
+    )
+    times, total = np.linspace(0.0, 1.0, points), 0.0
+    ratio = case.spindle.ratios[case.spindle.place(spec.acting[0]).rotor]
+    alpha = abs(ratio) * (speed[-1] - speed[0]) / duration
+    for k in out_of_balance(scene, spec):
+        linear = scene.linear(k)
+        force = load_of(scene, linear, spec)
+        force = force if ratio > 0.0 else force.conj()
+        n, top = len(force), abs(ratio) * speed[-1]
+        share = np.linspace(0.0, 1.0, nodes)
+
+        def matrix(t, linear=linear, n=n, share=share, top=top):
+            row = int(np.clip(np.searchsorted(share, t / duration) - 1, 0, nodes - 2))
+            part = (t / duration - share[row]) / (share[row + 1] - share[row])
+            K, C = (
+                (1.0 - part) * each[row] + part * each[row + 1]
+                for each in (linear.stiffness, linear.damping)
+            )
+            w = abs(ratio) * speed[0] + alpha * t
+            held = K + 1j * w * C + (1j * alpha - w**2) * np.eye(n)
+            whole = np.block(
+                [[np.zeros((n, n)), top * np.eye(n)], [-held / top, -C - 2j * w * np.eye(n)]]
+            )
+            return np.block([[whole.real, -whole.imag], [whole.imag, whole.real]])
+
+        def rates(t, x, matrix=matrix, force=force, n=n, top=top):
+            w = abs(ratio) * speed[0] + alpha * t
+            pushed = np.concatenate([np.zeros(n), force * (w**2 - 1j * alpha) / top])
+            return matrix(t) @ x + np.concatenate([pushed.real, pushed.imag])
+
+        K, C = linear.stiffness[0], linear.damping[0]
+        w = abs(ratio) * speed[0]
+        steady = np.linalg.solve(K + 1j * w * C - w**2 * np.eye(n), w**2 * force)
+        begin = np.concatenate([steady, np.zeros(n)])
+        found = solve_ivp(
+            rates,
+            (0.0, duration),
+            np.concatenate([begin.real, begin.imag]),
+            "Radau",
+            t_eval=times * duration,
+            jac=lambda t, _, matrix=matrix: matrix(t),
+            rtol=1e-5,
+            atol=1e-12,
+        )
+        moved = found.y[:n] + 1j * found.y[2 * n : 3 * n]
+        total = total + np.einsum("pan,nt->tpa", displacement_rows(scene, linear, spec), moved)
+    return orbit(total[..., 0], total[..., 1]).major, times
+
+
+def friswell(low=500.0, high=1100.0, **asked):
+    """The rotor with two discs past its first critical speeds, softer along y."""
+    case = rotordyn.load("friswell_unbalance").variants["uneven"]
+    speeds = tuple((np.linspace(low, high, 7) * RATED).tolist())
+    changes = {f"analyses.unbalance.{key}": value for key, value in asked.items()}
+    return rotordyn.vary(case, {"speeds": speeds, **changes})
+
+
+def coaxial(ratio, **asked):
+    """Two rotors, the outer one out of balance."""
+    case = rotordyn.load("friswell_coaxial")
+    only = {"unbalance": case.analyses["unbalance"]}
+    speeds = tuple((np.linspace(1000.0, 9000.0, 9) * RATED).tolist())
+    changes = {f"analyses.unbalance.{key}": value for key, value in asked.items()}
+    turned = {"spindle.rotors.outer.speed_ratio": ratio, "speeds": speeds, "analyses": only}
+    return rotordyn.vary(rotordyn.vary(case, turned), changes)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        friswell(run_up=(1.0,)),
+        pytest.param(coaxial(1.5, run_up=(0.5,)), marks=pytest.mark.long),
+        pytest.param(coaxial(-1.5, run_up=(0.5,)), marks=pytest.mark.long),
+    ],
+    ids=["uneven", "coaxial", "against"],
+)
+def test_machines_against_the_slowly_varying_amplitude(case):
+    """Whose matrices follow the speed, in either form of both planes."""
+    found = rotordyn.run(case)["unbalance"]
+    (duration,) = case.analyses["unbalance"].run_up
+    truth, _ = integrated(case, duration, found.run_speed.size)
+    peak = found.run_peak.values[0]
+    np.testing.assert_allclose(found.run_amplitude.values[0], truth, atol=2e-3 * peak.min())
+    assert found.run_error.values.max() < 2e-3
+
+
+def test_planes_that_are_one_and_planes_that_are_not():
+    """A trace of difference between them makes two of one."""
+    even = rotordyn.load("friswell_unbalance").variants["even"]
+    speeds = tuple((np.linspace(0.0, 3000.0, 13) * RATED).tolist())
+    asked = {"speeds": speeds, "analyses.unbalance.run_up": (2.0,)}
+    one = rotordyn.run(rotordyn.vary(even, asked))["unbalance"]
+    apart = {"spindle.supports.left.stiffness.yy": 1e6 * (1.0 + 1e-9)}
+    two = rotordyn.run(rotordyn.vary(rotordyn.vary(even, asked), apart))["unbalance"]
+    np.testing.assert_allclose(two.run_amplitude, one.run_amplitude, rtol=1e-5, atol=1e-12)
+
+
+def test_errors_fall_with_the_square_of_the_parts():
+    case = friswell(0.0, 3000.0)
+    spec, speed = case.analyses["unbalance"], np.array(case.speeds)
+    scene = Scene(case.spindle, case.conditions, speed, 200.0, spec.places)
+    run = Run(speed[0], speed[-1], 5.0)
+
+    def axes(count):
+        return _axes(_cuts(scene, spec, 1.0, (speed[0], speed[-1]), count), run, count)
+
+    truth = axes(480)
+    errors = np.array([np.abs(axes(count) - truth).max() for count in (30, 60, 120, 240)])
+    assert (errors[:-1] > 2.0 * errors[1:]).all()
+    assert errors[0] > 15.0 * errors[-1]
+
+
+def test_slow_runs_are_steady():
+    """The departure falls with the acceleration, up and down."""
+    case = friswell(2000.0, 3000.0, run_up=(200.0, 2000.0), run_down=(2000.0,))
+    found = rotordyn.run(case)["unbalance"]
+    steady = np.interp(found.run_speed, found.fine_speed, found.fine_major_axis.values[:, 0])
+    apart = np.abs(found.run_amplitude.values[:, :, 0] - steady).max(axis=1) / steady.max()
+    assert apart[0] > 5.0 * apart[1]
+    assert (apart[1:] < 0.01).all()
+
+
+def test_one_mode_past_its_resonance():
+    """Without damping the largest motion over the eccentricity grows with the root of the natural
+    frequency squared over the acceleration: 1.46 of it (the largest Fresnel integral)."""
+    natural, one = 100.0, np.ones((1, 1, 1))
+    known = modes(natural**2 * one, 1e-9 * one)
+    taken = known.pole, known.vector, known.participation, 1e-9 * one, np.ones(1)
+    for duration in (40.0, 400.0):
+        run = Run(0.0, 200.0, duration)
+        parts = Parts(np.array([0.0, 200.0]), *taken, np.zeros(1), np.ones((1, 1)))
+        largest = np.abs(parts.moved(run, np.linspace(0.0, duration, 40000))).max()
+        cycles = natural**2 / run.acceleration
+        expected = 0.5 * np.sqrt(2.0 * np.pi) * 1.17 * np.sqrt(cycles)
+        assert largest == pytest.approx(expected, rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("asked", "sentence"),
+    [
+        ({"speeds": (3000.0 * RATED,), "analyses.unbalance.run_up": (1.0,)}, "needs two speeds"),
+        ({"analyses.unbalance.run_down": (1.0, 1.0)}, "repeated: given '1.000 s'"),
+        ({"analyses.unbalance.run_up": (-1.0,)}, "duration out of range"),
+        (
+            {
+                "spindle.damping.loss_factor": 0.01,
+                "analyses.unbalance.run_up": (1.0,),
+            },
+            "loss factors are known for steady vibration alone",
+        ),
+    ],
+)
+def test_faults(asked, sentence):
+    with pytest.raises(RotordynError, match=sentence):
+        rotordyn.vary(friswell(), asked)
