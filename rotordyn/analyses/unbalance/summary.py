@@ -19,6 +19,7 @@ SAME = 1e-6  # of a speed
 WIDER = 1.2  # than the orbit that its film is computed for
 MOST = 0.99  # of the clearance: an orbit beyond touches
 FLAT = 0.2  # of the clearance: up to there damping changes by 6 %
+ENOUGH = 0.01  # of the peak of a run: a smaller error is small beside what damping is known to
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
 
@@ -127,7 +128,10 @@ def _runs(result: UnbalanceResult) -> list[str]:
 def accuracy(result: UnbalanceResult) -> list[str]:
     """The largest estimated error of the motion."""
     worst = float(result.error.max(initial=0.0))
-    return [f"response to unbalance within {rounded_up(worst)} of its peak"]
+    lines = [f"response to unbalance within {rounded_up(worst)} of its peak"]
+    if result.run:
+        lines.append(f"runs within {rounded_up(float(result.run_error.max()))} of theirs")
+    return lines
 
 
 def warnings(result: UnbalanceResult) -> list[str]:
@@ -135,10 +139,10 @@ def warnings(result: UnbalanceResult) -> list[str]:
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     told += _films(result)
     told += [
-        f"unbalance: the run {name} is less accurate than asked for: an estimated error of "
-        f"{rounded_up(error)} of its peak remains"
+        f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its peak: "
+        "take a shorter range of speeds, or a shorter time"
         for name, error in zip(result.run, result.run_error, strict=True)
-        if error > result.error_asked
+        if error > ENOUGH
     ]
     worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
     if worst > result.error_asked:
