@@ -20,8 +20,10 @@ _OTHERS = ("P", "X", "*")
 EDGE = 0.02  # of the axis: room beside marks at its ends, which lie on numbers of the other else
 
 
-def merged(names: Sequence[str], values: NDArray[np.float64]) -> list[tuple[str, int]]:
-    """Columns that differ, those alike named together: ``("a, b", 0)``."""
+def merged(names: Sequence[str], *drawn: NDArray[np.float64]) -> list[tuple[str, int]]:
+    """Columns of all that is ``drawn`` (…, names) that differ, those alike named together:
+    ``("a, b", 0)``."""
+    values = np.concatenate([each.reshape(-1, len(names)) for each in drawn])
     groups: list[tuple[list[str], int]] = []
     for column, name in enumerate(names):
         for known, first in groups:
@@ -38,10 +40,12 @@ def draw_columns(
     rpm: NDArray[np.float64],
     values: NDArray[np.float64],
     names: Sequence[str],
+    beside: Sequence[NDArray[np.float64]] = (),
     **style: Any,
 ) -> None:
-    """A line per column of ``values`` (speed, name), columns alike drawn once."""
-    for name, column in merged(names, values):
+    """A line per column of ``values`` (speed, name), columns alike drawn once; ``beside``: what is
+    drawn in other panels under the same names."""
+    for name, column in merged(names, values, *beside):
         axes.plot(rpm, values[:, column], **{**line_of(column), "label": name, **style})
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rotordyn.page.blocks import Chart, Control, Table
+from rotordyn.page.blocks import Chart, Control, Markup, Table
 from rotordyn.page.looks import COLOURS, axis
 from rotordyn.results.kinds import Array, Flags
 
@@ -122,7 +122,7 @@ def scatter(
                 for number, along in enumerate("xy")
             },
             "text": [words[k] for k in np.flatnonzero(group.chosen)],
-            "hovertemplate": "%{x:.5g}, %{y:.5g}<br>%{text}<extra></extra>",
+            "hovertemplate": Markup("%{x:.5g}, %{y:.5g}<br>%{text}<extra></extra>"),
             "marker": group.marker,
         }
         for group in groups
@@ -157,10 +157,16 @@ def parallel_coordinates(
     title: str, varied: Sequence[Column], shown: Sequence[Column], colour: Column | None = None
 ) -> Chart:
     """Every point as a line over what was varied and some numbers, in the ``colour`` of one of
-    these, the last by default."""
-    chosen = [*varied, *_different(shown)[:ALONG]]
+    these, the last by default.
+
+    Numbers that some solved point lacks, such as the speed of a stop that is not met, have no axis:
+    a line goes through all of them.
+    """
+    solved = np.isfinite([each.values for each in shown]).any(axis=0)
+    whole = [each for each in shown if np.isfinite(each.values[solved]).all()] or shown
+    chosen = [*varied, *_different(whole)[:ALONG]]
     colour = colour or chosen[-1]
-    known = np.asarray(np.isfinite([each.values for each in chosen]).all(axis=0))
+    known = np.asarray(np.isfinite([each.values for each in (*chosen, colour)]).all(axis=0))
     trace = {
         "type": "parcoords",
         "dimensions": [_dimension(each, known) for each in chosen],
@@ -170,6 +176,10 @@ def parallel_coordinates(
     layout = {"margin": {"l": SIDES, "r": SIDES, "t": 120, "b": 30}}
     least = LEAST * (len(chosen) - 1) + 2 * SIDES
     note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
+    if lacking := [each.heading for each in shown if not any(each is kept for kept in whole)]:
+        note += f" Without an axis, since not every point has it: {', '.join(lacking)}."
+    if missing := int((solved & ~known).sum()):
+        note += f" {missing} of {int(solved.sum())} points lack one of these numbers: no line."
     return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=least)
 
 

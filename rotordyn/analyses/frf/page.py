@@ -12,7 +12,7 @@ from rotordyn.analyses.frf.figures.map import amplitude, amplitude_range, with_p
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import speeds_compared
 from rotordyn.figures.amplitudes import wrapped_phase
-from rotordyn.page.blocks import Block, Chart, Control, Table
+from rotordyn.page.blocks import Block, Chart, Control, Markup, Table
 from rotordyn.page.looks import INK, axis, line, logarithmic
 from rotordyn.page.packed import rounded
 from rotordyn.results.declaration import declared
@@ -179,7 +179,7 @@ def _map(variants: Sequence[Shown]) -> Chart:
         "moving": {"z": rounded(heights), "surfacecolor": rounded(np.log10(heights))},
         "colorscale": "Viridis",
         "showscale": False,
-        "hovertemplate": "%{x:.0f} Hz, %{y:.0f} rpm<br>%{z:.3g}<extra></extra>",
+        "hovertemplate": Markup("%{x:.0f} Hz, %{y:.0f} rpm<br>%{z:.3g}<extra></extra>"),
     }
     scene = {
         "xaxis": axis("frequency", "Hz", autorange="reversed"),

@@ -9,7 +9,7 @@ import numpy as np
 
 from rotordyn.job.results import Part
 from rotordyn.job.values import named_curves, shown_of
-from rotordyn.page.blocks import Block, Chart, Control, Table, Text
+from rotordyn.page.blocks import Block, Chart, Control, Markup, Table, Text
 from rotordyn.page.curves import MOST_CHARTS, known_marks
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, marks_only
 from rotordyn.report.interval import interval_doubts, interval_over, interval_ranges
@@ -53,7 +53,7 @@ def _tornado(title: str, held: Interval, chosen: Sequence[int]) -> Chart:
             "orientation": "h",
             "name": name,
             "marker": {"color": shade},
-            "hovertemplate": "%{y}: %{x:.4g}<extra></extra>",
+            "hovertemplate": Markup("%{y}: %{x:.4g}<extra></extra>"),
             "moving": {
                 "y": [names for names, _, _ in bars],
                 "base": [bases[kind] for _, bases, _ in bars],

@@ -10,7 +10,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rotordyn.errors import InvalidInput
-from rotordyn.page.blocks import Block, Chart, Control, Printed, Table, Text, sections
+from rotordyn.page.blocks import (
+    Block,
+    Chart,
+    Control,
+    Markup,
+    Printed,
+    Table,
+    Text,
+    sections,
+)
 from rotordyn.page.html import Page
 from rotordyn.page.looks import COLOURS, FAINT, axis
 from rotordyn.results.display import sized
@@ -189,7 +198,7 @@ def _correlation(held: Held) -> Chart:
         "zmax": 1.0,
         "colorscale": RED_TO_BLUE,
         "text": words,
-        "hovertemplate": "%{x}, %{y}: %{z:.3f}<extra></extra>",
+        "hovertemplate": Markup("%{x}, %{y}: %{z:.3f}<extra></extra>"),
     }
     if count <= MOST_WRITTEN:
         trace |= {"texttemplate": "%{text}", "textfont": {"color": "#000000"}}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,13 +33,11 @@ def life_figure(result: LifeResult) -> Figure:
     """Reference life, static safety, peak pressure, ball orders of the defects."""
     names = ("life L10r [h]", "static safety S0 [-]", "peak pressure [GPa]", "cage over speed [-]")
     figure, axes = four_over_speed(names, result.speed)
-    _lines(axes[0], result, result.life / HOUR)
+    pressure = result.pressure * GIGAPASCAL.factor
+    _lines(axes, result, [result.life / HOUR, result.static_safety, pressure, result.cage])
     if np.isfinite(result.target):
         axes[0].axhline(result.target / HOUR, color=GREY, lw=0.9, ls="--", label="target")
     log_axis(axes[0])
-    _lines(axes[1], result, result.static_safety)
-    _lines(axes[2], result, result.pressure * GIGAPASCAL.factor)
-    _lines(axes[3], result, result.cage)
     for each in axes[1:3]:
         with_zero(each, 1.05)
     top_legend(figure, *axes)
@@ -49,10 +48,8 @@ def heat_figure(result: LifeResult) -> Figure:
     """Heat of contacts and oil, film, viscosity ratio and modified life."""
     names = ("heat [W]", "of it in contacts [W]", "film h_min [nm]", "modified life [h]")
     figure, axes = four_over_speed(names, result.speed)
-    _lines(axes[0], result, result.heat)
-    _lines(axes[1], result, result.inner_heat + result.outer_heat)
-    _lines(axes[2], result, result.film * 1e9)
-    _lines(axes[3], result, result.modified_life / HOUR)
+    contacts, film = result.inner_heat + result.outer_heat, result.film * 1e9
+    _lines(axes, result, [result.heat, contacts, film, result.modified_life / HOUR])
     log_axis(axes[3])
     for each in axes[:3]:
         with_zero(each, 1.05)
@@ -62,23 +59,24 @@ def heat_figure(result: LifeResult) -> Figure:
 
 def temperature_figure(result: LifeResult) -> Figure:
     """Temperatures of balls and rings, and the life that goes with them."""
-    parts = ("balls", "inner ring", "outer ring")
+    parts = {"balls": "ball", "inner ring": "inner", "outer ring": "outer"}
     names = [f"temperature, {part} [°C]" for part in parts]
     figure, axes = four_over_speed([*names, "life L10r [h]"], result.speed)
-    for place, name in enumerate(("ball", "inner", "outer")):
-        _lines(axes[place], result, getattr(result, f"{name}_temperature"))
-        with_zero(axes[place], 1.05)
-    _lines(axes[3], result, result.life / HOUR)
+    degrees = [getattr(result, f"{name}_temperature") for name in parts.values()]
+    _lines(axes, result, [*degrees, result.life / HOUR])
+    for each in axes[:3]:
+        with_zero(each, 1.05)
     log_axis(axes[3])
     top_legend(figure, *axes)
     return figure
 
 
-def _lines(axes: Axes, result: LifeResult, values: Array) -> None:
-    """A colour, dashes and marks per bearing, those alike drawn once."""
+def _lines(panels: Sequence[Axes], result: LifeResult, drawn: Sequence[Array]) -> None:
+    """In each panel a colour, dashes and marks per bearing, those alike in all drawn once."""
     rpm = result.speed * RPM.factor
-    shown = np.where(np.isfinite(values), values, np.nan)
-    for place, (name, column) in enumerate(merged(result.bearing, result.life)):
-        look = {**line_of(column, place), **marked(place)}
-        axes.plot(rpm, shown[:, column], label=name, **look)
-    mark_few_points(axes)
+    for axes, values in zip(panels, drawn, strict=True):
+        shown = np.where(np.isfinite(values), values, np.nan)
+        for place, (name, column) in enumerate(merged(result.bearing, *drawn)):
+            look = {**line_of(column, place), **marked(place)}
+            axes.plot(rpm, shown[:, column], label=name, **look)
+        mark_few_points(axes)

@@ -25,6 +25,7 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -59,11 +60,19 @@ def contacts_figure(result: PreloadResult) -> Figure:
         ("contact angle [deg]", "peak pressure [GPa]", "ball load [N]", "required friction μ [-]"),
         result.speed,
     )
-    degree, giga = DEGREE.factor, GIGAPASCAL.factor
-    _inner_outer(axes[0], result, result.inner_angle * degree, result.outer_angle * degree)
-    _inner_outer(axes[1], result, result.inner_pressure * giga, result.outer_pressure * giga)
-    _inner_outer(axes[2], result, result.inner_load, result.outer_load)
-    _inner_outer(axes[3], result, result.inner_grip, result.outer_grip)
+    giga = GIGAPASCAL.factor
+    drawn = [
+        [factor * each for each in pair]
+        for pair, factor in (
+            ((result.inner_angle, result.outer_angle), DEGREE.factor),
+            ((result.inner_pressure, result.outer_pressure), giga),
+            ((result.inner_load, result.outer_load), 1.0),
+            ((result.inner_grip, result.outer_grip), 1.0),
+        )
+    ]
+    names = merged(result.bearing, *(each for pair in drawn for each in pair))
+    for each, pair in zip(axes, drawn, strict=True):
+        _inner_outer(each, result.speed * RPM.factor, names, pair)
     if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * WARNING_PRESSURE * giga:
         axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
     for each in axes:
@@ -89,15 +98,11 @@ def _forces(axes: Axes, result: PreloadResult) -> None:
 
 
 def _inner_outer(
-    axes: Axes,
-    result: PreloadResult,
-    inner: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    outer: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+    axes: Axes, rpm: Array, names: Sequence[tuple[str, int]], races: Sequence[Array]
 ) -> None:
     """Inner race solid, outer race dashed, a colour and marks per bearing or group alike."""
-    rpm = result.speed * RPM.factor
-    for place, (name, column) in enumerate(merged(result.bearing, result.axial_load)):
-        for dash, (race, values) in enumerate((("inner", inner), ("outer", outer))):
+    for place, (name, column) in enumerate(names):
+        for dash, (race, values) in enumerate(zip(("inner", "outer"), races, strict=True)):
             look = {**line_of(column, dash), **marked(place)}
             axes.plot(rpm, values[:, column], label=f"{name}, {race}", **look)
 

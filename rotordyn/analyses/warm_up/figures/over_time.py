@@ -39,6 +39,7 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     boxes = grid_boxes(
         figure, len(ROWS), len(picked), margins=(15.0, 5.0, 11.0, 9.0), gaps=(11.0, 5.0)
     )
+    every_field = [getattr(result, field)[picked] for field, _ in ROWS]
     for line, (field, label) in enumerate(ROWS):
         values = getattr(result, field)
         beside = _beside(result, field)
@@ -47,7 +48,7 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
         for place, row in enumerate(picked):
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
-            draw_columns(axes, result.time / 60.0, values[row], result.bearing)
+            draw_columns(axes, result.time / 60.0, values[row], result.bearing, every_field)
             if beside.size:
                 _draw_beside(axes, result.time / 60.0, beside, BESIDE[field][1])
             axes.set_xlim(0.0, result.time[-1] / 60.0)
