@@ -43,7 +43,10 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_lobes": ("period doubling limits",),
     "mfw2310_uneven_teeth": ("period doubling limits",),
-    "deep_groove_uneven_teeth": ("period doubling limits", "repeats with the uneven teeth limits"),
+    "deep_groove_uneven_teeth": (
+        "period doubling limits",
+        "repeats with the pattern of teeth limits",
+    ),
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
     "mfw2310_phases": ("only if friction is above",),

@@ -125,6 +125,48 @@ def test_all_harmonics_give_the_limit_of_the_modes(pitch, cut, speed):
     assert other.kind == found.kind
 
 
+@pytest.mark.parametrize(
+    ("pitch", "cut", "speed", "kind"),
+    [
+        ((70, 110, 70, 110), CUTS[2], 3000.0, "fold"),
+        ((100, 120, 140), CUTS[0], 2000.0, "fold"),
+        ((84, 92, 90, 94), CUTS[0], 1300.0, "hopf"),
+    ],
+)
+def test_a_tip_that_nothing_holds(pitch, cut, speed, kind):
+    """Its receptance is endless at rest, next to which folds are: the limit is that of one on soft
+    springs."""
+
+    def tip(spring):
+        def receptance(omega):
+            free = 1.0 / (spring - 50.0 * omega**2 + 500j * omega)
+            return MACHINE.receptance(omega) + free[:, None, None] * np.eye(2)
+
+        return receptance
+
+    around = tuple(np.radians(pitch))
+    free, held = (
+        limit_depth(tip(spring), len(pitch), *FORCES, *cut, speed, pitch=around)
+        for spring in (0.0, 1e4)
+    )
+    assert free.depth == pytest.approx(held.depth, rel=3e-5)
+    assert free.kind == held.kind == kind
+
+
+def test_very_short_spans():
+    """Of hardly uneven teeth in all harmonics, and a cut shorter than samples of a revolution."""
+    around, cut = tuple(np.radians((89.97, 90.03, 89.99, 90.01))), (0.0, 0.5 * math.pi)
+    found = limit_depth(MACHINE.receptance, 4, *FORCES, *cut, 900.0, pitch=around)
+    own = Cut(4, *FORCES, *cut, pitches=around)
+    omega, top = resolving(MACHINE.receptance)
+    process = Process(own, own.turn / 900.0)
+    other = sampled_limit(MACHINE.receptance, peaks(omega, top), top, process)
+    assert other.depth == pytest.approx(found.depth, rel=1e-6)
+    short = limit((170, 190), (0.0, 1e-4), 900.0)
+    even = limit_depth(MACHINE.receptance, 2, *FORCES, 0.0, 1e-4, 900.0)
+    assert short.depth == pytest.approx(even.depth, rel=0.5)
+
+
 def test_folds_are_limits():
     """Vibration that repeats with the teeth, at a multiple of the rotation: a multiplier of 1."""
     found = limit((100, 120, 140), (0.0, 1.2), 900.0)

@@ -21,7 +21,8 @@ from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and exit are rounding
-LEAST, FULL = math.radians(0.999), 1e-6  # rad, of a pitch, and by which all may miss a full turn
+LEAST = math.radians(0.999)  # of a pitch
+FULL = 1e-6  # rad, by which all pitches may miss a full turn
 ALIKE = 1e-12  # rad: pitches that differ by less are equal
 
 
@@ -90,9 +91,10 @@ class Cut:
         """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
         return np.asarray(self.by_gap(angle).sum(axis=0))
 
-    def by_gap(self, angle: Array) -> Array:
-        """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]."""
-        at = self._teeth(angle)
+    def by_gap(self, angle: Array, which: int | None = None) -> Array:
+        """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]; ``which``: behind
+        one of them (n, 2, 2)."""
+        at = self._teeth(angle) if which is None else self._teeth(angle)[:, which]
         if self.lag > 0.0:
             # mean of H along the edge, of which a part is in cut
             begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)

@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.modal_limit import UNLIMITED, Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.multi_frequency import Harmonics
 from rotordyn.analyses.stability_lobes.sampling import (
-    MOST,
+    LOWEST,
     along,
     folded,
     peaks,
@@ -39,6 +39,7 @@ MOST_INTERRUPTED = 1e4  # tooth period over cut: harmonics are as many
 MOST_POLYNOMIALS = 200  # of forces over the cut, each time for hundreds of samples
 AT_END = 1e-9  # of π: a crossing there is a flip
 REPEATING = 1e-15  # rad: vibration with so little phase from period to period is a fold
+SLOW, SLOWER = 1e-6, 16  # rad, from which so many samples lead to those of even teeth
 
 
 @typed(InvalidInput, besides=("receptance",))
@@ -115,9 +116,13 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
             f"allowed of a receptance that is no sum of modes: from 1/{MOST_INTERRUPTED:g}: raise "
             "the immersion, or leave the loss factor out"
         )
-    angle = folded(near, process.period)
-    if not process.cut.even and np.abs(receptance(np.array([AT_END]))).max() < MOST:
-        angle = np.insert(angle, 0, REPEATING)  # of a tip that is held
+    angle, given = folded(near, process.period), receptance
+    if not process.cut.even:  # vibration may repeat with the teeth, at a phase of 0
+        angle = np.concatenate([[REPEATING], np.geomspace(SLOW, angle[0], SLOWER)[:-1], angle])
+
+        def receptance(omega: Array) -> Complex:  # of a tip that nothing holds: at rest endless
+            return given(np.maximum(omega, LOWEST))
+
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)
     spans = Spans(process.cut, process.period, top)

@@ -53,7 +53,7 @@ class Process(NamedTuple):
     ploughing: Cut | None = None
 
     def floquet(self, tip: ModalTip, top: float, depth: float, spare: int = SPARE) -> Floquet:
-        """The map of a tooth period with the edges of a depth; ``spare`` polynomials."""
+        """The map of a period of the cut with the edges of a depth; ``spare`` polynomials."""
         lag = self.lag * depth
         spans = Spans(replace(self.cut, lag=lag), self.period, top, spare)
         rubbing = self.ploughing and replace(self.ploughing, lag=lag)
@@ -73,8 +73,10 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     coarse = _maps(tip, COARSE * top, process, COARSE_SPARE)
     fine = _maps(tip, top, process, SPARE)
     step = SHARE * min(process.cut.gaps) / process.lag if process.lag > 0.0 else math.inf
-    signs = () if process.lag > 0.0 else (-1.0,) if process.cut.even else (-1.0, 1.0)
-    real = min((fine(0.0).repeating(sign) for sign in signs), default=math.inf)
+    signs = (
+        (-1.0,) if process.cut.even else (-1.0, 1.0)
+    )  # what repeats with even teeth cuts no chip
+    real = math.inf if process.lag > 0.0 else min(fine(0.0).repeating(sign) for sign in signs)
     damped = _damped(tip)
     deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))
     if process.lag == 0.0:
@@ -86,10 +88,16 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     final = fine(depth)
     value, force = final.dominant(depth)
     angle = abs(float(np.angle(value)))
-    kind = HOPF
-    if value.imag == 0.0:
-        kind = FLIP if value.real < 0.0 else HOPF if process.cut.even else FOLD
-    return Limit(depth, final.spans.chatter(tip.receptance, angle, force), kind)
+    return Limit(
+        depth, final.spans.chatter(tip.receptance, angle, force), _kind(value, process.cut)
+    )
+
+
+def _kind(multiplier: complex, cut: Cut) -> str:
+    """Of even teeth a real multiplier above 0 is that of a machine that is unstable by itself."""
+    if multiplier.imag != 0.0 or (multiplier.real > 0.0 and cut.even):
+        return HOPF
+    return FLIP if multiplier.real < 0.0 else FOLD
 
 
 def _damped(tip: ModalTip) -> ModalTip:
@@ -116,15 +124,16 @@ def _gain(tip: ModalTip, process: Process) -> float:
     """Bound on the loop gain from cutting force by motion to cutting force, per depth [1/m]."""
     omega = tip.frequencies
     size = np.linalg.norm(tip.receptance(omega), 2, axis=(1, 2))
-    found = 2.0 * _largest(process.cut) * float(size.max())
+    found = sum(_largest(process.cut)) * float(size.max())
     if process.ploughing is not None:
-        found += _largest(process.ploughing) * float((omega * size).max())
+        found += _largest(process.ploughing)[0] * float((omega * size).max())
     return found
 
 
 @lru_cache
-def _largest(cut: Cut) -> float:
-    """Largest force by displacement [Pa] or velocity [N s/m²], per depth."""
-    pieces = cut.pieces()
-    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES * len(cut.gaps))
-    return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max())
+def _largest(cut: Cut) -> tuple[float, float]:
+    """Largest forces of a depth by motion now, and by motions when the teeth before cut, each at
+    its own time: [Pa], or of process damping [N s/m²]."""
+    angle = np.concatenate([np.linspace(*piece, ANGLES) for piece in cut.pieces()])
+    each = np.linalg.norm(cut.by_gap(angle), 2, axis=(2, 3)).sum(axis=0)
+    return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max()), float(each.max())

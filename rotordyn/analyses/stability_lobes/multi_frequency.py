@@ -21,7 +21,7 @@ from rotordyn.analyses.stability_lobes.spans import Spans, both_signs
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
-AT_ONCE = 1_000_000  # of (n, p, p)
+AT_ONCE = 1_000_000  # of (n, p, p or harmonics)
 
 
 @dataclass(frozen=True)
@@ -45,15 +45,16 @@ class Harmonics:
         return found
 
     def matrix(self, angle: Array) -> Complex:
-        """−H times the motion against that when the tooth before cut (n, 2p, 2p): its eigenvalues
-        z on the positive real axis are 1/a."""
+        """−H by the motion less what was left of the cut before (n, 2p, 2p): its eigenvalues z on
+        the positive real axis are 1/a."""
         same, last = self.spans.delayed
         chip = self.spans.cutting - same - np.exp(-1j * angle)[:, None, None] * last
         return -(chip @ self.motion(angle).reshape(chip.shape))
 
     def eigenvalues(self, angle: Array) -> Complex:
         """(n, 2p), of some angles at once for the sake of memory."""
-        parts = np.array_split(angle, math.ceil(len(angle) * self.spans.size**2 / AT_ONCE))
+        size = self.spans.size * max(self.spans.size, len(self.spans.order))
+        parts = np.array_split(angle, min(math.ceil(len(angle) * size / AT_ONCE), len(angle)))
         return np.concatenate([np.linalg.eigvals(self.matrix(part)) for part in parts]).astype(
             complex
         )

@@ -23,8 +23,8 @@ class StabilityLobesResult:
     """Limits at ``cutting_speed``, each with the receptance of the machine at that speed; infinite
     where no depth is unstable.
 
-    ``at_rest``: what the receptance of the machine at rest gives instead; ``even``: what teeth that
-    are evenly spaced give, NaN where they are; ``measured``: that of the
+    ``at_rest``: what the receptance of the machine at rest gives instead; ``even``: what as many
+    evenly spaced teeth give, NaN where the teeth are evenly spaced; ``measured``: that of the
     tool on the measured spindle, NaN where none was. ``least``, ``most``:
     over the intervals of the case and all sources of the cutting coefficients. ``pocket``: maxima
     of the depth over speed, the deepest first. ``error``: largest change of a limit at some speeds
@@ -77,7 +77,7 @@ class StabilityLobesResult:
         unit="m",
         label="stable depth of cut of evenly spaced teeth",
         printed=MILLIMETRE,
-        absent=(Absence("where the teeth are"),),
+        absent=(Absence("where the teeth are evenly spaced"),),
         infinite=(ANY_DEPTH,),
     )
     measured: Array = quantity(

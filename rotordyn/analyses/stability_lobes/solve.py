@@ -56,7 +56,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     tip_at_rest = _tip(running.at(np.zeros(1)), spec)
     at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
     even = np.full(len(usable), np.nan)
-    if spec.pitch:
+    if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
     measured = _on_measured(scene, spec, operations[0], usable)
 

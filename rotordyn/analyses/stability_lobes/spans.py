@@ -31,6 +31,8 @@ SPARE = 12  # polynomials: from waves resolved to rounding
 SHORTEST = 1e-12  # of a period: a shorter part of two spans in common is rounding
 ROUNDED = 1e-15  # of the largest pivot: a smaller one is rounding
 TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
+MASSIVE = 30.0  # times the highest frequency: limits change by 1e-8
+NEGLIGIBLE = 1e-10  # a polynomial beyond the waves of its span that takes less is left out
 
 
 class Thickness(NamedTuple):
@@ -64,7 +66,10 @@ class Spans:
         turn, found = self.cut.turn, []
         for low, high in self.cut.pieces():
             half = 0.5 * (high - low) / turn
-            count = math.ceil(self.top * self.period * half) + self.spare
+            phase = self.top * self.period * half
+            count = math.ceil(phase) + self.spare
+            if not self.cut.even:  # whose spans may be short
+                count = min(count, _enough(phase + (high - low)))
             found.append((0.5 * (low + high) / turn, half, count))
         return found
 
@@ -84,6 +89,8 @@ class Spans:
         """Harmonics that matter, as many to both sides of the middle of 0 and −1 (k,)."""
         shortest = min(half for _, half, _ in self.each)
         highest = max(self.top * self.period, TAIL / shortest)
+        if not self.cut.even:  # far above all modes the tip is a mass, which hardly moves
+            highest = min(highest, MASSIVE * self.top * self.period)
         most = math.ceil(highest / (2.0 * math.pi)) + 2
         return np.arange(-most - 1, most + 1)
 
@@ -110,24 +117,21 @@ class Spans:
         ends = [(turn * (c - h), turn * (c + h), count) for c, h, count in self.each]
         for (k, here), (j, there) in product(enumerate(ends), repeat=2):
             for (which, gap), last in product(enumerate(self.cut.gaps), (0, 1)):
-                shift = gap - last * turn  # from the one to the other
+                shift = gap - last * turn  # back to where the tooth before cut
                 low, high = max(here[0], there[0] + shift), min(here[1], there[1] + shift)
                 if high - low <= SHORTEST * turn:
                     continue
                 x, weight = _gauss((here[2] + there[2]) // 2 + 12)
                 angle = 0.5 * (low + high) + 0.5 * (high - low) * x
-                force = self.cut.by_gap(angle)[which]
-                bases = (
-                    _legendre(_within(at, angle - by), at[2])
-                    for at, by in ((here, 0.0), (there, shift))
-                )
-                left, right = bases
+                left = _legendre(_within(here, angle), here[2])
+                right = _legendre(_within(there, angle - shift), there[2])
                 share = weight * (high - low) / (here[1] - here[0])
+                force = self.cut.by_gap(angle, which)
                 found[last, self.places[k], :, self.places[j]] += _galerkin(
                     left * share, force, right
                 )
-        same, before = found.reshape(2, 2 * size, 2 * size)
-        return same, before
+        same, last_period = found.reshape(2, 2 * size, 2 * size)
+        return same, last_period
 
     @cached_property
     def cutting(self) -> Array:
@@ -175,6 +179,12 @@ def refuse_waves(spans: Spans, most: int) -> None:
     """Refuse a cut that needs more than ``most`` polynomials, whose matrices take minutes."""
     if spans.size > most:
         hertz = spans.top / 2.0 / math.pi
+        if not spans.cut.even:
+            raise InvalidInput(
+                f"pitch: forces of {len(spans.cut.gaps)} unlike teeth with modes up to {hertz:.5g} "
+                f"Hz take {spans.size} polynomials; allowed: {most}: raise the speed, take the "
+                "method zero-order, or leave those modes out (max_frequency of a case)"
+            )
         raise InvalidInput(
             f"speed: while a tooth cuts, the highest mode, up to {hertz:.5g} Hz, has "
             f"{spans.size / math.pi:.0f} waves; allowed: {most / math.pi:.0f}: raise the speed, "
@@ -195,6 +205,15 @@ def both_signs(receptance: Receptance, omega: Array) -> Complex:
     """Receptance (…, 2, 2) at frequencies of either sign (…): that at −ω is the conjugate."""
     own = receptance(np.abs(omega).ravel()).reshape(*omega.shape, 2, 2)
     return np.where((omega < 0.0)[..., None, None], own.conj(), own)
+
+
+def _enough(phase: float) -> int:
+    """Polynomials over a span that waves cross by twice the ``phase`` [rad], forces included."""
+    count, share = 2, phase**2 / 15.0
+    while count <= phase or share > NEGLIGIBLE:
+        count += 1
+        share *= phase / (2.0 * count + 1.0)
+    return count
 
 
 def _galerkin(left: Array, force: Array, right: Array) -> Array:

@@ -38,11 +38,12 @@ OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix")
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
+ALIKE = 1e-9  # rad: pitches that differ by less are equal
 Immersion = Annotated[float, Quantity("ratio", above="0 %", at_most="100 %")]
 Helix = Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")]
 ForceAngle = Annotated[float, Quantity("angle", above="-90 deg", below="90 deg")]
 Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="90 %")]
-Pitch = Annotated[float, Quantity("angle", at_least="1 deg", below="360 deg")]
+Pitch = Annotated[float, Quantity("angle", at_least="1 deg", at_most="360 deg")]
 Ploughing = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e9 N/m")]
 
 
@@ -78,8 +79,8 @@ class StabilityLobesSpec(Spec):
     teeth: Annotated[int, Whole(0, 100), "teeth of the cutter"] = 0
     pitch: Annotated[
         tuple[Pitch, ...],
-        "from each tooth to the one that cut before it, in the order in which they cut; evenly "
-        "spaced by default",
+        "from each tooth to the one that cut before it, in the order in which they cut, 360° "
+        "together (within 0.1°, to which they are scaled); evenly spaced by default",
     ] = ()
     tangential: Annotated[
         CuttingCoefficient | None, "tangential cutting coefficient Ktc; or `workpiece`"
@@ -135,6 +136,11 @@ class StabilityLobesSpec(Spec):
         return 0.0, math.pi
 
     @property
+    def uneven(self) -> bool:
+        """The teeth are not evenly spaced."""
+        return any(abs(each - self.pitch[0]) > ALIKE for each in self.pitch)
+
+    @property
     def pitches(self) -> tuple[float, ...]:
         """``pitch`` [rad], a full turn together."""
         whole = math.fsum(self.pitch)
@@ -160,14 +166,16 @@ class StabilityLobesSpec(Spec):
     def _of_milling(self) -> Faults:
         if not self.teeth:
             yield ("teeth",), "missing key: the number of teeth, or turning"
-        if self.pitch and len(self.pitch) != self.teeth:
+        whole, many = math.fsum(self.pitch), len(self.pitch)
+        if not many or not self.teeth or whole != whole:
+            pass  # none, or told already
+        elif many != self.teeth:
+            yield ("pitch",), f"given {many} in number; allowed: {self.teeth}, one to each tooth"
+        elif abs(whole - 2.0 * math.pi) > ROUND:
             yield (
                 ("pitch",),
-                f"given {len(self.pitch)} angles beside {self.teeth} teeth; allowed: one to each",
+                f"given {math.degrees(whole):.6g}° together; allowed: 360°, a full turn",
             )
-        elif self.pitch and abs(math.fsum(self.pitch) - 2.0 * math.pi) > ROUND:
-            whole = math.degrees(math.fsum(self.pitch))
-            yield ("pitch",), f"given {whole:.6g}° together; allowed: 360°, a full turn"
         given = [self.tangential is not None, self.radial is not None]
         if self.workpiece is None and not all(given):
             key = "radial" if given[0] else "tangential"

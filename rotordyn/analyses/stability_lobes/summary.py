@@ -143,7 +143,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     if folds.size:
         rpm = number(result.cutting_speed[folds[0]] * RPM.factor, 0)
         sentences.append(
-            f"vibration that repeats with the uneven teeth limits {folds.size} of "
+            f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
     if result.error > result.error_asked:

@@ -192,7 +192,10 @@ def test_without_damping_there_are_no_lobes(case):
         ({"helix": "30 deg", "method": "zero-order"}, "do not depend on it"),
         ({"teeth": 0}, "teeth"),
         ({"speeds": "[30000 rpm]"}, "above the highest speed of the case"),
-        ({"pitch": "[100 deg, 120 deg, 140 deg]"}, "given 3 angles beside 2 teeth"),
+        (
+            {"pitch": "[100 deg, 120 deg, 140 deg]"},
+            "given 3 in number; allowed: 2, one to each tooth",
+        ),
         ({"pitch": "[170 deg, 180 deg]"}, "given 350° together; allowed: 360°"),
         ({"pitch": "[0 deg, 360 deg]"}, "angle out of range"),
     ],
@@ -485,6 +488,9 @@ def test_uneven_teeth_stand_beside_evenly_spaced_ones(case):
     np.testing.assert_array_equal(uneven.even, even.depth)
     assert np.isnan(even.even).all()
     assert (np.abs(uneven.depth / uneven.even - 1.0) > 0.02).all()
+    listed = lobes(case(pitch="[180 deg, 180 deg]"))
+    assert np.isnan(listed.even).all()
+    np.testing.assert_array_equal(listed.depth, even.depth)
     turned = lobes(case(pitch="[200 deg, 160.04 deg]"))
     np.testing.assert_allclose(turned.depth, uneven.depth, rtol=1e-9)
     results = rotordyn.run(case(pitch="[160.04 deg, 200 deg]"))

@@ -36,7 +36,7 @@ ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 REPEATING = (
     (FLIP, RED, "-", "period doubling"),
-    (FOLD, ORANGE, (0, (1.0, 0.7)), "vibration that repeats with the teeth"),
+    (FOLD, ORANGE, (0, (1.0, 0.7)), "repeats with the pattern of teeth"),
 )
 APART = 0.11  # of the axis, between marks of pockets
 ABOVE = 9.0  # [mm] of the second axis
@@ -184,7 +184,7 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
     said = f"turning of {size}: revolutions by second [Hz]"
     if not spec.turning:
         how = "slot" if spec.milling == "slot" else f"{spec.milling} {spec.immersion:.0%}"
-        teeth = f"{spec.teeth} uneven teeth" if spec.pitch else f"{spec.teeth} teeth"
+        teeth = f"{spec.teeth} uneven teeth" if spec.uneven else f"{spec.teeth} teeth"
         what = f"{teeth} on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
         said = f"{what}: a tooth passes at [Hz]"
     other.set_xlabel(said, fontsize=FONT_SIZE)
