@@ -19,6 +19,7 @@ from rotordyn.results.display import is_rotation, response_unit
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
+_OF_FILE = ("length of a metre", "force of a newton")  # in the units of a file
 _FRF, _COHERENCE, _COMPLEX = 4, 6, (5, 6)
 _ROTATION, AXES = 19, 3  # kind of the third axis; directions beyond three are rotations
 _COLUMN = re.compile(r"\s*(.*?)\s*\[([^\[\]]*)\]\s*")
@@ -140,13 +141,15 @@ def _sets_58(path: Path) -> list[dict[str, Any]]:
         warnings.simplefilter("ignore")  # files left open, old numpy calls
         try:
             file = pyuff.UFF(str(path))
-            places = [k for k, kind in enumerate(file.get_set_types()) if kind == 58]
-            data_sets = [file.read_sets(k) for k in places]
+            kinds = [*enumerate(file.get_set_types())]
+            data_sets = [file.read_sets(k) for k, kind in kinds if kind == 58]
+            units = [file.read_sets(k) for k, kind in kinds if kind == 164]
         except Exception as error:  # noqa: BLE001 - pyuff raises what its parser meets
             raise InvalidInput(f"not a UFF file that can be read: {error}") from None
     if not data_sets:
         raise InvalidInput("no record of type 58 in it")
-    return data_sets
+    sizes = [units[-1][key] for key in ("length", "force")] if units else [1.0, 1.0]
+    return [{**each, **dict(zip(_OF_FILE, sizes, strict=True))} for each in data_sets]
 
 
 def _label(data_set: dict[str, Any], axis: str) -> str:
@@ -155,20 +158,41 @@ def _label(data_set: dict[str, Any], axis: str) -> str:
 
 
 def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
-    """Quantity and factor to SI; a record without labels of units is in SI."""
+    """Quantity and factor to SI; of a label alone the other is in SI, or both stand in one. A
+    record without labels is in the units of its file, SI unless that says otherwise."""
     code = data_set.get("ordinate_spec_data_type")
     motion, load = _label(data_set, "ordinate"), _label(data_set, "orddenom")
-    if code in _MOTIONS and not (motion and load):
-        return _MOTIONS[code], 1.0
-    if code == 12 and motion in ("g", "gn"):
-        quantity, scale = _unit(f"m/s^2/({load})", pair)
+    if code in _MOTIONS and not (motion or load):
+        return _MOTIONS[code], _of_file(data_set, pair)
+    if code == 12 and (gravity := re.match(r"gn?\s*(/.*)?$", motion)):
+        quantity, scale = _unit(_response(f"m/s^2{gravity[1] or ''}", load, code, pair), pair)
         return quantity, scale * STANDARD_GRAVITY
-    quantity, scale = _unit(f"({motion})/({load})", pair)
+    quantity, scale = _unit(_response(motion, load, code, pair), pair)
     if code in _MOTIONS and quantity != _MOTIONS[code]:
         raise InvalidInput(
             f"the record says {_MOTIONS[code]} by its data type, but has the unit of {quantity}"
         )
     return quantity, scale
+
+
+def _response(motion: str, load: str, code: object, pair: str) -> str:
+    """The unit of a response by its labels, of which one may be missing."""
+    kind = _MOTIONS.get(code, "") if isinstance(code, int) else ""
+    known = response_unit(pair, kind or "receptance").rpartition("/")
+    if motion and not load:
+        try:
+            _unit(motion, pair)
+        except InvalidInput:
+            return f"({motion})/({known[2]})"
+        return motion
+    return f"({motion or (known[0] if kind else '')})/({load})"
+
+
+def _of_file(data_set: dict[str, Any], pair: str) -> float:
+    """Factor to SI of a response in the units of its file (a set of type 164)."""
+    length, force = (1.0 / float(data_set[key]) for key in _OF_FILE)
+    response, excitation = (is_rotation(port.rpartition(".")[2]) for port in pair.split(" / "))
+    return (1.0 if response else length) / (force * length if excitation else force)
 
 
 def _unit(text: str, pair: str) -> tuple[str, float]:

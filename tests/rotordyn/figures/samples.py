@@ -471,6 +471,12 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         resonance=np.arange(0),
         peak_speed=np.zeros((2, 0)),
         peak_amplitude=np.zeros((2, 0)),
+        run=("up in 1 s",),
+        run_speed=np.linspace(0.0, 1000.0, 5),
+        run_amplitude=np.full((1, 5, 2), 1e-6),
+        run_peak=np.full((1, 2), 1e-6),
+        run_peak_speed=np.full((1, 2), 500.0),
+        run_error=np.array([1e-5]),
         error=np.array([1e-5, 2e-5]),
         error_asked=1e-3,
     )

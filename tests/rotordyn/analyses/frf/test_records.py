@@ -156,6 +156,19 @@ def uff(path: Path, **changes: object) -> Path:
         ({"ordinate_axis_units_lab": "NONE"}, "inertance", 1.0),
         ({"ordinate_axis_units_lab": "mm/s", "ordinate_spec_data_type": 11}, "mobility", 1e-3),
         ({"ordinate_axis_units_lab": "um", "ordinate_spec_data_type": 0}, "receptance", 1e-6),
+        ({"ordinate_axis_units_lab": "mm/s^2", "orddenom_axis_units_lab": ""}, "inertance", 1e-3),
+        ({"ordinate_axis_units_lab": "g", "orddenom_axis_units_lab": ""}, "inertance", 9.80665),
+        ({"ordinate_axis_units_lab": "g/N", "orddenom_axis_units_lab": ""}, "inertance", 9.80665),
+        ({"ordinate_axis_units_lab": "", "orddenom_axis_units_lab": "kN"}, "inertance", 1e-3),
+        (
+            {
+                "ordinate_axis_units_lab": "mm/N",
+                "orddenom_axis_units_lab": "NONE",
+                "ordinate_spec_data_type": 8,
+            },
+            "receptance",
+            1e-3,
+        ),
     ],
 )
 def test_foreign_records(
@@ -165,6 +178,28 @@ def test_foreign_records(
     assert record.quantity == quantity
     assert record.frequency == (10.0, 20.0, 30.0)
     np.testing.assert_allclose(record.values, np.array([1.0 + 2.0j, 3.0, 4.0]) * scale)
+
+
+@pytest.mark.parametrize(
+    ("labels", "pair", "scale"),
+    [
+        (("", ""), PAIR, 1e-3 / 1e-3),
+        (("m/s^2", "N"), PAIR, 1.0),
+        (("", ""), "left_disc.thz / left_disc.y", 1.0 / 1e-3),
+        (("", ""), "left_disc.y / left_disc.thz", 1e-3 / (1e-3 * 1e-3)),
+        (("", ""), "left_disc.thz / left_disc.thz", 1.0 / (1e-3 * 1e-3)),
+    ],
+)
+def test_units_of_a_file(tmp_path: Path, labels: tuple[str, str], pair: str, scale: float) -> None:
+    """Millimetres and millinewtons; labels of a record are before them."""
+    names = dict(zip(("ordinate_axis_units_lab", "orddenom_axis_units_lab"), labels, strict=True))
+    ways = [0 if "th" not in end else 6 for end in pair.split(" / ")]
+    path = uff(tmp_path / "tap.uff", rsp_dir=ways[0], ref_dir=ways[1], **names)
+    factors = {"length": 1e3, "force": 1e3, "temp": 1.0, "temp_offset": 273.15}
+    known = {"type": 164, "units_code": 5, "units_description": "mm", "temp_mode": 1, **factors}
+    pyuff.UFF(str(path)).write_sets([known], "add")
+    values = read_record(path, pair, None).values
+    np.testing.assert_allclose(values, scale * np.array([1.0 + 2.0j, 3.0, 4.0]))
 
 
 @pytest.mark.parametrize(
