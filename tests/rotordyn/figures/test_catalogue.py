@@ -31,7 +31,7 @@ NAMES = {
     "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
     "bearing_life", "bearing_motion", "bearing_tangents", "section_forces",
-    "elastic_line", "control", "unbalance", "unbalance_forces",
+    "elastic_line", "control", "unbalance", "unbalance_forces", "unbalance_runs",
 }  # fmt: skip
 
 
