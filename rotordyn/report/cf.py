@@ -65,7 +65,7 @@ def about(case: str, title: str, digest: str) -> dict[str, str]:
         "title": title or case,
         "source": f"rotordyn {__version__}",
         "history": f"{now} rotordyn {__version__}: results of case {case}",
-        "comment": "SI units. A complex variable x is stored as x_re and x_im. "
+        "comment": "Each variable says its units. A complex variable x is stored as x_re and x_im. "
         "NaN: no value; the outcome of the same speed, an absence or the comment of the variable "
         "says why.",
         "sign_convention": SIGN_CONVENTION,

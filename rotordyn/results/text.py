@@ -24,13 +24,16 @@ def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[s
 
 
 def unbroken(entry: str) -> str:
-    """An entry that is not broken over two lines."""
+    """An entry that is not broken over two lines, unless it is longer than one."""
     return entry.replace(" ", _NO_BREAK)
 
 
 def wrapped(line: str) -> list[str]:
     """Lines of at most ``WIDTH`` columns, the later ones set in."""
-    lines = textwrap.wrap(line, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
+    room = WIDTH - len(INDENT)
+    entries = [e.replace(_NO_BREAK, " ") if len(e) > room else e for e in line.split(" ")]
+    whole = " ".join(entries)
+    lines = textwrap.wrap(whole, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
     return [part.replace(_NO_BREAK, " ") for part in lines]
 
 

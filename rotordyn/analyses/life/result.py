@@ -142,6 +142,12 @@ class LifeResult:
         absent=(NO_SPECTRUM,),
         infinite=(Absence("without load", by=("bearing",)),),
     )
+    spectrum_unloaded: Array = quantity(
+        "bearing",
+        unit="1",
+        label="share of the spectrum without load",
+        absent=(NO_SPECTRUM,),
+    )
     spectrum_set_life: float = quantity(
         unit="s",
         label="life of the set under the spectrum",

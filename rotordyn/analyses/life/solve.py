@@ -54,7 +54,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     fields = {name: joined(name) for name in columns[0]}
     for name in ("revolutions", "life", "modified_life"):
         fields[name] = fields[name] * hot**3
-    spectrum, safety = _spectrum(scene, spec, ratings[0])
+    spectrum, safety, unloaded = _spectrum(scene, spec, ratings[0])
     oil = spec.lubricant
     return LifeResult(
         speed=scene.speed,
@@ -68,6 +68,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         set_life=bearings.life.set_life(fields["life"], axis=1),
         spectrum_life=spectrum,
         spectrum_safety=safety,
+        spectrum_unloaded=unloaded,
         spectrum_set_life=float(bearings.life.set_life(spectrum)),
         viscosity=math.nan if oil is None else float(oil.oil.kinematic(oil.temperature)),
         reliability=spec.reliability,
@@ -210,23 +211,25 @@ def _least(margin: Array) -> Array:
     return np.where(np.isfinite(least), least, np.nan)
 
 
-def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> tuple[Array, Array]:
-    """Life [s] and least static safety of every bearing under the load spectrum, NaN without one
-    (bearings,)."""
+def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> tuple[Array, Array, Array]:
+    """Life [s] and least static safety of every bearing under the load spectrum, and the share of
+    the time in which it turns without any load; NaN without a spectrum (bearings,)."""
     if not spec.spectrum:
         nothing = np.full(len(rating), np.nan)
-        return nothing, nothing
+        return nothing, nothing, nothing
     steps = [_step(scene, spec, place, rating) for place in range(len(spec.spectrum))]
-    lives, safety = (np.array(each) for each in zip(*steps, strict=True))
-    shares = [step.share for step in spec.spectrum]
-    return np.asarray(bearings.life.mean_life(shares, lives)), safety.min(axis=0)
+    lives, safety, idle = (np.array(each) for each in zip(*steps, strict=True))
+    shares = np.array([step.share for step in spec.spectrum])
+    turning = shares * [step.speed > 0.0 for step in spec.spectrum]
+    unloaded = turning @ idle / shares.sum()
+    return np.asarray(bearings.life.mean_life(shares, lives)), safety.min(axis=0), unloaded
 
 
 def _step(
     scene: Scene, spec: LifeSpec, place: int, rating: Array
-) -> tuple[list[float], list[float]]:
-    """Life of every bearing under one step alone [s], infinite at rest, and its static safety; with
-    the loads of the conditions besides.
+) -> tuple[list[float], list[float], list[bool]]:
+    """Life of every bearing under one step alone [s], infinite at rest, its static safety, and
+    whether its inner ring presses on no ball; with the loads of the conditions besides.
 
     Raises
     ------
@@ -245,7 +248,7 @@ def _step(
             f"solution: {there.outcome[0]}; change the loads or the speed of this step"
         )
     hot = rating * _rating_factor(spec, _temperatures(there))[0]
-    lives, safety = [], []
+    lives, safety, idle = [], [], []
     for seat, (balls, column), rated in zip(
         scene.spindle.seats, there.preload.seat_states(), hot, strict=True
     ):
@@ -260,7 +263,9 @@ def _step(
             )
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
         safety.append(float(bearings.life.static_safety(state).flat[at]))
-    return lives, safety
+        pressed = np.reshape(state.inner_load, (-1, np.shape(state.inner_load)[-1]))[at]
+        idle.append(not (pressed > 0.0).any())
+    return lives, safety, idle
 
 
 def _under_radial_load(

@@ -176,6 +176,12 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
             f"from {where} on, and life is shorter than computed; lower the load or take a larger "
             "bearing"
         )
+    if result.spectrum_unloaded[k] > 0.0:
+        yield (
+            f"the load spectrum leaves it without any load for "
+            f"{100.0 * result.spectrum_unloaded[k]:.3g} % of the time, where its balls do not roll "
+            "and its life means nothing; raise the preload, or change the loads"
+        )
     if result.spectrum_safety[k] < LEAST_SAFETY:
         yield (
             f"static safety {result.spectrum_safety[k]:.2g} under the load spectrum is below "

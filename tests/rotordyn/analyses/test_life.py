@@ -148,6 +148,15 @@ def test_a_spectrum_at_rest_is_told() -> None:
     assert any("spectrum" in line and "set > 1e6" in line for line in summary(found))
 
 
+def test_a_spectrum_that_unloads_a_bearing_says_so() -> None:
+    pulled = LoadStep(share=0.4, speed=6000 * RPM, axial_force=-3000.0)
+    found = of_grinding(LifeSpec(spectrum=(pulled, LoadStep(share=0.6, speed=6000 * RPM))))
+    np.testing.assert_allclose(found.spectrum_unloaded, [0.4, 0.4, 0.0, 0.0])
+    assert any("leaves it without any load for 40 % of the time" in w for w in warnings(found))
+    still = of_grinding(LifeSpec(spectrum=(LoadStep(share=1.0, speed=6000 * RPM),)))
+    assert not still.spectrum_unloaded.any()
+
+
 def test_spectrum_is_the_mean_of_its_steps() -> None:
     """Each step alone, then 1/L = Σ share of time over L."""
     whole = of_grinding(LifeSpec(spectrum=STEPS)).spectrum_life

@@ -379,6 +379,28 @@ def test_turning_is_that_of_the_oriented_receptance(case):
     np.testing.assert_allclose(result.removal.values, removal)
 
 
+def test_a_band_of_stiffness_misses_no_lobe(case):
+    """At low speeds several pass one speed within it; of stiffness c the receptance is that at
+    ω/√c over c, but for process damping."""
+    turned = dict(teeth=0, tangential="null", radial="null", turning="{force: 2 GPa}")
+    slow = case(**turned, speeds="[1000 rpm]", interval="{stiffness: 10 %}")
+    result = lobes(slow)
+    speeds = result.cutting_speed.values
+    scene = Scene(slow.spindle, slow.conditions, np.array(slow.speeds), 3000.0, ("tip",))
+    tip, lean = Tip(scene.at(speeds), "tip", 0.0, 3000.0), math.radians(60.0)
+    for row, speed in enumerate(speeds):
+        one, depth = tip.at(row), []
+        for c in np.linspace(0.9, 1.1, 81):
+
+            def oriented(omega, one=one, c=c):
+                whole = one.receptance(omega[None] / math.sqrt(c))[0] / c  # feed, normal
+                return math.cos(lean) * whole[:, 0, 0] - math.sin(lean) * whole[:, 0, 1]
+
+            depth.append(turning_limit(oriented, 2e9, speed).depth)
+        assert result.least.values[row] == pytest.approx(min(depth), rel=0.02)
+        assert result.most.values[row] == pytest.approx(max(depth), rel=0.05)
+
+
 @pytest.mark.long
 def test_band_holds_the_limits_of_changed_machines(case):
     """Stiffness and damping at the ends of their intervals, and the share of the coefficients."""

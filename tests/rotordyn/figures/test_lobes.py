@@ -19,7 +19,8 @@ def _result(count):
     speed, near = np.array(POCKETS) * math.pi / 30.0, 300.0 * math.pi / 30.0
     return SimpleNamespace(
         cutting_speed=rpm * math.pi / 30.0, depth=depth, at_rest=0.5 * depth,
-        measured=np.full(count, np.nan), even=np.full(count, np.nan), least=depth, most=depth, loss=("",) * count,
+        measured=np.full(count, np.nan), even=np.full(count, np.nan), least=depth, most=depth,
+        loss=("",) * count,
         removal=depth * rpm * 1e-6, chatter=np.full(count, 900.0),
         mode_frequency=np.full(count, 850.0), pocket=np.arange(3), pocket_speed=speed,
         pocket_from=speed - near, pocket_to=speed + near, pocket_depth=np.full(3, 3e-3),
