@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
+from fnmatch import translate
 from itertools import compress, product
 from typing import Any, NamedTuple
 
@@ -142,11 +143,18 @@ def _written(result: Any, coordinate: str) -> list[str]:
     return [f"{each * printed.factor:.6g} {printed.unit}".strip() for each in np.asarray(entries)]
 
 
+def _alike(word: str, pattern: str) -> bool:
+    """Whether a word is that of a pattern; a number before ``*`` ends there: ``bending 1*`` is not
+    ``bending 10``."""
+    ending = re.sub(r"(?<=\d)(?=\.\*|\(\?>\.\*)", r"(?!\\d)", translate(pattern))
+    return re.match(ending, word) is not None
+
+
 def _places(of: str, name: str, entries: Any, asked: object, unit: str) -> list[int]:
     """Which entries of a coordinate are meant."""
     if not _is_number(entries):
         words = [str(each) for each in entries]
-        found = [k for k, word in enumerate(words) if fnmatchcase(word, str(asked))]
+        found = [k for k, word in enumerate(words) if _alike(word, str(asked))]
         if not found:
             raise InvalidInput(
                 f"{shown(of)}: no {name} {shown(asked)}; allowed: {', '.join(words)}"

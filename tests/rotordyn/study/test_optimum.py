@@ -21,7 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.results.headline import Number
 from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum import criterion, trials
-from rotordyn.study.optimum.criterion import Criterion, Reading, _places, amount
+from rotordyn.study.optimum.criterion import Criterion, Reading, _alike, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
 from rotordyn.study.optimum.solve import Optimum
@@ -387,3 +387,19 @@ def test_amounts() -> None:
     assert amount("12000 rpm", "") == pytest.approx(400.0 * math.pi)
     with pytest.raises(InvalidInput, match="expected a number in Hz"):
         amount("3 N", "Hz")
+
+
+@pytest.mark.parametrize(
+    ("pattern", "word", "alike"),
+    [
+        ("bending 1*", "bending 1", True),
+        ("bending 1*", "bending 1 forward", True),
+        ("bending 1*", "bending 10", False),
+        ("bending 1*f*", "bending 11 forward", False),
+        ("bending 1*f*", "bending 1 forward", True),
+        ("bending*", "bending 10", True),
+        ("bending 12", "bending 12", True),
+    ],
+)
+def test_a_number_in_a_pattern_ends_there(pattern: str, word: str, alike: bool) -> None:
+    assert _alike(word, pattern) == alike
