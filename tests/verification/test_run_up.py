@@ -10,12 +10,15 @@ import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run
 from rotordyn.analyses.unbalance.runs import _axes, _cuts
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
-from rotordyn.errors import RotordynError
+from rotordyn.errors import NoSolution, RotordynError
 from rotordyn.numerics.modes import modes
+from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
 
 RATED = 2.0 * np.pi / 60.0
+ONE = Unbalance("left_disc", 1e-3)
 
 
 def system(seed, n=3):
@@ -187,6 +190,28 @@ def test_slow_runs_are_steady():
     apart = np.abs(found.run_amplitude.values[:, :, 0] - steady).max(axis=1) / steady.max()
     assert apart[0] > 5.0 * apart[1]
     assert (apart[1:] < 0.01).all()
+
+
+@pytest.mark.parametrize("ratio", [1.5, -1.5])
+@pytest.mark.parametrize("down", [False, True])
+def test_runs_begin_in_steady_rotation(ratio, down):
+    """With a rotor that turns with the spindle, and against it."""
+    speeds = tuple((np.array([6000.0, 6010.0]) * RATED).tolist())
+    case = coaxial(ratio, **{"run_down" if down else "run_up": (1e4,)})
+    found = rotordyn.run(rotordyn.vary(case, {"speeds": speeds}))["unbalance"]
+    row = -1 if down else 0
+    begin, steady = found.run_amplitude.values[0, row], found.fine_major_axis.values[row]
+    np.testing.assert_allclose(begin, steady, rtol=1e-4)
+
+
+def test_motion_that_grows_beyond_all_numbers_is_refused():
+    machine = rotordyn.load("friswell_internal_damping").variants["viscous"]
+    asked = {
+        "analyses": {"unbalance": UnbalanceSpec(("left_disc",), (ONE,), run_up=(1e5,))},
+        "speeds": (100.0, 500.0),
+    }
+    with pytest.raises(NoSolution, match="grows by itself beyond all numbers: leave it out"):
+        rotordyn.run(rotordyn.vary(machine, asked))
 
 
 def test_one_mode_past_its_resonance():

@@ -73,19 +73,27 @@ def _converged(
         cuts = _cuts(scene, spec, ratio, ends, count)
         every = [_axes(cuts, run, count) for run in runs]
         changes = zip(every, before, strict=False)
-        error = [float((np.abs(a - b).max(axis=0) / a.max(axis=0)).max()) for a, b in changes]
+        error = [_change(one, other) for one, other in changes]
         if before and max(error) <= response_accuracy(scene):
             break
         before = every
     return every, error
 
 
+def _change(one: Array, other: Array) -> float:
+    """Largest change of a point's half axes (t, points) over its peak, where it moves at all."""
+    peak = one.max(axis=0)
+    change = np.abs(one - other).max(axis=0)
+    return float(np.divide(change, peak, out=np.zeros_like(peak), where=peak > 0.0).max())
+
+
 def _axes(cuts: Sequence[Sequence[Parts]], run: Run, count: int) -> Array:
     """Of one run (t, points), by two cuts into parts of the same length."""
     instants = np.linspace(0.0, 1.0, SHOWN * BETWEEN + 1)
-    even, between = (
-        sum(each.moved(run, run.duration * instants) for each in parts) for parts in cuts
-    )
+    with np.errstate(over="ignore", invalid="ignore"):  # of motion that grows by itself
+        even, between = (
+            sum(each.moved(run, run.duration * instants) for each in parts) for parts in cuts
+        )
     share = 1.0 - 2.0 * np.abs((count * instants) % 1.0 - 0.5)
     moved = blended(np.asarray(even), np.asarray(between), share)
     y, z = np.moveaxis(moved.reshape(len(moved), -1, 2), -1, 0)
@@ -138,17 +146,18 @@ def _subsystem(
     if motions.whirling:
         half = len(force) // 2
         force, rows = force[:half], rows[:, :half] - 1j * rows[:, half:]
-    first = 0 if edges[0] <= edges[-1] else -1
-    begin = _steady(modes.stiffness[first], modes.damping[first], force, abs(ratio) * edges[0])
-    parts = [modes.pole, modes.vector, modes.participation, modes.damping]
+    parts = [modes.pole, modes.vector, modes.participation, modes.damping, modes.stiffness]
+    first = [each[0 if edges[0] <= edges[-1] else -1] for each in parts[3:]]
     if len(modes.pole) > 1:
         parts = [each[middles] for each in parts]
-    every = [np.asarray(each, dtype=complex) for each in (*parts, force, begin, rows)]
+    every = [np.asarray(each, dtype=complex) for each in (*parts[:4], *first, force, rows)]
     turned = [each.conj() if ratio < 0.0 else each for each in every]
-    return Parts(abs(ratio) * edges, *turned)
+    speed = abs(ratio) * edges
+    pole, vector, left, damping, *begin, force, rows = turned
+    return Parts(speed, pole, vector, left, damping, force, _steady(*begin, force, speed[0]), rows)
 
 
-def _steady(stiffness: Matrix, damping: Matrix, force: Complex, omega: float) -> Complex:
+def _steady(damping: Matrix, stiffness: Matrix, force: Complex, omega: float) -> Complex:
     """Displacement (n,) of steady rotation; at rest nothing acts."""
     dynamic = stiffness + 1j * omega * damping - omega**2 * np.eye(len(force))
     return np.asarray(np.linalg.solve(dynamic, omega**2 * force)) if omega else 0.0 * force
