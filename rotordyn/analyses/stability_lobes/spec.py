@@ -77,11 +77,6 @@ class StabilityLobesSpec(Spec):
     point: Annotated[PointName, "tip of the tool, or of the workpiece in turning"]
     diameter: Annotated[Diameter, "of the cutter, or of the workpiece in turning"]
     teeth: Annotated[int, Whole(0, 100), "teeth of the cutter"] = 0
-    pitch: Annotated[
-        tuple[Pitch, ...],
-        "from each tooth to the one that cut before it, in the order in which they cut, 360° "
-        "together (within 0.1°, to which they are scaled); evenly spaced by default",
-    ] = ()
     tangential: Annotated[
         CuttingCoefficient | None, "tangential cutting coefficient Ktc; or `workpiece`"
     ] = None
@@ -124,6 +119,11 @@ class StabilityLobesSpec(Spec):
         tuple[TopSpeed, ...],
         Sweep(),
         "of the limits; the machine is solved anew at each. By default those of the case above 0",
+    ] = ()
+    pitch: Annotated[
+        tuple[Pitch, ...],
+        "from each tooth to the one that cut before it, in the order in which they cut, 360° "
+        "together (within 0.1°, to which they are scaled); evenly spaced by default",
     ] = ()
 
     @property
