@@ -192,8 +192,7 @@ def test_slow_runs_are_steady():
     assert (apart[1:] < 0.01).all()
 
 
-@pytest.mark.parametrize("ratio", [1.5, -1.5])
-@pytest.mark.parametrize("down", [False, True])
+@pytest.mark.parametrize(("ratio", "down"), [(1.5, True), (-1.5, False)])
 def test_runs_begin_in_steady_rotation(ratio, down):
     """With a rotor that turns with the spindle, and against it."""
     speeds = tuple((np.array([6000.0, 6010.0]) * RATED).tolist())

@@ -10,7 +10,7 @@ Theory: docs/theory/lobes.md.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import accumulate, pairwise, product
@@ -46,6 +46,20 @@ class Thickness(NamedTuple):
     now: Array
     before: Array
     kept: Array
+
+
+class _Part(NamedTuple):
+    """Gauss points of a part of the span ``here``, at ``angle`` (n,) and with ``weight`` (n,)
+    [rad], in which the teeth behind the gap ``which`` cut what was left in the span ``there``, at
+    the angle ``back`` (n,), of the ``last`` period (1) or of the same (0)."""
+
+    here: int
+    there: int
+    which: int
+    last: int
+    angle: Array
+    back: Array
+    weight: Array
 
 
 @dataclass(frozen=True)
@@ -110,28 +124,48 @@ class Spans:
     def delayed(self) -> tuple[Array, Array]:
         """What of H acts on the displacement when the tooth before cut there, in the same period
         and in the last one (2p, 2p) each [Pa]."""
-        size, turn = self.size, self.cut.turn
+        size = self.size
         if self.cut.even:
             return np.zeros((2 * size, 2 * size)), self.cutting
-        found = np.zeros((2, size, 2, size, 2))
-        ends = [(turn * (c - h), turn * (c + h), count) for c, h, count in self.each]
-        for (k, here), (j, there) in product(enumerate(ends), repeat=2):
-            for (which, gap), last in product(enumerate(self.cut.gaps), (0, 1)):
-                shift = gap - last * turn  # back to where the tooth before cut
+        found, parts = np.zeros((2, size, 2, size, 2)), list(self._in_common())
+        angle, many = np.concatenate([part.angle for part in parts]), [p.angle.size for p in parts]
+        which, force = np.repeat([part.which for part in parts], many), np.empty((sum(many), 2, 2))
+        for gap in range(len(self.cut.gaps)):
+            force[which == gap] = self.cut.by_gap(angle[which == gap], gap)
+        most = max(count for *_, count in self.each)
+        left, right = (
+            _legendre(np.concatenate([self._place(*each) for each in at]), most)
+            for at in ([(p.here, p.angle) for p in parts], [(p.there, p.back) for p in parts])
+        )
+        ends = pairwise(accumulate(many, initial=0))
+        for part, (low, high) in zip(parts, ends, strict=True):
+            (_, half, count), (*_, other) = self.each[part.here], self.each[part.there]
+            share = part.weight / (half * self.cut.turn)
+            found[part.last, self.places[part.here], :, self.places[part.there]] += _galerkin(
+                left[:count, low:high] * share, force[low:high], right[:other, low:high]
+            )
+        same, last_period = found.reshape(2, 2 * size, 2 * size)
+        return same, last_period
+
+    def _in_common(self) -> Iterator[_Part]:
+        """Parts of a span in which a tooth cuts what was left in another one, or in the same."""
+        turn = self.cut.turn
+        ends = [(turn * (c - h), turn * (c + h)) for c, h, _ in self.each]
+        for (which, gap), last in product(enumerate(self.cut.gaps), (0, 1)):
+            shift = gap - last * turn  # back to where the tooth before cut
+            for (k, here), (j, there) in product(enumerate(ends), repeat=2):
                 low, high = max(here[0], there[0] + shift), min(here[1], there[1] + shift)
                 if high - low <= SHORTEST * turn:
                     continue
-                x, weight = _gauss((here[2] + there[2]) // 2 + 12)
-                angle = 0.5 * (low + high) + 0.5 * (high - low) * x
-                left = _legendre(_within(here, angle), here[2])
-                right = _legendre(_within(there, angle - shift), there[2])
-                share = weight * (high - low) / (here[1] - here[0])
-                force = self.cut.by_gap(angle, which)
-                found[last, self.places[k], :, self.places[j]] += _galerkin(
-                    left * share, force, right
-                )
-        same, last_period = found.reshape(2, 2 * size, 2 * size)
-        return same, last_period
+                x, weight = _gauss((self.each[k][2] + self.each[j][2]) // 2 + 12)
+                half = 0.5 * (high - low)
+                angle = 0.5 * (low + high) + half * x
+                yield _Part(k, j, which, last, angle, angle - shift, half * weight)
+
+    def _place(self, k: int, angle: Array) -> Array:
+        """Angles on −1 … 1 of a span."""
+        centre, half, _ = self.each[k]
+        return (angle / self.cut.turn - centre) / half
 
     @cached_property
     def cutting(self) -> Array:
@@ -221,12 +255,6 @@ def _galerkin(left: Array, force: Array, right: Array) -> Array:
     ``force`` (n, 2, 2): (m, 2, k, 2)."""
     acting = force[:, :, None, :] * right.T[:, None, :, None]
     return (left @ acting.reshape(len(force), -1)).reshape(len(left), 2, len(right), 2)
-
-
-def _within(span: tuple[float, float, int], angle: Array) -> Array:
-    """Angles on −1 … 1 of a span."""
-    low, high, _ = span
-    return 2.0 * (angle - low) / (high - low) - 1.0
 
 
 def _legendre(x: Array, count: int) -> Array:

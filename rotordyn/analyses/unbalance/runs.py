@@ -152,12 +152,15 @@ def _subsystem(
         parts = [each[middles] for each in parts]
     every = [np.asarray(each, dtype=complex) for each in (*parts[:4], *first, force, rows)]
     turned = [each.conj() if ratio < 0.0 else each for each in every]
+    pole, vector, left, damping, first_damping, first_stiffness, load, shown = turned
     speed = abs(ratio) * edges
-    pole, vector, left, damping, *begin, force, rows = turned
-    return Parts(speed, pole, vector, left, damping, force, _steady(*begin, force, speed[0]), rows)
+    begin = _steady(first_stiffness, first_damping, load, speed[0])
+    return Parts(speed, pole, vector, left, damping, load, begin, shown)
 
 
-def _steady(damping: Matrix, stiffness: Matrix, force: Complex, omega: float) -> Complex:
+def _steady(stiffness: Matrix, damping: Matrix, force: Complex, omega: float) -> Complex:
     """Displacement (n,) of steady rotation; at rest nothing acts."""
+    if omega == 0.0:
+        return np.zeros_like(force)
     dynamic = stiffness + 1j * omega * damping - omega**2 * np.eye(len(force))
-    return np.asarray(np.linalg.solve(dynamic, omega**2 * force)) if omega else 0.0 * force
+    return np.asarray(np.linalg.solve(dynamic, omega**2 * force), dtype=complex)
