@@ -62,12 +62,11 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
     words = np.full(len(speed), "", dtype=object)
     active = np.ones(len(speed), dtype=bool)
     for _ in range(MOST):
-        contacts, known = contact_heat(solve(tables(here, speed, names, flow)), flow)
-        lost = active & ~known
-        words[lost] = (
-            f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C, raise the "
-            "preload or cool more"
-        )
+        state = solve(tables(here, speed, names, flow))
+        contacts, known = contact_heat(state, flow)
+        for row in np.flatnonzero(active & ~known):
+            hottest = float(here[row].max(initial=MEASURED))
+            words[row] = f"at temperatures up to {hottest:.0f} °C {state.outcome[row]}"
         active &= known
         step = _reached(contacts, pitches, speed, flow) - here
         size = np.abs(np.where(active[:, None, None], step, 0.0)).max(axis=(1, 2))
@@ -111,10 +110,6 @@ def _ahead(step: Array, change: Array, further: Array) -> Array:
     turn, ``change``, which moved temperatures by ``further``."""
     share = _along(change, step) / np.maximum(_along(change, change), 1e-300)
     return -share[:, None, None] * further
-
-
-def _hottest(here: Array, rows: Flags) -> float:
-    return float(here[rows].max(initial=MEASURED))
 
 
 def run_away(here: Array, names: tuple[str, ...]) -> str:
