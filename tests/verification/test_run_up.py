@@ -9,10 +9,10 @@ from scipy.integrate import solve_ivp
 import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run
-from rotordyn.analyses.unbalance.runs import _axes, _cuts
+from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _Way
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
-from rotordyn.errors import NoSolution, RotordynError
+from rotordyn.errors import RotordynError
 from rotordyn.numerics.modes import modes
 from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
@@ -119,12 +119,20 @@ def integrated(case, duration, points, nodes=100):
     return orbit(total[..., 0], total[..., 1]).major, times
 
 
+def shown(axes):
+    """The largest (t, points) from one speed shown to the next."""
+    largest = axes[1:].reshape(SHOWN, BETWEEN, -1).max(axis=1)
+    return np.concatenate([axes[:1], largest])
+
+
 def friswell(low=500.0, high=1100.0, **asked):
     """The rotor with two discs past its first critical speeds, softer along y."""
     case = rotordyn.load("friswell_unbalance").variants["uneven"]
     speeds = tuple((np.linspace(low, high, 7) * RATED).tolist())
+    length = asked.pop("element_length", None)
     changes = {f"analyses.unbalance.{key}": value for key, value in asked.items()}
-    return rotordyn.vary(case, {"speeds": speeds, **changes})
+    finer = {"conditions.element_length": length}
+    return rotordyn.vary(case, {"speeds": speeds, **changes, **finer})
 
 
 def coaxial(ratio, **asked):
@@ -150,7 +158,7 @@ def test_machines_against_the_slowly_varying_amplitude(case):
     """Whose matrices follow the speed, in either form of both planes."""
     found = rotordyn.run(case)["unbalance"]
     (duration,) = case.analyses["unbalance"].run_up
-    truth, _ = integrated(case, duration, found.run_speed.size)
+    truth = shown(integrated(case, duration, SHOWN * BETWEEN + 1)[0])
     peak = found.run_peak.values[0]
     np.testing.assert_allclose(found.run_amplitude.values[0], truth, atol=2e-3 * peak.min())
     assert found.run_error.values.max() < 2e-3
@@ -171,13 +179,10 @@ def test_errors_fall_with_the_square_of_the_parts():
     case = friswell(0.0, 3000.0)
     spec, speed = case.analyses["unbalance"], np.array(case.speeds)
     scene = Scene(case.spindle, case.conditions, speed, 200.0, spec.places)
-    run = Run(speed[0], speed[-1], 5.0)
-
-    def axes(count):
-        return _axes(_cuts(scene, spec, 1.0, (speed[0], speed[-1]), count), run, count)
-
-    truth = axes(480)
-    errors = np.array([np.abs(axes(count) - truth).max() for count in (30, 60, 120, 240)])
+    way = _Way(scene, spec, 1.0)
+    truth = way.axes(480, 5.0, down=False)
+    counts = (30, 60, 120, 240)
+    errors = np.array([np.abs(way.axes(c, 5.0, down=False) - truth).max() for c in counts])
     assert (errors[:-1] > 2.0 * errors[1:]).all()
     assert errors[0] > 15.0 * errors[-1]
 
@@ -186,8 +191,10 @@ def test_slow_runs_are_steady():
     """The departure falls with the acceleration, up and down."""
     case = friswell(2000.0, 3000.0, run_up=(200.0, 2000.0), run_down=(2000.0,))
     found = rotordyn.run(case)["unbalance"]
-    steady = np.interp(found.run_speed, found.fine_speed, found.fine_major_axis.values[:, 0])
-    apart = np.abs(found.run_amplitude.values[:, :, 0] - steady).max(axis=1) / steady.max()
+    speed = np.linspace(*found.run_speed.values[[0, -1]], SHOWN * BETWEEN + 1)
+    steady = np.interp(speed, found.fine_speed, found.fine_major_axis.values[:, 0])[:, None]
+    ways = np.array([shown(steady), shown(steady), shown(steady[::-1])[::-1]])[..., 0]
+    apart = np.abs(found.run_amplitude.values[:, :, 0] - ways).max(axis=1) / steady.max()
     assert apart[0] > 5.0 * apart[1]
     assert (apart[1:] < 0.01).all()
 
@@ -203,14 +210,32 @@ def test_runs_begin_in_steady_rotation(ratio, down):
     np.testing.assert_allclose(begin, steady, rtol=1e-4)
 
 
-def test_motion_that_grows_beyond_all_numbers_is_refused():
+def test_a_run_that_grows_beyond_all_numbers_leaves_the_others():
     machine = rotordyn.load("friswell_internal_damping").variants["viscous"]
-    asked = {
-        "analyses": {"unbalance": UnbalanceSpec(("left_disc",), (ONE,), run_up=(1e5,))},
-        "speeds": (100.0, 500.0),
-    }
-    with pytest.raises(NoSolution, match="grows by itself beyond all numbers: leave it out"):
-        rotordyn.run(rotordyn.vary(machine, asked))
+    spec = UnbalanceSpec(("left_disc",), (ONE,), run_up=(1.0, 1e5))
+    asked = {"analyses": {"unbalance": spec}, "speeds": (100.0, 500.0)}
+    results = rotordyn.run(rotordyn.vary(machine, asked))
+    found = results["unbalance"]
+    assert np.isfinite(found.run_peak.values[0]).all()
+    assert np.isnan(found.run_peak.values[1]).all()
+    assert "the run up in 100000 s has no solution: the motion grows" in " ".join(results.warnings)
+    assert "the runs pass speeds at which the machine is unstable" in " ".join(results.warnings)
+
+
+def test_a_run_past_a_speed_without_a_state_says_so():
+    machine = rotordyn.load("deep_groove_lobes").variants["at_speed"]
+    spec = UnbalanceSpec(("nose",), (Unbalance("nose", 1e-4),), run_up=(1.0,))
+    asked = {"analyses": {"unbalance": spec}, "speeds": (0.0, 3000.0 * RATED, 110000.0 * RATED)}
+    results = rotordyn.run(rotordyn.vary(machine, asked))
+    assert results["unbalance"].run_outcome.values[0].startswith("no state on the way, at ")
+    assert np.isfinite(results["unbalance"].amplitude.values[1]).all()
+
+
+def test_given_elements_refine_as_others_do():
+    """Their accuracy is not asked for; that of the parts is."""
+    given = friswell(run_up=(10.0,), element_length=0.25)
+    found = rotordyn.run(given)["unbalance"]
+    assert found.run_error.values.max() < 2e-3
 
 
 def test_one_mode_past_its_resonance():
@@ -232,7 +257,7 @@ def test_one_mode_past_its_resonance():
     ("asked", "sentence"),
     [
         ({"speeds": (3000.0 * RATED,), "analyses.unbalance.run_up": (1.0,)}, "needs two speeds"),
-        ({"analyses.unbalance.run_down": (1.0, 1.0)}, "repeated: given '1.000 s'"),
+        ({"analyses.unbalance.run_down": (1.0, 1.0)}, "repeated: given '1 s'"),
         ({"analyses.unbalance.run_up": (-1.0,)}, "duration out of range"),
         (
             {

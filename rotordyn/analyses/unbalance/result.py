@@ -12,6 +12,7 @@ from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
 from rotordyn.results.kinds import Array, Complex, Flags, Words
 from rotordyn.scene.linearity import LINEAR
 
+NO_RUN = Absence("of a run without a solution", by=("run",))
 FEWER = Absence("behind the last peak", last="resonance")
 
 
@@ -31,7 +32,8 @@ class UnbalanceResult:
     the case and at more of them about every peak, so that the highest values are the true ones; NaN
     at a speed at which a stop closes, where lines break. ``peak_…``: every peak of a point,
     ascending, NaN where it has fewer, infinite at a critical speed without damping.
-    ``run_…``: on runs through the speeds in given times, the major half axis and its largest value.
+    ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
+    ``run_speed`` to the next on the way, and of all.
     ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
     which a balance grade is given; 0 without one.
     """
@@ -153,12 +155,24 @@ class UnbalanceResult:
     )
     run: Words = coordinate("run", unit="", label="run through the speeds")
     run_speed: Array = coordinate("run_speed", unit="rad/s", label="speed on the way")
+    run_outcome: Words = quantity("run", unit="", label="outcome of the run")
     run_amplitude: Array = quantity(
-        "run", "run_speed", "point", unit="m", label="major half axis of the orbit on a run"
+        "run",
+        "run_speed",
+        "point",
+        unit="m",
+        label="major half axis of the orbit on a run",
+        absent=(NO_RUN,),
     )
-    run_peak: Array = quantity("run", "point", unit="m", label="largest half axis on a run")
-    run_peak_speed: Array = quantity("run", "point", unit="rad/s", label="speed there")
-    run_error: Array = quantity("run", unit="1", label="estimated error over the largest value")
+    run_peak: Array = quantity(
+        "run", "point", unit="m", label="largest half axis on a run", absent=(NO_RUN,)
+    )
+    run_peak_speed: Array = quantity(
+        "run", "point", unit="rad/s", label="speed there", absent=(NO_RUN,)
+    )
+    run_error: Array = quantity(
+        "run", unit="1", label="estimated error over the largest value", absent=(NO_RUN,)
+    )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",

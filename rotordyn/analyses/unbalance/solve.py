@@ -127,6 +127,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         peak_speed=peaks[0],
         peak_amplitude=peaks[1],
         run=runs.name,
+        run_outcome=runs.outcome,
         run_speed=runs.speed,
         run_amplitude=runs.amplitude,
         run_peak=runs.peak,

@@ -32,15 +32,14 @@ class UnbalanceSpec(Spec):
     run_up: Annotated[
         tuple[Duration, ...],
         "times in which the speed rises evenly from the first to the last one of the case, past "
-        "its resonances: the motion on the way",
+        "its resonances: the motion of the points on the way",
     ] = ()
     run_down: Annotated[tuple[Duration, ...], "the same, falling"] = ()
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
         for key in ("run_up", "run_down"):
-            times = [format_quantity(each, "s") for each in getattr(self, key)]
-            yield from repeated(key, times)
+            yield from repeated(key, map(run_name, getattr(self, key)))
         if not (self.unbalances or self.spans or self.grade):
             yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
 
@@ -103,6 +102,11 @@ class UnbalanceSpec(Spec):
         named = [each.at for each in self.unbalances]
         named += [at for span in self.spans for at in (span.start, span.to)]
         return (*named, *(self.grade.planes if self.grade else ()))
+
+
+def run_name(time: float) -> str:
+    """A time [s] as it names a run."""
+    return f"{time:g} s"
 
 
 def _planes(grade: BalanceGrade, spindle: Spindle) -> Faults:

@@ -120,7 +120,8 @@ def _runs(result: UnbalanceResult) -> list[str]:
         words = [
             unbroken(f"{point} {size * MICROMETRE.factor:.4g} µm at {speed * RPM.factor:.0f} rpm")
             for point, size, speed in zip(result.point, sizes, speeds, strict=True)
-        ]
+            if np.isfinite(size)
+        ] or ["no solution"]
         lines.append(f"{'' if lines else 'run':<10} {name}: {', '.join(words)}")
     return lines
 
@@ -129,8 +130,8 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     """The largest estimated error of the motion."""
     worst = float(result.error.max(initial=0.0))
     lines = [f"response to unbalance within {rounded_up(worst)} of its peak"]
-    if result.run:
-        lines.append(f"runs within {rounded_up(float(result.run_error.max()))} of theirs")
+    if np.isfinite(result.run_error).any():
+        lines.append(f"runs within {rounded_up(float(np.nanmax(result.run_error)))} of theirs")
     return lines
 
 
@@ -138,12 +139,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     """Loads beyond the tangents of bearings, motion less accurate than asked for."""
     told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
     told += _films(result)
-    told += [
-        f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its peak: "
-        "take a shorter range of speeds, or a shorter time"
-        for name, error in zip(result.run, result.run_error, strict=True)
-        if error > ENOUGH
-    ]
+    told += _of_runs(result)
     worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
@@ -152,6 +148,26 @@ def warnings(result: UnbalanceResult) -> list[str]:
             f"of {rounded_up(worst)} of its peak remains after refinement"
         )
     return told
+
+
+def _of_runs(result: UnbalanceResult) -> Iterator[str]:
+    """Runs without a solution, that are not accurate, or that pass speeds of instability."""
+    for name, why in zip(result.run, result.run_outcome, strict=True):
+        if why:
+            yield f"unbalance: the run {name} has no solution: {why}; leave it out"
+    for name, error in zip(result.run, result.run_error, strict=True):
+        if error > ENOUGH:
+            yield (
+                f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its "
+                "peak: take a shorter range of speeds, or a shorter time"
+            )
+    if result.run and result.unstable.any():
+        first = result.speed[result.unstable.argmax()] * RPM.factor
+        yield (
+            f"unbalance: the runs pass speeds at which the machine is unstable, from {first:.0f} "
+            "rpm on: what grows by itself there is in them, and one that begins there begins in "
+            "steady motion that the machine does not reach"
+        )
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:

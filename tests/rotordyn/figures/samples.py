@@ -472,6 +472,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         peak_speed=np.zeros((2, 0)),
         peak_amplitude=np.zeros((2, 0)),
         run=("up in 1 s",),
+        run_outcome=("",),
         run_speed=np.linspace(0.0, 1000.0, 5),
         run_amplitude=np.full((1, 5, 2), 1e-6),
         run_peak=np.full((1, 2), 1e-6),

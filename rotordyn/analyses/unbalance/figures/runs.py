@@ -39,6 +39,8 @@ def runs_figure(result: UnbalanceResult) -> Figure:
         steady = _seen(result.fine_major_axis[:, point])
         axes.plot(result.fine_speed * RPM.factor, steady, color=GREY, lw=2.2, label="steady")
         for k, name in enumerate(result.run):
+            if result.run_outcome[k]:
+                continue
             moved = _seen(result.run_amplitude[k, :, point])
             axes.plot(result.run_speed * RPM.factor, moved, label=name, **line_of(k))
         axes.set_title(result.point[point], fontsize=FONT_SIZE, pad=3.0)
