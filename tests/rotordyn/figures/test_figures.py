@@ -20,7 +20,7 @@ from rotordyn.analyses.frf.figures.map import map_figure
 from rotordyn.analyses.frf.figures.slices import amplitude_phase_figure, real_imaginary_figure
 from rotordyn.analyses.frf.figures.surface import surface_figure
 from rotordyn.analyses.frf.result import InertanceResult, MobilityResult
-from rotordyn.analyses.preload.figures.over_speed import preload_figure
+from rotordyn.analyses.preload.figures.over_speed import contacts_figure, preload_figure
 from rotordyn.analyses.section_forces.figures.diagrams import (
     FORCES,
     diagrams_figure,
@@ -585,3 +585,28 @@ def test_damping_of_variants_has_equal_axes():
     assert panels[0].get_ylim() == panels[1].get_ylim()
     assert [len(axes.texts) for axes in panels] == [1, 0]
     assert "damping" not in dict(comparison_figures(shown[1:] * 2))
+
+
+def test_bearings_of_equal_loads_and_unlike_angles_are_two_lines():
+    """Of different sizes in series; those alike in all that is drawn are one."""
+    result = samples.preload()
+    load = np.repeat(result.axial_load[:, :1], len(result.bearing), axis=1)
+    same = {
+        name: np.repeat(getattr(result, name)[:, :1], len(result.bearing), axis=1)
+        for name in (
+            "inner_angle",
+            "outer_angle",
+            "inner_pressure",
+            "outer_pressure",
+            "inner_load",
+            "outer_load",
+            "inner_grip",
+            "outer_grip",
+        )
+    }
+    alike = replace(result, axial_load=load, **same)
+    steeper = same["outer_angle"].copy()
+    steeper[:, -1] *= 1.2
+    for one, names in ((alike, 1), (replace(alike, outer_angle=steeper), 2)):
+        figure = contacts_figure(one)
+        assert [len(axes.get_lines()) for axes in figure.axes[:4]] == [2 * names] * 4

@@ -17,7 +17,7 @@ from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.report.summary import summary
 from rotordyn.report.warnings import result_warnings
 from rotordyn.results.display import number
-from rotordyn.results.text import WIDTH
+from rotordyn.results.text import WIDTH, unbroken, wrapped
 from tests.oracles.spindles import CASES
 from tests.rotordyn.figures import samples
 
@@ -277,3 +277,13 @@ def test_section_forces_of_variants_stand_side_by_side(case, results):
     lines = comparison_summary(case, [(case, own)]).splitlines()
     (row,) = (line for line in lines if line.startswith(case.title) and "-500" in line)
     assert row.removeprefix(case.title).split() == ["0.0", "-500.0", "0.0", "40.0", "0.0", "132.1"]
+
+
+def test_entries_longer_than_a_line_break_at_their_blanks():
+    """Not within a number; shorter ones stay whole."""
+    long = unbroken("point " + ", ".join(f"{k}.005385 µm" for k in range(12)))
+    lines = wrapped(f"time       {long}")
+    assert len(lines) > 1
+    assert all(len(line) <= WIDTH for line in lines)
+    assert " ".join(" ".join(lines).split()) == " ".join(f"time {long}".split())
+    assert wrapped(f"{'x' * 90} {unbroken('a b c d e f g')}")[1].strip() == "a b c d e f g"

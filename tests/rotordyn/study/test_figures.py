@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import rotordyn
+from rotordyn.page.blocks import Markup
+from rotordyn.study.columns import Column, parallel_coordinates, plain_group, scatter
 from rotordyn.study.design import design
 from rotordyn.study.figures import figures
 from rotordyn.study.point import Outcome, Study
@@ -54,3 +56,26 @@ def test_axes_of_parallel_coordinates_are_named_whole_within_the_figure(
     assert max(box.x1 for box in boxes) <= figure.bbox.x1
     assert all(box.y0 >= 0.0 for box in boxes)
     assert all(a.x1 < b.x0 for a, b in pairwise(boxes))
+
+
+def test_parallel_coordinates_keep_points_that_lack_a_number() -> None:
+    """Such as the speed of a stop that is not met: it has no axis, and that is said."""
+    words = ("1", "2", "3")
+    varied = [Column("preload", words, np.array([1.0, 2.0, 3.0]))]
+    stop = Column("stop", ("5", "", "6"), np.array([5.0, np.nan, 6.0]))
+    whole = Column("sum", words, np.array([7.0, 9.0, 8.0]))
+    chart = parallel_coordinates("Points", varied, [stop, whole])
+    (trace,) = chart.traces
+    assert [each["label"] for each in trace["dimensions"]] == ["preload", "sum"]
+    assert len(trace["dimensions"][0]["values"]) == 3
+    assert "not every point has it: stop." in chart.note
+
+
+def test_labels_at_the_mouse_are_templates() -> None:
+    """Their markup is not escaped; what users write in them is."""
+    varied = [Column("a <b>", ("1", "2"), np.array([1.0, 2.0]))]
+    chart = scatter(
+        varied, [Column("c", ("3", "4"), np.array([3.0, 4.0]))], [plain_group(2)], (0, 1)
+    )
+    assert isinstance(chart.traces[0]["hovertemplate"], Markup)
+    assert not any(isinstance(each, Markup) for each in chart.traces[0]["text"])
