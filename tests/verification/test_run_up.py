@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
-from rotordyn.analyses.unbalance.run_up import Parts, Run
+from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _Way
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
@@ -271,3 +271,49 @@ def test_one_mode_past_its_resonance():
 def test_faults(asked, sentence):
     with pytest.raises(RotordynError, match=sentence):
         rotordyn.vary(friswell(), asked)
+
+
+@pytest.mark.parametrize("duration", [0.5, 20.0])
+def test_errors_by_matrices_that_follow_the_speed_are_of_second_order(duration):
+    """Two modes whose stiffness and gyroscopic coupling change with the speed, against the equation
+    of motion; in a fast run that rings on, and in a slow one that follows steady rotation."""
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    force, run = np.array([1.0, 0.3 - 0.2j]), Run(50.0, 250.0, duration)
+
+    def matrices(speed):
+        share = np.asarray(speed)[..., None, None] / 200.0
+        stiffness = np.diag([150.0**2, 180.0**2]) * (1.0 + 0.5 * share)
+        return stiffness, 4.0 * np.eye(2) + 20.0 * share * turn
+
+    def steady(speed):
+        stiffness, damping = matrices(speed)
+        dynamic = stiffness + 1j * speed * damping - speed**2 * np.eye(2)
+        return np.linalg.solve(dynamic, speed**2 * force)
+
+    def cut(middles, edges):
+        stiffness, damping = matrices(middles)
+        known = modes(stiffness, damping)
+        taken = known.pole, known.vector, known.participation, damping
+        return Parts(edges, *taken, force, steady(run.first), np.eye(2))
+
+    def rates(t, x):
+        speed = run.first + run.acceleration * t
+        stiffness, damping = matrices(speed)
+        turned = 2j * speed * x[2:] + (1j * run.acceleration - speed**2) * x[:2]
+        held = stiffness @ x[:2] + damping @ (x[2:] + 1j * speed * x[:2])
+        return np.concatenate([x[2:], force * (speed**2 - 1j * run.acceleration) - held - turned])
+
+    share = np.linspace(0.0, 1.0, 1441)
+    begin = np.concatenate([steady(run.first), np.zeros(2)])
+    how = dict(t_eval=share * duration, rtol=1e-9, atol=1e-11)
+    truth = solve_ivp(rates, (0.0, duration), begin, "DOP853", **how).y[:2].T
+    errors = []
+    for count in (20, 40, 80, 160):
+        speed = np.linspace(run.first, run.last, 2 * count + 1)
+        even = cut(speed[1::2], speed[::2])
+        between = cut(speed[::2], speed[[0, *range(1, len(speed), 2), -1]])
+        weight = 1.0 - 2.0 * np.abs((count * share) % 1.0 - 0.5)
+        moved = [each.moved(run, share * duration) for each in (even, between)]
+        errors.append(np.abs(blended(*moved, weight) - truth).max() / np.abs(truth).max())
+    assert errors[-1] < 2.5e-3
+    assert errors[0] > 25.0 * errors[-1]
