@@ -8,8 +8,9 @@ of which the modes are those of its middle. A mode of pole λ takes part by η(t
 
 which has a closed form for any time: twice by parts it leaves ∫ e^(bs + iαs²/2) ds, an error
 function, however fast or slow the run and however small the damping. Displacement and velocity are
-continuous from part to part. Two cuts of the way, one with ends of parts in the middle of those of
-the other, are blended: errors fall with up to the square of the length of the parts.
+continuous from part to part, but for what jumps of steady motion would leave as free vibration. Two
+cuts of the way, one with ends of parts in the middle of those of the other, are blended: errors
+fall with up to the square of the length of the parts.
 
 Theory: docs/theory/response.md#run-up.
 """
@@ -58,10 +59,7 @@ class Parts:
 
     def moved(self, run: Run, times: Array) -> Complex:
         """Motion over e^(iφ) (t, r) at ascending ``times`` (t,) [s] of a run that begins in the
-        steady state of its first speed.
-
-        A mode takes l (λ + D) q + l v of a state of displacement q and velocity v.
-        """
+        steady state of its first speed."""
         ends = (self.edges - run.first) / run.acceleration
         place = np.searchsorted(times, ends[1:-1])
         displacement, velocity = self.begin, 1j * run.first * self.begin
@@ -69,13 +67,42 @@ class Parts:
         for k, inside in enumerate(np.split(times, place)):
             at = k % len(self.pole)
             pole, vector, left = self.pole[at], self.vector[at], self.left[at]
-            pushed = left @ (self.damping[at] @ displacement + velocity)
-            taking = pole * (left @ displacement) + pushed
+            taking = self._of_state(at, displacement, velocity)
+            if k and len(self.pole) > 1:  # modes change
+                taking = taking + self._followed(k, 0.5 * (ends[k + 1] - ends[k - 1]))
             instants = np.append(inside, ends[k + 1]) - ends[k]
             every = _taking(pole, left @ self.force, taking, self.edges[k], run, instants)
             found.append(every[:-1] @ (self.rows @ vector).T)
             displacement, velocity = vector @ every[-1], vector @ (pole * every[-1])
         return np.concatenate(found)
+
+    def _of_state(self, k: int, displacement: Complex, velocity: Complex) -> Complex:
+        """What every mode of a part takes (m,) of a state: l (λ + D) q + l v."""
+        left = self.left[k]
+        pushed = left @ (self.damping[k] @ displacement + velocity)
+        return np.asarray(self.pole[k] * (left @ displacement) + pushed)
+
+    def _steady(self, k: int, omega: float) -> Complex:
+        """The same of steady rotation with the modes of a part (m,)."""
+        return np.asarray((self.left[k] @ self.force) * omega**2 / (1j * omega - self.pole[k]))
+
+    def _followed(self, k: int, time: float) -> Complex:
+        """What the modes of part ``k`` take besides at its begin (m,).
+
+        From part to part steady motion jumps, and all of the jump would go on as free vibration.
+        In truth it changes over the ``time`` τ from the middle of one part to that of the next, in
+        which modes far from resonance follow. Of a mode with λ − iω = −σ + iν the share
+        sin(y)/y · x/sinh(x) of the jump stays free vibration, y = ντ/2, x = στ/2: all of it where
+        the mode is slow beside τ, none where it is fast. That is a choice; no other error is left
+        by it than that of the parts.
+        """
+        omega, before = self.edges[k], self._steady(k - 1, self.edges[k])
+        vector = self.vector[k - 1]
+        known = self._of_state(k, vector @ before, vector @ (self.pole[k - 1] * before))
+        apart = 0.5 * time * (self.pole[k] - 1j * omega)
+        size = np.maximum(np.abs(apart.real), 1e-9)
+        kicked = np.sinc(apart.imag / np.pi) * size / np.sinh(np.minimum(size, 300.0))
+        return np.asarray((1.0 - kicked) * (self._steady(k, omega) - known))
 
 
 def blended(even: Complex, between: Complex, share: Array) -> Complex:
