@@ -1,12 +1,15 @@
 """Poles of lightly damped systems: those of their conservative part, refined all together.
 
-In the vectors of the conservative part (``numerics.conservative``) the matrix A of the system is
-nearly diagonal. With vectors X so far and Y near their inverse, S = Y A X and G = Y X, better ones
-are X (1 + F) and (2 − G − F) Y, where F_ij = (S_ij − λ_j G_ij)/(λ_j − λ_i), F_ii = 0 and
-λ_i = S_ii/G_ii. What they are off by is squared, as in Newton's method. (Where A is symmetric the
-inverse is the transpose: Ogita and Aishima, Iterative refinement for symmetric eigenvalue
-decomposition, 2018.) As all vectors are refined at once and stay independent, none is lost and none
-comes twice.
+With poles λ_j, vectors q_j (columns of Q) and participations p_i (rows of P) so far, and the rest
+R = Q Λ² + D Q Λ + K Q, better ones are
+
+    λ_i − (P R)_ii / G_ii,   Q (1 + F),   (2 − G − F) P,
+
+G = P (Q Λ + D Q) + Λ P Q, the unit matrix in the end, and F_ij = (P R)_ij/(λ_i − λ_j), F_ii = 0.
+What they are off by is squared, as in Newton's method: it is one step for all vectors (Λ Q, Q) of
+the first-order form and their inverse. (Where that is symmetric the inverse is the transpose: Ogita
+and Aishima, Iterative refinement for symmetric eigenvalue decomposition, 2018.) As all vectors are
+refined at once and stay independent, none is lost and none comes twice.
 """
 
 from __future__ import annotations
@@ -14,9 +17,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.arrays import Complex, Flags, Indices, Matrix
+from rotordyn.arrays import Complex, Flags, Matrix
 from rotordyn.numerics.conservative import SLOWEST, whirls
 from rotordyn.numerics.threads import in_threads
 
@@ -55,20 +57,13 @@ def lightly_damped_modes(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Near:
-    """Eigenvalues iν, ``rate`` (2n,), vectors and their inverse (2n, 2n), of a matrix
+    """Poles (2n,), vectors (n, 2n) and participations (2n, n) of a system, as ``modes``.
 
-        [[i D, K L⁻ᴴ], [Lᴴ, 0]],   (v, u), v = ν q, u = Lᴴ q,
+    ``before``: those of the system before in a chain.
+    """
 
-    coordinates in the ``order`` (n,) of ``whirls``, with the root ``upper`` Lᴴ of some near K and
-    its inverse ``back`` L⁻ᴴ. ``before``: vectors and inverse of the system before in a chain."""
-
-    order: Indices
-    upper: Matrix
-    back: Matrix
-    rate: NDArray[np.inexact]
-    vectors: Matrix
-    inverse: Matrix
-    before: tuple[Matrix, Matrix] | None = None
+    modes: tuple[Complex, Complex, Complex]
+    before: tuple[Complex, Complex, Complex] | None = None
 
     @classmethod
     def begun(cls, stiffness: Matrix, damping: Matrix) -> _Near | None:
@@ -76,48 +71,43 @@ class _Near:
         known = whirls(_hermitian(stiffness), 1j * _hermitian(-1j * damping))
         if known is None:
             return None
-        order, upper, rate, both = known
-        pair = both.astype(complex), both.conj().T.astype(complex)  # orthonormal
-        near = cls(order, upper, np.linalg.inv(upper), rate, *pair)
-        found = near.refined(stiffness, damping)
+        order, _, rate, both = known
+        pole = np.asarray(1j * rate, dtype=complex)
+        vector = np.asarray(both[: len(order)][order.argsort()], dtype=complex)
+        left = np.asarray(vector.conj().T / pole[:, None], dtype=complex)
+        found = cls((pole, vector, left)).refined(stiffness, damping)
         return None if found is None else replace(found, before=None)
 
     def refined(self, stiffness: Matrix, damping: Matrix) -> _Near | None:
-        """Of a system near by; None where the vectors are too far, or two eigenvalues too close."""
-        n, swapped = len(self.order), (self.order[:, None], self.order)
-        matrix = np.zeros((2 * n, 2 * n), dtype=complex)
-        matrix[:n, :n] = 1j * damping[swapped]
-        matrix[:n, n:] = stiffness[swapped] @ self.back
-        matrix[n:, :n] = self.upper
-        vectors, inverse, diagonal = self.vectors, self.inverse, slice(None, None, 2 * n + 1)
+        """Of a system near by; None where the vectors are too far, or two poles too close."""
+        pole, vector, left = self.modes
         if self.before is not None:  # on in a straight line
-            vectors, inverse = 2.0 * vectors - self.before[0], 2.0 * inverse - self.before[1]
+            ahead = (2.0 * now - then for now, then in zip(self.modes, self.before, strict=True))
+            pole, vector, left = ahead
+        n, diagonal = len(stiffness), slice(None, None, 2 * len(stiffness) + 1)
+        both = np.concatenate([damping, stiffness]).astype(complex)
         for _ in range(STEPS):
-            change, off = inverse @ (matrix @ vectors), inverse @ vectors
-            rate = change.diagonal() / off.diagonal()
+            pushed = both @ vector
+            slope = vector * pole + pushed[:n]
+            rest = slope * pole + pushed[n:]
+            found = (left @ np.hstack([vector, slope, rest])).reshape(2 * n, 3, 2 * n)
+            off, change = pole[:, None] * found[:, 0] + found[:, 1], found[:, 2]
+            pole = pole - change.diagonal() / off.diagonal()
+            apart = pole[:, None] - pole
             off.flat[diagonal] -= 1.0
-            apart = rate - rate[:, None]
             apart.flat[diagonal] = 1.0
-            with np.errstate(divide="ignore", invalid="ignore"):  # of equal rates: not below FAR
-                change = (change - off * rate) / apart
+            with np.errstate(divide="ignore", invalid="ignore"):  # of equal poles: not below FAR
+                change = change / apart
             change.flat[diagonal] = 0.0
-            size = max(np.abs(change).max(), np.abs(off).max())
+            size = max(np.abs(change.view(float)).max(), np.abs(off.view(float)).max())
             if not size < FAR:
                 return None
-            vectors, inverse = vectors + vectors @ change, inverse - (off + change) @ inverse
+            vector, left = vector + vector @ change, left - (off + change) @ left
             if size < SAME:
-                if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
+                if not np.abs(pole).min() > SLOWEST * np.abs(pole).max():
                     return None  # as of ``whirls``
-                known = self.order, self.upper, self.back
-                return _Near(*known, rate, vectors, inverse, (self.vectors, self.inverse))
+                return _Near((pole, vector, left), self.modes)
         return None
-
-    @property
-    def modes(self) -> tuple[Complex, Complex, Complex]:
-        """Poles (2n,), vectors (n, 2n), participations (2n, n)."""
-        pole, back = np.asarray(1j * self.rate, dtype=complex), self.order.argsort()
-        left = np.asarray(self.inverse[:, back] / pole[:, None], dtype=complex)
-        return pole, np.asarray(self.vectors[back], dtype=complex), left
 
 
 def _hermitian(matrix: Matrix) -> Matrix:
