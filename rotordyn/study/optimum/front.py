@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import numpy as np
 
 from rotordyn.study.optimum.problem import Problem, Trial
-from rotordyn.study.optimum.search import Cost, search
-from rotordyn.study.optimum.trials import Trials
+from rotordyn.study.optimum.search import Cost, beside, local, search
+from rotordyn.study.optimum.trials import Spent, Trials
 
-LEVELS = 7  # of the second goal, between the best of either
-ENDS = 0.4  # of the trials go to the best of each goal alone
-STARTS = 12  # known places a search of a level starts from
+LEVELS = 7  # of the second goal, between the best of either, at most
+EACH = 4  # trials of a level for every parameter: with fewer there are less levels
+ENDS = 0.6  # of the trials go to the best of each goal alone
 STEEP = 1e3  # growth of the first cost, over it, where the second is a level above its level
 
 
@@ -19,26 +21,45 @@ def cost_of(problem: Problem, goal: int) -> Cost:
     return lambda trial: problem.goals[goal].cost(trial.goals[goal]) if trial.goals else np.inf
 
 
-def trade_off(problem: Problem, trials: Trials, seed: int) -> list[Trial]:
-    """Front of two goals: the best of each, then of the first with the second held at levels."""
+def trade_off(problem: Problem, trials: Trials, seed: int) -> tuple[list[Trial], bool]:
+    """Front of two goals: the best of each, then of the first with the second held at levels.
+
+    Returns also whether the searches for the best of each have settled.
+    """
     costs = [cost_of(problem, k) for k in (0, 1)]
     most = trials.most - len(trials.made)
     if problem.choices <= most:
         search(problem, trials, costs[0], most, seed)
-        return front(problem, trials)
-    for cost in costs:
-        search(problem, trials, cost, int(0.5 * ENDS * most), seed, list(trials.made))
+        return front(problem, trials), True
+    share, known = int(0.5 * ENDS * most), trials.made
+    settled = [search(problem, trials, cost, share, seed, list(known)) for cost in costs]
     found = front(problem, trials)
     if len(found) > 1:
         ends = costs[1](found[-1]), costs[1](found[0])
-        for level in np.linspace(*ends, LEVELS + 2)[1:-1]:
-            left = trials.most - len(trials.made)
-            share = max(int((1.0 - ENDS) * most / LEVELS), 1)
-            held = _held(costs, float(level))
-            near = sorted(trials.made.values(), key=lambda t: (not t.feasible, held(t)))
-            starts = [each.number for each in near[:STARTS]]
-            search(problem, trials, held, min(share, left), seed, starts)
-    return front(problem, trials)
+        with suppress(Spent):
+            _between(problem, trials, costs, ends)
+    return front(problem, trials), all(settled)
+
+
+def _between(
+    problem: Problem, trials: Trials, costs: list[Cost], ends: tuple[float, float]
+) -> None:
+    """The best of the first goal with the second held at levels, each sought from the best so far.
+
+    Raises
+    ------
+    Spent : all trials that were granted have been made
+    """
+    least = EACH * len(problem.parameters)
+    levels = int(np.clip((trials.most - len(trials.made)) // least, 1, LEVELS))
+    for k, level in enumerate(np.linspace(*ends, levels + 2)[1:-1]):
+        held, left = _held(costs, float(level)), trials.most - len(trials.made)
+        near = min(trials.made.values(), key=lambda t: (not t.feasible, held(t)))
+        share = left // (levels - k)
+        if problem.whole.all():
+            beside(problem, trials, held, len(trials.made) + share)
+        else:
+            local(problem, trials, held, near, share)
 
 
 def _held(costs: list[Cost], level: float) -> Cost:

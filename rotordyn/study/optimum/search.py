@@ -24,8 +24,10 @@ from rotordyn.study.optimum.trials import Spent, Trials
 
 BROKEN = 1e9  # cost of a place that breaks a limit, its violation beside
 BROAD = 0.7  # of the trials of a search go to differential evolution
+FEW = 3  # populations: with less there is no evolution
 POPULATION = (8, 12, 48)  # places a parameter has, least and most of all
 FOLLOWED = 3  # combinations of whole numbers that a local search follows
+SMALL = 1e-3  # of a cost: less is no gain
 STEP, LAST = 0.08, 1e-6  # of the way between the ends: first and last radius of a local search
 
 Cost = Callable[[Trial], float]
@@ -38,16 +40,20 @@ def search(
     most: int,
     seed: int,
     known: Sequence[Place] = (),
-) -> None:
-    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places too."""
+) -> bool:
+    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places too.
+
+    Returns whether it has settled: nothing beside the best one is known, or likely, to be better.
+    """
     with suppress(Spent):
         if problem.choices <= most:
             trials.at([tuple(map(float, x)) for x in product(*_numbers(problem))])
-            return
+            return True
         begin = len(trials.made)
         _evolve(problem, trials, cost, int(BROAD * most), seed, known)
-        finish = _beside if problem.whole.all() else _follow
-        finish(problem, trials, cost, begin + most)
+        finish = beside if problem.whole.all() else _follow
+        return finish(problem, trials, cost, begin + most)
+    return False
 
 
 def _numbers(problem: Problem) -> list[range]:
@@ -78,6 +84,9 @@ def _evolve(
     first = np.where(problem.whole, np.minimum(np.floor(first), problem.last), first)
     for k, place in enumerate(known[: count // 2]):
         first[k] = place
+    if most < FEW * count:  # too few generations to get anywhere: the local search has the others
+        trials.at([problem.place(x) for x in first[: max(most, 1)]])
+        return
 
     def energies(x: Array) -> Array:
         found = trials.at([problem.place(column) for column in np.atleast_2d(x.T)])
@@ -99,15 +108,17 @@ def _evolve(
     )
 
 
-def _beside(problem: Problem, trials: Trials, cost: Cost, end: int) -> None:
-    """Choices not yet tried beside the best one that has such, again and again."""
-    while (left := end - len(trials.made)) > 0:
+def beside(problem: Problem, trials: Trials, cost: Cost, end: int) -> bool:
+    """Choices not yet tried beside the best one that has such, again and again; whether all beside
+    the best of all were."""
+    while trials.made:
         ranked = sorted(trials.made.values(), key=lambda t: _energy(t, cost, 1.0))
         untried = ([*_untried(problem, trials, each.number)] for each in ranked)
-        places = next(filter(None, untried), None)
-        if places is None:
-            return
+        left, places = end - len(trials.made), next(filter(None, untried), None)
+        if places is None or left <= 0:
+            return not [*_untried(problem, trials, ranked[0].number)]
         trials.at(places[:left])
+    return False
 
 
 def _untried(problem: Problem, trials: Trials, place: Place) -> Iterator[Place]:
@@ -119,29 +130,41 @@ def _untried(problem: Problem, trials: Trials, place: Place) -> Iterator[Place]:
                 yield other
 
 
-def _follow(problem: Problem, trials: Trials, cost: Cost, end: int) -> None:
-    """Local searches from the best combinations of whole numbers."""
+def _follow(problem: Problem, trials: Trials, cost: Cost, end: int) -> bool:
+    """Local searches from the best combinations of whole numbers; whether that of the best one has
+    settled."""
     ranked = sorted(trials.made.values(), key=lambda t: _energy(t, cost, 1.0))
     starts: dict[tuple[float, ...], Trial] = {}
     for each in ranked:
         starts.setdefault(_combination(problem, each.number), each)
-    chosen = [t for t in list(starts.values())[:FOLLOWED] if t.goals]
+    chosen, settled = [t for t in list(starts.values())[:FOLLOWED] if t.goals], dict[Place, bool]()
     for k, start in enumerate(chosen):
         left = (end - len(trials.made)) // (len(chosen) - k)
         if left > 2 * len(problem.parameters):
-            _local(problem, trials, cost, start, left)
+            settled[_combination(problem, start.number)] = local(problem, trials, cost, start, left)
+    best = min(trials.made.values(), key=lambda t: _energy(t, cost, 1.0), default=None)
+    return best is not None and settled.get(_combination(problem, best.number), False)
 
 
 def _combination(problem: Problem, place: Place) -> tuple[float, ...]:
     return tuple(np.array(place)[problem.whole])
 
 
-def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int) -> None:
-    """A search between the ends, its whole numbers those of ``start``; costs over that of it."""
+def local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int) -> bool:
+    """A search between the ends, its whole numbers those of ``start``; costs over that of it.
+
+    Returns whether it has settled: so many trials as tell it the slopes of all parameters, after as
+    many before them, lowered the cost by less than ``SMALL``.
+
+    Raises
+    ------
+    Spent : all trials that were granted have been made
+    """
     from scipy.optimize import NonlinearConstraint, minimize
 
     free = ~problem.whole
     base, scale = np.array(start.number), abs(cost(start)) or 1.0
+    energy = [_energy(start, cost, scale)]  # of the best, after each trial
 
     def at(x: Array) -> Trial:
         place = base.copy()
@@ -150,13 +173,14 @@ def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int
 
     def value(x: Array) -> float:
         worth = cost(found) if (found := at(x)).goals else np.nan
+        energy.append(min(energy[-1], _energy(found, cost, scale)))
         return worth / scale if np.isfinite(worth) else BROKEN
 
     def room(x: Array) -> Any:
         found = at(x)
         return np.clip(found.margins, -1.0, 1.0) if found.goals else -np.ones(len(problem.limits))
 
-    minimize(
+    found = minimize(
         value,
         base[free],
         method="COBYQA",
@@ -164,3 +188,6 @@ def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int
         constraints=[NonlinearConstraint(room, 0.0, np.inf)] if problem.limits else [],
         options={"maxfev": most, "initial_tr_radius": STEP, "final_tr_radius": LAST},
     )
+    slopes = 2 * int(free.sum()) + 1
+    still = len(energy) > 2 * slopes and energy[-1 - slopes] - energy[-1] < SMALL
+    return bool(found.success) or still

@@ -32,6 +32,7 @@ from rotordyn.study.solve import Progress
 if TYPE_CHECKING:
     import xarray as xr
 
+UNSETTLED = "The last trials still found better ones: more trials may go further."
 BINDING = 1e-3  # margin of a limit, or share of a way between ends, that holds the best back
 
 
@@ -41,7 +42,8 @@ class Optimum:
 
     ``start``: the case as it stands; ``trials`` in the order in which they were made; ``best``: the
     feasible one of the first goal, None where no trial keeps all limits; ``front``: of two goals,
-    the trials of which none beats another in both.
+    the trials of which none beats another in both. ``settled``: the last trials of the search
+    hardly found better.
     """
 
     problem: Problem
@@ -49,6 +51,7 @@ class Optimum:
     trials: tuple[Trial, ...]
     best: Trial | None
     front: tuple[Trial, ...] = ()
+    settled: bool = True
 
     @property
     def units(self) -> tuple[str, ...]:
@@ -93,7 +96,8 @@ class Optimum:
         """In sentences: whether there is a machine that keeps all limits, and what binds."""
         if self.best is not None:
             held = self.binding
-            return [f"The best is held by {'; '.join(held)}." if held else "No limit holds it."]
+            lines = [f"The best is held by {'; '.join(held)}." if held else "No limit holds it."]
+            return lines if self.settled else [*lines, UNSETTLED]
         solved = [each for each in self.trials if each.goals]
         if not solved:
             return [f"No trial has a solution; the first: {self.trials[0].sentence}."]
@@ -238,10 +242,9 @@ def solved(
     with nullcontext() if place is None else record.alone(place, "trials"):
         made = Trials(problem, trials, workers or processors(), place, progress)
         if len(problem.goals) == 2:
-            found = tuple(trade_off(problem, made, seed))
+            found, settled = trade_off(problem, made, seed)
         else:
-            search(problem, made, cost_of(problem, 0), trials, seed)
-            found = ()
+            found, settled = [], search(problem, made, cost_of(problem, 0), trials, seed)
     good = [each for each in made.made.values() if each.feasible]
     best = min(good, key=cost_of(problem, 0), default=None)
-    return Optimum(problem, start, tuple(made.made.values()), best, found)
+    return Optimum(problem, start, tuple(made.made.values()), best, tuple(found), settled)
