@@ -1,8 +1,9 @@
 """Modes that measured responses have in common beside those of a machine, speed by speed.
 
 Pairs are those of the least sum of ln(frequency ratio)/``FAR`` + 1 − MAC over all modes of a speed,
-the MAC being that of the residues in the measured pairs (H. Kuhn's assignment). Responses in two
-planes turn the phase of residues by the direction of whirl, so that forward goes with forward.
+the MAC being that of the residues in the measured pairs (H. Kuhn's assignment); a measured mode
+without a partner counts ``ALONE``. Responses in two planes turn the phase of residues by the
+direction of whirl, so that forward goes with forward.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FAR = 0.2  # of a frequency: as far apart as modes of MAC 0
+ALONE = 1.0  # as of a mode of MAC 0 at the same frequency
 SWINGS = 1e-3  # Im λ over |λ| below which nothing swings
 APART = 0.5  # ln of frequencies beyond which two modes are no pair
 SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no mode
@@ -117,10 +119,10 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
         & (-fit.fit.pole.real < DAMPED * size)
     )
     known, shape = fit.fit.pole[mode], fit.fit.residue[mode]
-    pole, residue = _merged(pole, residue)
+    pole, residue = _merged(pole, residue, known)
     mac = _mac(shape, residue)
     apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
-    rows, columns = assigned(apart / FAR + 1.0 - mac, apart)
+    rows, columns = assigned(apart / FAR + 1.0 - mac, apart, ALONE)
     partner = dict(zip(rows, columns, strict=True))
     for k in np.argsort(known.imag).tolist():
         j = partner.get(k)
@@ -164,13 +166,15 @@ def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Compl
     return pole[swings], residue[swings]
 
 
-def _merged(pole: Complex, residue: Complex) -> tuple[Complex, Complex]:
-    """Without poles that no pair sees; of those nearer than their widths one, as they are seen."""
+def _merged(pole: Complex, residue: Complex, known: Complex) -> tuple[Complex, Complex]:
+    """Without poles that no pair sees; of those nearer than their widths one, as they are seen,
+    unless several are ``known`` there by the measurement."""
     size = np.abs(residue).sum(axis=1)
     order = np.argsort(pole.imag)
     kept: list[tuple[complex, Complex, float]] = []
     for k in order[size[order] > 1e-9 * size.max(initial=0.0)]:
-        if kept and abs(kept[-1][0] - pole[k]) < abs(pole[k].real):
+        near = np.abs(known - pole[k]) < abs(pole[k].real) + np.abs(known.real)
+        if kept and near.sum() < 2 and abs(kept[-1][0] - pole[k]) < abs(pole[k].real):
             before, shape, weight = kept.pop()
             share = size[k] / (size[k] + weight)
             mean = (1.0 - share) * before + share * pole[k]
@@ -188,11 +192,16 @@ def _mac(one: Complex, other: Complex) -> Array:
     return np.asarray(across / np.maximum(np.outer(*sizes), 1e-300))
 
 
-def assigned(cost: Array, apart: Array) -> tuple[list[int], list[int]]:
-    """Rows and columns of the pairs of least cost, none farther ``apart`` than ``APART``."""
+def assigned(cost: Array, apart: Array, alone: float = 1e3) -> tuple[list[int], list[int]]:
+    """Rows and columns of the pairs of least cost, none farther ``apart`` than ``APART``; a row
+    without a partner costs ``alone``."""
     from scipy.optimize import linear_sum_assignment
 
-    rows, columns = linear_sum_assignment(np.where(apart > APART, 1e3, cost))
+    rows, columns = linear_sum_assignment(
+        np.hstack([np.where(apart > APART, 1e3, cost), np.full((len(cost), len(cost)), alone)])
+    )
+    good = columns < cost.shape[1]
+    rows, columns = rows[good], columns[good]
     good = apart[rows, columns] <= APART
     return rows[good].tolist(), columns[good].tolist()
 
