@@ -31,8 +31,8 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> tuple[list[Trial],
     if problem.choices <= most:
         search(problem, trials, costs[0], most, seed)
         return front(problem, trials), True
-    share, known = int(0.5 * ENDS * most), trials.made
-    settled = [search(problem, trials, cost, share, seed, list(known)) for cost in costs]
+    share, known = int(0.5 * ENDS * most), [*filter(None, [problem.present])]
+    settled = [search(problem, trials, cost, share, seed, [*known, *trials.made]) for cost in costs]
     found = front(problem, trials)
     if len(found) > 1:
         ends = costs[1](found[-1]), costs[1](found[0])

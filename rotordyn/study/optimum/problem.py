@@ -14,6 +14,7 @@ import numpy as np
 
 from bearings.errors import BearingError
 from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import unsolved
@@ -70,6 +71,13 @@ class Problem:
         pairs = zip(np.clip(x, 0.0, self.last), self.whole, strict=True)
         return tuple(float(round(v)) if w else round(float(v), DIGITS) for v, w in pairs)
 
+    @cached_property
+    def present(self) -> Place | None:
+        """That of the case as it stands; None where it is no choice."""
+        shares = [_share(p, [v for v, _ in found_at(self.case, p.path)]) for p in self.parameters]
+        known = [share for share in shares if share is not None]
+        return self.place(known) if len(known) == len(shares) else None
+
     def values(self, place: Place) -> dict[str, Any]:
         """Values by path, as ``vary`` takes them."""
         return {p.path: self._value(p, w, s) for (p, w), s in zip(self._each, place, strict=True)}
@@ -86,6 +94,25 @@ class Problem:
         if p.ends is None:
             return p.values[int(share)]
         return int(p.ends[0]) + int(share) if whole else p.at(share)
+
+
+def _share(p: Parameter, values: list[Any]) -> float | None:
+    """The number of a value that all places have; None where they differ, or it is no choice."""
+    if p.ends is None:
+        words = any(isinstance(v, str) for v in p.values)
+        held = [v for v in values if words or not isinstance(v, str)]
+        pairs = [*zip(p.values, p.labels, strict=True)]
+        numbers = {next((k for k, pair in enumerate(pairs) if v in pair), None) for v in held}
+        found = numbers.pop() if len(numbers) == 1 else None
+        return None if found is None else float(found)
+    low, high = p.ends
+    if len(set(values)) != 1 or not isinstance(one := values[0], float | int):
+        return None
+    if isinstance(one, bool) or not low <= one <= high:
+        return None
+    if p.whole:
+        return float(one - low)
+    return math.log(one / low) / math.log(high / low) if p.log else (one - low) / (high - low)
 
 
 @dataclass(frozen=True)

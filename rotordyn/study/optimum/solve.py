@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 UNSETTLED = "The last trials still found better ones: more trials may go further."
+ALIKE = 1e-6  # of a cost: so much is rounding of what is chosen
 BINDING = 1e-3  # margin of a limit, or share of a way between ends, that holds the best back
 
 
@@ -97,6 +98,10 @@ class Optimum:
         if self.best is not None:
             held = self.binding
             lines = [f"The best is held by {'; '.join(held)}." if held else "No limit holds it."]
+            cost = cost_of(self.problem, 0)
+            least = cost(self.best)
+            if self.start.feasible and cost(self.start) < least - ALIKE * abs(least):
+                lines.append("The case as it stands is none of the choices, and better.")
             return lines if self.settled else [*lines, UNSETTLED]
         solved = [each for each in self.trials if each.goals]
         if not solved:
@@ -244,7 +249,8 @@ def solved(
         if len(problem.goals) == 2:
             found, settled = trade_off(problem, made, seed)
         else:
-            found, settled = [], search(problem, made, cost_of(problem, 0), trials, seed)
+            cost, known = cost_of(problem, 0), [*filter(None, [problem.present])]
+            found, settled = [], search(problem, made, cost, trials, seed, known)
     good = [each for each in made.made.values() if each.feasible]
     best = min(good, key=cost_of(problem, 0), default=None)
     return Optimum(problem, start, tuple(made.made.values()), best, tuple(found), settled)

@@ -14,7 +14,7 @@ from scipy.optimize import brentq, minimize
 import rotordyn
 from rotordyn import Goal, Limit, Span, optimise
 from rotordyn.case.case import Case
-from rotordyn.case.varied import unlike
+from rotordyn.case.varied import found_at, unlike
 from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
@@ -223,6 +223,42 @@ def test_ends_of_a_trade_off_are_the_best_of_each_goal(
     assert UNSETTLED not in enough.verdict
     assert enough.best is not None
     assert enough.best.goals[0] > 0.9999 * machine.most()
+
+
+def test_the_case_as_it_stands_is_tried_first_or_said_to_be_better(case: Case) -> None:
+    """A limit that it just keeps, which few trials would not find."""
+    start = as_it_stands(Problem(case, (), (STIFF,), (Limit("preload: sum", at_most="90 kN"),)))
+    limit = Limit("preload: sum", at_most=f"{start.readings[0]:.9g} N")
+    choices = {SPRING: Span("400 N", "2400 N"), MODEL: ["s6014e", "vex70"]}
+    found = optimise(case, choices, [STIFF], [limit], trials=3, workers=1)
+    assert found.trials[0].goals == pytest.approx(found.start.goals, rel=1e-9)
+    assert found.best is not None
+    assert found.best.goals[0] >= found.start.goals[0] * (1.0 - 1e-9)
+    assert not any("as it stands" in line for line in found.verdict)
+    held = Goal(lowest="preload.spring_force")
+    found = optimise(case, {SPRING: Span("2 kN", "2.4 kN", log=True)}, [held], trials=3, workers=1)
+    assert "The case as it stands is none of the choices, and better." in found.verdict
+
+
+@pytest.mark.parametrize(
+    ("asked", "place"),
+    [
+        (Span("400 N", "1400 N"), 0.5),
+        (Span("400 N", "2025 N", log=True), 0.5),
+        (Span("1 kN", "2 kN"), None),
+        (["800 N", "900 N"], 1.0),
+        (["800 N", "1 kN"], None),
+    ],
+)
+def test_place_of_the_case_as_it_stands(case: Case, asked: object, place: float | None) -> None:
+    whole = vary(case, {SPRING: "900 N"})
+    found = Problem(whole, tuple(parameters(whole, {SPRING: asked})), (STIFF,)).present
+    assert (found and found[0]) == (None if place is None else pytest.approx(place))
+    balls = {"spindle.bearings.*.model.balls": Span(15, 25)}
+    count = {int(v) for v, _ in found_at(whole, "spindle.bearings.*.model.balls")}
+    assert Problem(whole, tuple(parameters(whole, balls)), (STIFF,)).present == (
+        float(count.pop() - 15),
+    )
 
 
 @pytest.mark.long

@@ -15,7 +15,7 @@ def poles(omega: np.ndarray, damping: float) -> np.ndarray:
 
 
 def test_a_measured_mode_too_many_does_not_move_the_others() -> None:
-    """Two are resolved where the machine has one: pairing all of them would shift every one above."""
+    """Two are resolved where the machine has one; pairs for all would shift every one above."""
     measured = np.array([820.0, 823.0, 1046.0, 1685.0, 2295.4]) * 2.0 * np.pi
     apart = np.abs(np.log(measured[:, None] / MACHINE[1:]))
     rows, columns = assigned(apart / FAR, apart, ALONE)
