@@ -138,8 +138,8 @@ class _Case:
     ] = ()
     override: Annotated[
         Overrides,
-        "dotted path into the machine, items of a list by their name -> new value; with or without "
-        "`spindle.` (`bearing.`) before it",
+        "dotted path into the machine, items of a list by their name or place -> new value; with "
+        "or without `spindle.` (`bearing.`) before it",
     ] = field(default_factory=dict)
     compare: Annotated[
         Mapping[Name, Variant],

@@ -13,7 +13,8 @@ from rotordyn.quantity import suggestion
 def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
     """Writes each entry of ``changes`` (dotted path: value) into ``target``, in place.
 
-    A path names keys, and items of a list by their ``name``; ``*`` stands for every item or entry.
+    A path names keys, and items of a list by their ``name``, or by their place from 1 where they
+    have none; ``*`` stands for every item or entry.
     Mappings on the way are made where they are missing. Anything else the path meets is a fault.
     Every place gets a value of its own, which may be changed further.
     """
@@ -50,11 +51,16 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
 
 
 def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
-    named: Node | None = next((item for item in target.value if item.name == step), None)
-    if named is None:
-        names = [item.name for item in target.value if item.name]
-        allowed = ", ".join(names) or "the list as a whole, its items have no names"
-        where = target.path or "the list"
-        message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
-        faults.at_key(value, message)
-    return named
+    names = [item.name for item in target.value]
+    where = target.path or "the list"
+    if any(names):
+        allowed = f"{', '.join(filter(None, names))}{suggestion(step, names)}"
+        message = f"unknown name '{step}' in {where}; allowed: {allowed}"
+    else:
+        names = [str(place) for place in range(1, len(names) + 1)]
+        message = f"unknown number '{step}' in {where}; allowed: from 1 to {len(names)}"
+    if step not in filter(None, names):
+        faults.at_key(value, message if names else f"'{where}' is empty: give it whole")
+        return None
+    found: Node = target.value[names.index(step)]
+    return found

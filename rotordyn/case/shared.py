@@ -25,6 +25,11 @@ def called(key: object) -> str:
     return entry_name(*key) if isinstance(key, tuple) else str(key)
 
 
+def called_at(place: int, item: object) -> str:
+    """An item of a list as written in a path: by its name, without one by its place from 1."""
+    return getattr(item, "name", "") or str(place)
+
+
 def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
     """The same path within every item that gives no such value itself; none where that is not
     known of items."""

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 from rotordyn.case.case import Case
 from rotordyn.case.keys import fields_of
-from rotordyn.case.shared import Steps, called, common_at, ways_of_items
+from rotordyn.case.shared import Steps, called, called_at, common_at, ways_of_items
 from rotordyn.description import quantity_of
 from rotordyn.field import found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix
@@ -111,8 +111,9 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
                 inside = Annotated[float, matrix.quantity(*key)]
             yield (called(key),), entry, inside
     elif isinstance(value, tuple):
+        member = parts_of(annotation, tuple) or (annotation,)
         for place, item in enumerate(value, start=1):
-            yield (getattr(item, "name", "") or str(place),), item, annotation
+            yield (called_at(place, item),), item, member[0]
 
 
 def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:

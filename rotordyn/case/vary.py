@@ -15,7 +15,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import fields_of
-from rotordyn.case.shared import called, common_at, ways_of_items
+from rotordyn.case.shared import called, called_at, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (
@@ -55,8 +55,9 @@ class _Change:
 def vary(description: D, changes: Mapping[str, object]) -> D:
     """``description`` with other values at dotted paths; the description itself stays as it is.
 
-    A path begins at the top of a case: it names keys, items of a list by their ``name``,
-    entries of a mapping by their key; ``*`` stands for every item or entry.
+    A path begins at the top of a case: it names keys, items of a list by their ``name`` or, where
+    they have none, by their place from 1 (``spindle.damping.rotor.1``), entries of a mapping by
+    their key; ``*`` stands for every item or entry.
     What a file gives once for all bearings (``spindle.fits``) goes to those that give none
     themselves; what is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is
     what is in the nose.
@@ -123,10 +124,11 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
         return _fields(old, changes)
     if isinstance(old, Mapping):
         return _entries(annotation, old, changes)
-    if isinstance(old, tuple) and old and all(hasattr(item, "name") for item in old):
+    if isinstance(old, tuple) and old:
         return _items(annotation, old, changes)
-    what = "has items without names" if isinstance(old, tuple) and old else f"is {shown(old)}"
-    raise changes[0].refused(f"leads too far: '{_way_to(changes[0])}' {what}; give it whole")
+    raise changes[0].refused(
+        f"leads too far: '{_way_to(changes[0])}' is {shown(old)}; give it whole"
+    )
 
 
 def _taken(annotation: Any, change: _Change) -> Any:
@@ -265,9 +267,11 @@ def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field,
 
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
-    groups = _grouped(changes, [item.name for item in old], "name")
+    names = [called_at(k, item) for k, item in enumerate(old, start=1)]
+    groups = _grouped(changes, names, "name" if hasattr(old[0], "name") else "number")
     member = parts_of(annotation, tuple)[0]
-    return tuple(_value(member, item, groups.get(item.name, [])) for item in old)
+    pairs = zip(names, old, strict=True)
+    return tuple(_value(member, item, groups.get(name, [])) for name, item in pairs)
 
 
 def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
@@ -315,6 +319,8 @@ def _known(change: _Change, step: str, known: Iterable[str], what: str, inner: s
     if step in names:
         return
     listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
+    if what == "number":
+        raise change.refused(f"unknown number '{step}'; allowed: from 1 to {len(names)}")
     where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
     hint = f" (did you mean {inner}?)" if inner else suggestion(step, names)
     allowed = f"{listed or 'none, it is empty'}{hint}"

@@ -64,7 +64,7 @@ def converged(
         error = _change(scene, left, finer, rows, best.depths)
         best, every = best._replace(error=error), [one for each in best.depths for one in each]
         scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
-        chatter = np.nanmax([limit.frequency for limit in every], initial=0.0)
+        chatter = max((one.frequency for one in every if math.isfinite(one.depth)), default=0.0)
         if (error <= ALLOWED and chatter <= modelled(scene)) or doubling == DOUBLINGS:
             break
         scene = scene.refined

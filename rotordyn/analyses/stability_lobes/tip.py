@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.modal import feed_and_normal, frequencies_near
-from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE
+from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE, STIFF
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
@@ -135,7 +135,7 @@ class Tip:
         at = np.nan_to_num(self.poles.imag, nan=1.0)
         size = np.abs(self.receptance(at)).max(axis=(2, 3))
         size = np.where(np.isnan(self.poles.imag), 0.0, size)
-        matters = size > NEGLIGIBLE * size.max(axis=1, keepdims=True)
+        matters = size > np.minimum(NEGLIGIBLE * size.max(axis=1, keepdims=True), STIFF)
         highest = np.where(matters, at, 0.0).max(axis=1)
         if not (highest > 0.0).all():
             raise InvalidInput(

@@ -15,9 +15,11 @@ from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL
+from rotordyn import Span
 from rotordyn.analyses import CampbellSpec, PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import RingGrowth, Spring
+from rotordyn.study.parameter import parameters
 from tests.oracles.spindles import case, mfw2310, with_sleeve
 
 TOP = 24000 * math.pi / 30
@@ -276,7 +278,7 @@ WRONG = {
     "bearing.balls": (3, "'bearing' is None; give it whole"),
     "spindle.damping.bearings": ({}, "several values.* change spindle.damping.bearings.radial"),
     "spindle.title.x": (1, "leads too far"),
-    "speeds.0": (1.0, "has items without names; give it whole"),
+    "speeds.0": (1.0, "unknown number '0'; allowed: from 1 to"),
     "speeds": ((0.0, math.nan), r"speeds\[1\]: not a number"),
     "spindle.sleeves.front.spring": (8e6, "wrong type: given 8000000.0; allowed: Spring"),
     "spindle.sleeves.front.spring.stiffness": ("8 N", "'N' is not a unit of stiffness"),
@@ -371,3 +373,19 @@ def test_a_range_of_files_is_given_one_by_one():
     case = rotordyn.load("mfw2310")
     with pytest.raises(InvalidInput, match=r"speeds: .*allowed: values one by one, as a list"):
         case.vary({"speeds": {"from": "0 rpm", "to": "9000 rpm", "step": "1000 rpm"}})
+
+
+def test_an_item_without_a_name_goes_by_its_place(tmp_path: Path) -> None:
+    """In Python, in a study's path and in an override alike."""
+    path = "spindle.damping.rotor.2"
+    case = rotordyn.load("mfw2310")
+    assert case.vary({path: "3 %"}).spindle.rotor_damping == (0.01, 0.03, 0.05)
+    assert case.vary({"spindle.damping.rotor.*": 0.04}).spindle.rotor_damping == (0.04,) * 3
+    (found,) = parameters(case, {path: Span("1 %", "5 %")})
+    assert found.ends == (0.01, 0.05)
+    file = tmp_path / "other.yaml"
+    lines = "spindle: mfw2310\noverride: {damping.rotor.2: 3 %}\nspeeds: [0 rpm]\n"
+    file.write_text(f"title: x\n{lines}analyses: {{campbell: {{max_frequency: 900 Hz}}}}\n")
+    assert rotordyn.load(file).spindle.rotor_damping == (0.01, 0.03, 0.05)
+    with pytest.raises(InvalidInput, match=r"unknown number '4'.*from 1 to 3"):
+        case.vary({"spindle.damping.rotor.4": 0.1})
