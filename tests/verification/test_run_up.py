@@ -40,7 +40,7 @@ def test_constant_matrices_are_exact(seed, run):
     stiffness, damping, force = system(seed)
     n = len(force)
     known = modes(stiffness[None], damping[None])
-    taken = known.pole, known.vector, known.participation, damping[None], force
+    taken = known.pole, known.vector, known.participation, damping[None], stiffness[None], force
 
     def angle(t):
         return run.first * t + 0.5 * run.acceleration * t**2
@@ -59,11 +59,11 @@ def test_constant_matrices_are_exact(seed, run):
     truth = truth * np.exp(-1j * angle(times))[:, None]
     for count in (1, 4, 40):
         edges = np.linspace(run.first, run.last, count + 1)
-        found = Parts(edges, *taken, steady, np.eye(n)).moved(run, times)
+        found = Parts(edges, edges[:1], *taken, steady, np.eye(n)).moved(run, times)
         np.testing.assert_allclose(found, truth, atol=3e-7 * np.abs(truth).max())
 
 
-def integrated(case, duration, points, nodes=100):
+def integrated(case, duration, points, nodes):
     """Half axes (t, points) of a run up by the equation of the slowly varying amplitude, matrices
     linear between ``nodes`` speeds; the times over the duration."""
     spec = case.analyses["unbalance"]
@@ -145,22 +145,31 @@ def coaxial(ratio, **asked):
     return rotordyn.vary(rotordyn.vary(case, turned), changes)
 
 
+def flagship():
+    """Bearings whose stiffness follows the speed, and a stop that closes at 20 240 rpm."""
+    case = rotordyn.load("mfw2310_run_up")
+    speeds = tuple((np.linspace(0.0, 24000.0, 4) * RATED).tolist())
+    return rotordyn.vary(case, {"speeds": speeds, "analyses.unbalance.run_up": (0.5,)})
+
+
 @pytest.mark.parametrize(
-    "case",
+    ("case", "nodes"),
     [
-        friswell(run_up=(1.0,)),
-        pytest.param(coaxial(1.5, run_up=(0.5,)), marks=pytest.mark.long),
-        pytest.param(coaxial(-1.5, run_up=(0.5,)), marks=pytest.mark.long),
+        (friswell(run_up=(1.0,)), 100),
+        pytest.param(coaxial(1.5, run_up=(0.5,)), 100, marks=pytest.mark.long),
+        pytest.param(coaxial(-1.5, run_up=(0.5,)), 100, marks=pytest.mark.long),
+        (flagship(), 481),
     ],
-    ids=["uneven", "coaxial", "against"],
+    ids=["uneven", "coaxial", "against", "flagship"],
 )
-def test_machines_against_the_slowly_varying_amplitude(case):
-    """Whose matrices follow the speed, in either form of both planes."""
+def test_machines_against_the_slowly_varying_amplitude(case, nodes):
+    """Whose matrices follow the speed, in either form of both planes. If they changed at once from
+    part to part, the last would have errors of 4e-3, and an estimated one of 3e-2."""
     found = rotordyn.run(case)["unbalance"]
     (duration,) = case.analyses["unbalance"].run_up
-    truth = shown(integrated(case, duration, SHOWN * BETWEEN + 1)[0])
+    truth = shown(integrated(case, duration, SHOWN * BETWEEN + 1, nodes)[0])
     peak = found.run_peak.values[0]
-    np.testing.assert_allclose(found.run_amplitude.values[0], truth, atol=2e-3 * peak.min())
+    np.testing.assert_allclose(found.run_amplitude.values[0], truth, atol=1e-3 * peak.min())
     assert found.run_error.values.max() < 2e-3
 
 
@@ -243,10 +252,11 @@ def test_one_mode_past_its_resonance():
     frequency squared over the acceleration: 1.46 of it (the largest Fresnel integral)."""
     natural, one = 100.0, np.ones((1, 1, 1))
     known = modes(natural**2 * one, 1e-9 * one)
-    taken = known.pole, known.vector, known.participation, 1e-9 * one, np.ones(1)
+    taken = known.pole, known.vector, known.participation, known.damping, known.stiffness
+    asked = np.ones(1), np.zeros(1), np.ones((1, 1))
     for duration in (40.0, 400.0):
         run = Run(0.0, 200.0, duration)
-        parts = Parts(np.array([0.0, 200.0]), *taken, np.zeros(1), np.ones((1, 1)))
+        parts = Parts(np.array([0.0, 200.0]), np.zeros(1), *taken, *asked)
         largest = np.abs(parts.moved(run, np.linspace(0.0, duration, 40000))).max()
         cycles = natural**2 / run.acceleration
         expected = 0.5 * np.sqrt(2.0 * np.pi) * 1.17 * np.sqrt(cycles)
@@ -273,34 +283,40 @@ def test_faults(asked, sentence):
         rotordyn.vary(friswell(), asked)
 
 
-@pytest.mark.parametrize("duration", [0.5, 20.0])
-def test_errors_by_matrices_that_follow_the_speed_are_of_second_order(duration):
+@pytest.mark.parametrize(
+    ("duration", "damping", "most", "least"),
+    [(0.5, 4.0, 1e-3, 1e-5), (20.0, 4.0, 0.06, 1e-3), (20.0, 400.0, 1e-4, 1e-4)],
+)
+def test_errors_by_matrices_that_follow_the_speed_are_of_second_order(
+    duration, damping, most, least
+):
     """Two modes whose stiffness and gyroscopic coupling change with the speed, against the equation
-    of motion; in a fast run that rings on, and in a slow one that follows steady rotation."""
+    of motion; in a fast run that rings on, in a slow one that follows steady rotation, and in one
+    whose modes decay within a part. If the matrices changed at once, or the cuts were not blended,
+    errors would be twice ``most`` and more by twenty parts, or twice ``least`` by 160."""
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     force, run = np.array([1.0, 0.3 - 0.2j]), Run(50.0, 250.0, duration)
 
     def matrices(speed):
         share = np.asarray(speed)[..., None, None] / 200.0
         stiffness = np.diag([150.0**2, 180.0**2]) * (1.0 + 0.5 * share)
-        return stiffness, 4.0 * np.eye(2) + 20.0 * share * turn
+        return stiffness, damping * np.eye(2) + 20.0 * share * turn
 
     def steady(speed):
-        stiffness, damping = matrices(speed)
-        dynamic = stiffness + 1j * speed * damping - speed**2 * np.eye(2)
+        K, C = matrices(speed)
+        dynamic = K + 1j * speed * C - speed**2 * np.eye(2)
         return np.linalg.solve(dynamic, speed**2 * force)
 
     def cut(middles, edges):
-        stiffness, damping = matrices(middles)
-        known = modes(stiffness, damping)
-        taken = known.pole, known.vector, known.participation, damping
-        return Parts(edges, *taken, force, steady(run.first), np.eye(2))
+        known = modes(*matrices(middles))
+        taken = known.pole, known.vector, known.participation, known.damping, known.stiffness
+        return Parts(edges, middles, *taken, force, steady(run.first), np.eye(2))
 
     def rates(t, x):
         speed = run.first + run.acceleration * t
-        stiffness, damping = matrices(speed)
+        K, C = matrices(speed)
         turned = 2j * speed * x[2:] + (1j * run.acceleration - speed**2) * x[:2]
-        held = stiffness @ x[:2] + damping @ (x[2:] + 1j * speed * x[:2])
+        held = K @ x[:2] + C @ (x[2:] + 1j * speed * x[:2])
         return np.concatenate([x[2:], force * (speed**2 - 1j * run.acceleration) - held - turned])
 
     share = np.linspace(0.0, 1.0, 1441)
@@ -312,8 +328,8 @@ def test_errors_by_matrices_that_follow_the_speed_are_of_second_order(duration):
         speed = np.linspace(run.first, run.last, 2 * count + 1)
         even = cut(speed[1::2], speed[::2])
         between = cut(speed[::2], speed[[0, *range(1, len(speed), 2), -1]])
-        weight = 1.0 - 2.0 * np.abs((count * share) % 1.0 - 0.5)
         moved = [each.moved(run, share * duration) for each in (even, between)]
-        errors.append(np.abs(blended(*moved, weight) - truth).max() / np.abs(truth).max())
-    assert errors[-1] < 2.5e-3
-    assert errors[0] > 25.0 * errors[-1]
+        apart = blended(*moved, count * share) - truth
+        errors.append(np.abs(apart).max() / np.abs(truth).max())
+    assert errors[0] < most
+    assert errors[-1] < least

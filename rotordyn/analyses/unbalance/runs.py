@@ -127,8 +127,7 @@ class _Way:
                 )
                 for cut in cuts
             )
-        share = 1.0 - 2.0 * np.abs((count * instants) % 1.0 - 0.5)
-        moved = blended(np.asarray(even), np.asarray(between), share)
+        moved = blended(np.asarray(even), np.asarray(between), count * instants)
         y, z = np.moveaxis(moved.reshape(len(moved), -1, 2), -1, 0)
         if not (np.isfinite(y) & np.isfinite(z)).all():
             raise NoSolution("the motion grows by itself beyond all numbers: give damping")
@@ -139,16 +138,12 @@ class _Way:
         against the spindle moves as the conjugate of what turns with it."""
         arrays, _, force, rows = self.solved[k]
         first = 0 if edges[0] <= edges[-1] else -1
-        every = (
-            *(each[middles] for each in arrays[:4]),
-            force,
-            rows,
-            *(a[first] for a in arrays[3:]),
-        )
+        every = *(a[first] for a in arrays[3:]), *(a[middles] for a in arrays), force, rows
         turned = [np.conj(each) if self.ratio < 0.0 else each for each in every]
-        pole, vector, left, damping, force, rows, first_damping, stiffness = turned
-        begin = _steady(stiffness, first_damping, force, edges[0])
-        return Parts(edges, pole, vector, left, damping, force, begin, rows)
+        damped, held, pole, vector, left, damping, stiffness, force, rows = turned
+        begin = _steady(held, damped, force, edges[0])
+        middle = abs(self.ratio) * self.speed[middles]
+        return Parts(edges, middle, pole, vector, left, damping, stiffness, force, begin, rows)
 
     def _solve(self, place: NDArray[np.intp]) -> None:
         """The machine at some of the speeds."""
