@@ -48,7 +48,8 @@ class Parts:
     ``pole`` (s, m) [rad/s], ``vector`` (s, n, m) and ``left`` (s, m, n) of q̈ + D q̇ + K q = f with
     ``damping`` D and ``stiffness`` K (s, n, n) of the speeds ``middle`` (s,) [rad/s]; one of each
     where they do not change on the way. ``force`` f (n,) per ω² [kg·m]; ``begin`` q (n,) of steady
-    rotation at the first speed; ``rows`` (r, n): what of the motion is asked for.
+    rotation at the first speed. Asked for are ``rows`` (s, r, n) times the displacement, ``rates``
+    (s, r, n) times the velocity and ``direct`` (r,) as the load, per ω².
     """
 
     edges: Array
@@ -60,11 +61,13 @@ class Parts:
     stiffness: Matrix
     force: Complex
     begin: Complex
-    rows: Complex
+    rows: Matrix
+    rates: Matrix
+    direct: Complex
 
     def moved(self, run: Run, times: Array) -> Complex:
-        """Motion over e^(iφ) (t, r) at ascending ``times`` (t,) [s] of a run that begins in the
-        steady state of its first speed."""
+        """What is asked for, over e^(iφ) (t, r), at ascending ``times`` (t,) [s] of a run that
+        begins in the steady state of its first speed."""
         ends = (self.edges - run.first) / run.acceleration
         place = np.searchsorted(times, ends[1:-1])
         displacement, velocity = self.begin, 1j * run.first * self.begin
@@ -78,7 +81,9 @@ class Parts:
                 taking = taking + self._evenly(k, run, taking)
             instants = np.append(inside, ends[k + 1]) - ends[k]
             every = _taking(pole, left @ self.force, taking, self.edges[k], run, instants)
-            found.append(every[:-1] @ (self.rows @ vector).T)
+            seen = self.rows[at] @ vector + self.rates[at] @ (vector * pole)
+            load = (run.first + run.acceleration * inside) ** 2 - 1j * run.acceleration
+            found.append(every[:-1] @ seen.T + load[:, None] * self.direct)
             displacement, velocity = vector @ every[-1], vector @ (pole * every[-1])
         return np.concatenate(found)
 
