@@ -33,7 +33,7 @@ class UnbalanceResult:
     at a speed at which a stop closes, where lines break. ``peak_…``: every peak of a point,
     ascending, NaN where it has fewer, infinite at a critical speed without damping.
     ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
-    ``run_speed`` to the next on the way, and of all.
+    ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces.
     ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
     which a balance grade is given; 0 without one.
     """
@@ -169,6 +169,20 @@ class UnbalanceResult:
     )
     run_peak_speed: Array = quantity(
         "run", "point", unit="rad/s", label="speed there", absent=(NO_RUN,)
+    )
+    run_force: Array = quantity(
+        "run",
+        "run_speed",
+        "support",
+        unit="N",
+        label="amplitude of the force on a run",
+        absent=(NO_RUN,),
+    )
+    run_force_peak: Array = quantity(
+        "run", "support", unit="N", label="largest force on a run", absent=(NO_RUN,)
+    )
+    run_force_peak_speed: Array = quantity(
+        "run", "support", unit="rad/s", label="speed there", absent=(NO_RUN,)
     )
     run_error: Array = quantity(
         "run", unit="1", label="estimated error over the largest value", absent=(NO_RUN,)

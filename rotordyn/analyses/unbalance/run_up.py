@@ -8,9 +8,9 @@ of which the modes are those of its middle. A mode of pole λ takes part by η(t
 
 which has a closed form for any time: twice by parts it leaves ∫ e^(bs + iαs²/2) ds, an error
 function, however fast or slow the run and however small the damping. Displacement and velocity are
-continuous from part to part, but for what jumps of steady motion would leave as free vibration. Two
-cuts of the way, one with ends of parts in the middle of those of the other, are blended: errors
-fall with up to the square of the length of the parts.
+continuous from part to part. That matrices change evenly from middle to middle and not at once acts
+on them there, to first order. Two cuts of the way, one with ends of parts in the middle of those of
+the other, are blended: errors fall with the square of the length of the parts.
 
 Theory: docs/theory/response.md#run-up.
 """
@@ -23,6 +23,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Matrix
+
+DECAYED = 1.0  # logarithm: a mode that decays by more in half a part follows by itself
+SMALL = 1e-2  # an exponent, below which a series is the more accurate
 
 
 class Run(NamedTuple):
@@ -43,23 +46,28 @@ class Parts:
     """Modes of one subsystem in parts of the way between the speeds ``edges`` (s + 1,) [rad/s].
 
     ``pole`` (s, m) [rad/s], ``vector`` (s, n, m) and ``left`` (s, m, n) of q̈ + D q̇ + K q = f with
-    ``damping`` D (s, n, n); one of each where they do not change on the way. ``force`` f (n,) per
-    ω² [kg·m]; ``begin`` q (n,) of steady rotation at the first speed; ``rows`` (r, n): what of the
-    motion is asked for.
+    ``damping`` D and ``stiffness`` K (s, n, n) of the speeds ``middle`` (s,) [rad/s]; one of each
+    where they do not change on the way. ``force`` f (n,) per ω² [kg·m]; ``begin`` q (n,) of steady
+    rotation at the first speed. Asked for are ``rows`` (s, r, n) times the displacement, ``rates``
+    (s, r, n) times the velocity and ``direct`` (r,) as the load, per ω².
     """
 
     edges: Array
+    middle: Array
     pole: Complex
     vector: Complex
     left: Complex
     damping: Matrix
+    stiffness: Matrix
     force: Complex
     begin: Complex
-    rows: Complex
+    rows: Matrix
+    rates: Matrix
+    direct: Complex
 
     def moved(self, run: Run, times: Array) -> Complex:
-        """Motion over e^(iφ) (t, r) at ascending ``times`` (t,) [s] of a run that begins in the
-        steady state of its first speed."""
+        """What is asked for, over e^(iφ) (t, r), at ascending ``times`` (t,) [s] of a run that
+        begins in the steady state of its first speed."""
         ends = (self.edges - run.first) / run.acceleration
         place = np.searchsorted(times, ends[1:-1])
         displacement, velocity = self.begin, 1j * run.first * self.begin
@@ -67,50 +75,49 @@ class Parts:
         for k, inside in enumerate(np.split(times, place)):
             at = k % len(self.pole)
             pole, vector, left = self.pole[at], self.vector[at], self.left[at]
-            taking = self._of_state(at, displacement, velocity)
-            if k and len(self.pole) > 1:  # modes change
-                taking = taking + self._followed(k, 0.5 * (ends[k + 1] - ends[k - 1]))
+            pushed = left @ (self.damping[at] @ displacement + velocity)
+            taking = pole * (left @ displacement) + pushed
+            if k and len(self.pole) > 1:  # matrices change
+                taking = taking + self._evenly(k, run, taking)
             instants = np.append(inside, ends[k + 1]) - ends[k]
             every = _taking(pole, left @ self.force, taking, self.edges[k], run, instants)
-            found.append(every[:-1] @ (self.rows @ vector).T)
+            seen = self.rows[at] @ vector + self.rates[at] @ (vector * pole)
+            load = (run.first + run.acceleration * inside) ** 2 - 1j * run.acceleration
+            found.append(every[:-1] @ seen.T + load[:, None] * self.direct)
             displacement, velocity = vector @ every[-1], vector @ (pole * every[-1])
         return np.concatenate(found)
 
-    def _of_state(self, k: int, displacement: Complex, velocity: Complex) -> Complex:
-        """What every mode of a part takes (m,) of a state: l (λ + D) q + l v."""
-        left = self.left[k]
-        pushed = left @ (self.damping[k] @ displacement + velocity)
-        return np.asarray(self.pole[k] * (left @ displacement) + pushed)
+    def _evenly(self, k: int, run: Run, taking: Complex) -> Complex:
+        """What the modes of part ``k``, ``taking`` so much at its begin, take besides there (m,).
 
-    def _steady(self, k: int, omega: float) -> Complex:
-        """The same of steady rotation with the modes of a part (m,)."""
-        return np.asarray((self.left[k] @ self.force) * omega**2 / (1j * omega - self.pole[k]))
-
-    def _followed(self, k: int, time: float) -> Complex:
-        """What the modes of part ``k`` take besides at its begin (m,).
-
-        From part to part steady motion jumps, and all of the jump would go on as free vibration.
-        In truth it changes over the ``time`` τ from the middle of one part to that of the next, in
-        which modes far from resonance follow. Of a mode with λ − iω = −σ + iν the share
-        sin(y)/y · x/sinh(x) of the jump stays free vibration, y = ντ/2, x = στ/2: all of it where
-        the mode is slow beside τ, none where it is fast. That is a choice, and vanishes with τ: of
-        cases tried, two rotors on linear supports have smaller errors without it, a spindle that
-        starts in half a second has smaller ones with it.
+        Matrices that change by ΔK, ΔD at once are off from such that change evenly over the time 2h
+        from middle to middle, by the share ± (h − |u|)/2h of the change at the time u after the
+        begin. To first order mode i takes l_i (ΔK + λ_j ΔD) v_j of each mode j, weighted over that
+        time: with e^((λ_j − λ_i) u) what vibrates freely, with e^((iω − λ_i) u) what is steady.
         """
-        omega, before = self.edges[k], self._steady(k - 1, self.edges[k])
-        vector = self.vector[k - 1]
-        known = self._of_state(k, vector @ before, vector @ (self.pole[k - 1] * before))
-        apart = 0.5 * time * (self.pole[k] - 1j * omega)
-        size = np.maximum(np.abs(apart.real), 1e-9)
-        kicked = np.sinc(apart.imag / np.pi) * size / np.sinh(np.minimum(size, 300.0))
-        return np.asarray((1.0 - kicked) * (self._steady(k, omega) - known))
+        pole, vector, left, omega = self.pole[k], self.vector[k], self.left[k], self.edges[k]
+        half = 0.5 * (self.middle[k] - self.middle[k - 1]) / run.acceleration
+        stiffness, damping = (each[k] - each[k - 1] for each in (self.stiffness, self.damping))
+        coupled = left @ (stiffness @ vector + (damping @ vector) * pole)
+        steady = (left @ self.force) * omega**2 / (1j * omega - pole)
+        free = (coupled * _uneven(half, pole - pole[:, None])) @ (taking - steady)
+        return np.asarray(free + _uneven(half, 1j * omega - pole) * (coupled @ steady))
 
 
-def blended(even: Complex, between: Complex, share: Array) -> Complex:
+def _uneven(half: float, rate: Complex) -> Complex:
+    """∫ (h − u)/h sinh(ρu) du over u from 0 to h = ``half`` [s], of the ``rate`` ρ [rad/s]."""
+    z = half * rate
+    small, held = np.abs(z) < SMALL, np.clip(z.real, -DECAYED, DECAYED) + 1j * z.imag
+    grown = (np.sinh(held) - held) / np.where(small, 1.0, z) ** 2
+    return np.asarray(half * np.where(small, z / 6.0, grown))
+
+
+def blended(even: Complex, between: Complex, parts: Array) -> Complex:
     """Motion (t, r) of two cuts of one way, the parts of one ending in the middle of those of the
-    other; ``share`` (t,) of the first, 1 in the middle of its parts and 0 at their ends. So the
-    modes, too, change linearly from one to the next."""
-    return np.asarray(share[:, None] * even + (1.0 - share)[:, None] * between)
+    other, after so many ``parts`` (t,): of the first cut in the middle of its parts, of the other
+    one at their ends. So the modes, too, change linearly from one to the next."""
+    share = 1.0 - 2.0 * np.abs(parts % 1.0 - 0.5)[:, None]
+    return np.asarray(share * even + (1.0 - share) * between)
 
 
 def _taking(

@@ -1,4 +1,5 @@
-"""Runs of a machine through the speeds of a case, up and down: motion of points on the way."""
+"""Runs of a machine through the speeds of a case, up and down: motion of points and forces of
+bearings and supports on the way."""
 
 from __future__ import annotations
 
@@ -11,8 +12,10 @@ from numpy.typing import NDArray
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
-from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
+from rotordyn.analyses.unbalance.steady import AXES, displacement_rows, load_of, out_of_balance
 from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.equation.dofs import position
+from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.results.display import RPM
 from rotordyn.scene.refinement import response_accuracy
@@ -25,18 +28,25 @@ BETWEEN = 20  # instants from one of them to the next
 APART = 1e9  # condition of the vectors: motions then keep seven digits
 
 
+class Largest(NamedTuple):
+    """Half axes on every run: ``over_speed`` (runs, n, k), the largest from one speed to the next,
+    ``peak`` and the ``speed`` (runs, k) there."""
+
+    over_speed: Array
+    peak: Array
+    speed: Array
+
+
 class Runs(NamedTuple):
-    """Motion of points on every run: ``name`` and ``outcome`` (runs,), empty or why it has no
-    solution; ``speed`` (n,) of the spindle [rad/s]; ``amplitude`` (runs, n, points) [m]; largest
-    ``peak`` and its ``peak_speed`` (runs, points); ``error`` (runs,) of the motion over its peak.
-    """
+    """``name`` and ``outcome`` (runs,) of every run, empty or why it has no solution; ``speed``
+    (n,) of the spindle [rad/s]; ``moved`` points [m] and ``pushed`` connections [N]; ``error``
+    (runs,) of all over their peaks."""
 
     name: tuple[str, ...]
     outcome: tuple[str, ...]
     speed: Array
-    amplitude: Array
-    peak: Array
-    peak_speed: Array
+    moved: Largest
+    pushed: Largest
     error: Array
 
 
@@ -45,10 +55,11 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
     balance to that of the spindle."""
     ways = [(each, False) for each in spec.run_up] + [(each, True) for each in spec.run_down]
     count, points = len(ways), len(spec.points)
+    columns = points + len(scene.rotor.connections)
     names = tuple(f"{'down' if down else 'up'} in {run_name(time)}" for time, down in ways)
     speed = np.linspace(scene.speed[0], scene.speed[-1], SHOWN + 1) if ways else np.zeros(0)
-    amplitude = np.full((count, len(speed), points), np.nan)
-    peak, peak_speed = np.full((2, count, points), np.nan)
+    amplitude = np.full((count, len(speed), columns), np.nan)
+    peak, peak_speed = np.full((2, count, columns), np.nan)
     error, outcome, way = np.full(count, np.nan), [""] * count, _Way(scene, spec, ratio)
     for k, (time, down) in enumerate(ways):
         try:
@@ -59,14 +70,19 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
         first, last = speed[[-1, 0]] if down else speed[[0, -1]]
         at = np.linspace(first, last, len(axes))
         peak[k], peak_speed[k] = axes.max(axis=0), at[axes.argmax(axis=0)]
-        largest = axes[1:].reshape(SHOWN, BETWEEN, points).max(axis=1)
+        largest = axes[1:].reshape(SHOWN, BETWEEN, columns).max(axis=1)
         amplitude[k] = np.concatenate([axes[:1], largest])[:: -1 if down else 1]
-    return Runs(names, tuple(outcome), speed, amplitude, peak, peak_speed, error)
+    found = amplitude, peak, peak_speed
+    moved, pushed = (
+        Largest(*(each[..., :points] for each in found)),
+        Largest(*(each[..., points:] for each in found)),
+    )
+    return Runs(names, tuple(outcome), speed, moved, pushed, error)
 
 
 def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, float]:
-    """Major half axes of the orbits of points (t, points) of a run, and their error: the change by
-    twice as many parts over the peak."""
+    """Major half axes of orbits and forces (t, points and connections) of a run, and their error:
+    the change by twice as many parts over the peak."""
     enough = min(response_accuracy(way.scene), ACCURATE)
     before, error = way.axes(PARTS[0], time, down=down), np.inf
     for count in PARTS[1:]:
@@ -81,13 +97,14 @@ def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, float]:
 
 
 class _Solved(NamedTuple):
-    """A subsystem at every speed of the way: pole, vector, left, damping and stiffness, each
-    (s, …); in the coordinates of one plane where both are ``one``; ``force`` and ``rows``."""
+    """A subsystem at every speed of the way: pole, vector, left, damping, stiffness, rows and
+    rates, each (s, …); in the coordinates of one plane where both are ``one``; ``force`` and
+    ``direct``."""
 
     arrays: list[NDArray[Any]]
     one: bool
     force: Complex
-    rows: Complex
+    direct: Complex
 
 
 @dataclass(eq=False)
@@ -106,8 +123,9 @@ class _Way:
         self.known = np.zeros(len(self.speed), dtype=bool)
 
     def axes(self, count: int, time: float, *, down: bool) -> Array:
-        """Major half axes of the orbits of points (t, points) of a run in ``time`` [s], by two cuts
-        of the way, in ``count`` parts and in parts that end in the middle of these.
+        """Major half axes of the orbits of points, then of forces of connections, (t, both) of a
+        run in ``time`` [s], by two cuts of the way, in ``count`` parts and in parts that end in the
+        middle of these. NaN of a force that is not determined.
 
         Raises
         ------
@@ -127,28 +145,27 @@ class _Way:
                 )
                 for cut in cuts
             )
-        share = 1.0 - 2.0 * np.abs((count * instants) % 1.0 - 0.5)
-        moved = blended(np.asarray(even), np.asarray(between), share)
+            moved = blended(np.asarray(even), np.asarray(between), count * instants)
+        known = np.isfinite(moved[0])  # not so what rigid supports share
+        known[: 2 * len(self.spec.points)] = True
         y, z = np.moveaxis(moved.reshape(len(moved), -1, 2), -1, 0)
-        if not (np.isfinite(y) & np.isfinite(z)).all():
+        if not np.isfinite(moved[:, known]).all():
             raise NoSolution("the motion grows by itself beyond all numbers: give damping")
         return orbit(y, z).major
 
     def _parts(self, k: int, middles: NDArray[np.intp], edges: Array) -> Parts:
         """Of a subsystem in parts between ``edges`` with the modes of ``middles``. What turns
         against the spindle moves as the conjugate of what turns with it."""
-        arrays, _, force, rows = self.solved[k]
+        arrays, _, force, direct = self.solved[k]
         first = 0 if edges[0] <= edges[-1] else -1
-        every = (
-            *(each[middles] for each in arrays[:4]),
-            force,
-            rows,
-            *(a[first] for a in arrays[3:]),
-        )
+        every = *(a[first] for a in arrays[3:5]), *(a[middles] for a in arrays), force, direct
         turned = [np.conj(each) if self.ratio < 0.0 else each for each in every]
-        pole, vector, left, damping, force, rows, first_damping, stiffness = turned
-        begin = _steady(stiffness, first_damping, force, edges[0])
-        return Parts(edges, pole, vector, left, damping, force, begin, rows)
+        damped, held, pole, vector, left, damping, stiffness, rows, rates, force, direct = turned
+        begin = _steady(held, damped, force, edges[0])
+        middle, matrices = abs(self.ratio) * self.speed[middles], (damping, stiffness)
+        return Parts(
+            edges, middle, pole, vector, left, *matrices, force, begin, rows, rates, direct
+        )
 
     def _solve(self, place: NDArray[np.intp]) -> None:
         """The machine at some of the speeds."""
@@ -185,13 +202,44 @@ class _Way:
                 "it needs modes that are clearly apart: motions that nothing holds, or that are "
                 "just critically damped, have none"
             )
-        force = np.asarray(load_of(scene, linear, self.spec) @ linear.basis, dtype=complex)
-        rows = displacement_rows(scene, linear, self.spec).reshape(-1, linear.size) @ linear.basis
+        load = load_of(scene, linear, self.spec)
+        force, (*rows, direct) = load @ linear.basis, _asked(scene, linear, self.spec, load)
+        rows = [each @ linear.basis for each in rows]
         if motions.whirling:
             half = len(force) // 2
-            force, rows = force[:half], rows[:, :half] - 1j * rows[:, half:]
+            force = force[:half]
+            rows = [each[..., :half] - 1j * each[..., half:] for each in rows]
         arrays = [modes.pole, modes.vector, modes.participation, modes.damping, modes.stiffness]
-        return _Solved(arrays, motions.whirling, force, np.asarray(rows, dtype=complex))
+        return _Solved([*arrays, *rows], motions.whirling, force, direct)
+
+
+def _asked(
+    scene: Scene, linear: Linear, spec: UnbalanceSpec, load: Complex
+) -> tuple[Array, Array, Complex]:
+    """Of points, then of forces of connections, along y and z: by displacement and by velocity
+    (s, r, n), and by the ``load`` itself (r,), which rigid supports take."""
+    axes, connections = [position(way) for way in AXES], scene.rotor.connections
+    linked = {id(each.link): each for each in linear.connections}
+    rigid = linear.rigid_force(np.eye(linear.size, dtype=complex))
+    shape = len(linear.speed), len(connections), len(AXES), linear.size
+    held, damped, direct = np.zeros(shape), np.zeros(shape), np.zeros(shape[1:3], dtype=complex)
+    for k, link in enumerate(connections):
+        if id(link) in linked:
+            motions, (stiffness, damping) = linked[id(link)].motions, linked[id(link)].matrices
+            held[:, k] = -(stiffness @ motions)[:, axes]
+            damped[:, k] = -(damping @ motions)[:, axes]
+        if link.name in rigid:
+            taken = rigid[link.name].real[:, axes].T
+            held[:, k] -= taken @ linear.stiffness
+            damped[:, k] -= taken @ linear.damping
+            direct[k] = taken @ load
+    moved = displacement_rows(scene, linear, spec).reshape(-1, linear.size)
+    every = np.broadcast_to(moved, (len(held), *moved.shape))
+    rows, rates = (
+        np.concatenate([first, each.reshape(len(held), -1, linear.size)], axis=1)
+        for first, each in ((every, held), (np.zeros_like(every), damped))
+    )
+    return rows, rates, np.concatenate([np.zeros(len(moved)), direct.ravel()])
 
 
 def _steady(stiffness: Matrix, damping: Matrix, force: Complex, omega: float) -> Complex:

@@ -129,9 +129,12 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         run=runs.name,
         run_outcome=runs.outcome,
         run_speed=runs.speed,
-        run_amplitude=runs.amplitude,
-        run_peak=runs.peak,
-        run_peak_speed=runs.peak_speed,
+        run_amplitude=runs.moved.over_speed,
+        run_peak=runs.moved.peak,
+        run_peak_speed=runs.moved.speed,
+        run_force=runs.pushed.over_speed,
+        run_force_peak=runs.pushed.peak,
+        run_force_peak_speed=runs.pushed.speed,
         run_error=runs.error,
     )
 

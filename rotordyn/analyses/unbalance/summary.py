@@ -114,15 +114,28 @@ def _backward(result: UnbalanceResult) -> list[str]:
 
 
 def _runs(result: UnbalanceResult) -> list[str]:
-    """The largest half axis of the orbit on runs through the speeds."""
+    """The largest half axis of the orbit and the largest forces on runs through the speeds."""
     lines = list[str]()
-    for name, sizes, speeds in zip(result.run, result.run_peak, result.run_peak_speed, strict=True):
+    for k, name in enumerate(result.run):
+        moved = zip(
+            result.point,
+            result.run_peak[k] * MICROMETRE.factor,
+            result.run_peak_speed[k],
+            strict=True,
+        )
+        pushed = zip(
+            result.support, result.run_force_peak[k], result.run_force_peak_speed[k], strict=True
+        )
         words = [
-            unbroken(f"{point} {size * MICROMETRE.factor:.4g} µm at {speed * RPM.factor:.0f} rpm")
-            for point, size, speed in zip(result.point, sizes, speeds, strict=True)
-            if np.isfinite(size)
-        ] or ["no solution"]
-        lines.append(f"{'' if lines else 'run':<10} {name}: {', '.join(words)}")
+            ", ".join(
+                unbroken(f"{one} {size:.4g} {unit} at {speed * RPM.factor:.0f} rpm")
+                for one, size, speed in each
+                if np.isfinite(size)
+            )
+            for each, unit in ((moved, MICROMETRE.unit), (pushed, "N"))
+        ]
+        told = "; ".join(filter(None, words)) or "no solution"
+        lines.append(f"{'' if lines else 'run':<10} {name}: {told}")
     return lines
 
 

@@ -12,6 +12,8 @@ LAYOUTS = (
     Layout("unbalance_peaks", ("point", "resonance")),
     Layout("unbalance_runs", ("run", "point")),
     Layout("unbalance_run_curve", ("run", "run_speed", "point")),
+    Layout("unbalance_run_forces", ("run", "support")),
+    Layout("unbalance_run_force_curve", ("run", "run_speed", "support")),
     Layout("unbalance_acting", ("unbalance",)),
     Layout("unbalance_critical", ("critical",)),
 )

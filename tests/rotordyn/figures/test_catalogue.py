@@ -32,6 +32,7 @@ NAMES = {
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
     "bearing_life", "bearing_motion", "bearing_tangents", "section_forces",
     "elastic_line", "control", "unbalance", "unbalance_forces", "unbalance_runs",
+    "unbalance_run_forces",
 }  # fmt: skip
 
 

@@ -27,6 +27,7 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
         yield "unbalance_forces", partial(code("response:forces_figure"), result)
     if result.run:
         yield "unbalance_runs", partial(code("runs:runs_figure"), result)
+        yield "unbalance_run_forces", partial(code("runs:run_forces_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

@@ -1,8 +1,9 @@
-"""Motion on runs through the speeds, beside that of steady rotation."""
+"""Motion and forces on runs through the speeds, beside those of steady rotation."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,26 +25,42 @@ from rotordyn.results.kinds import Array
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MOST_POINTS = 4
+MOST = 4  # panels
 
 
 def runs_figure(result: UnbalanceResult) -> Figure:
     """Half axis of the orbit over the speed on the way, a panel for each of the first points."""
-    picked = range(min(len(result.point), MOST_POINTS))
+    steady, moved = (
+        each * MICROMETRE.factor for each in (result.fine_major_axis, result.run_amplitude)
+    )
+    return _figure(result, result.point, steady, moved, "half axis of the orbit [µm]")
+
+
+def run_forces_figure(result: UnbalanceResult) -> Figure:
+    """Amplitude of the force of each of the first bearings and supports."""
+    steady, pushed = result.fine_force_amplitude, result.run_force
+    return _figure(result, result.support, steady, pushed, "force, zero to peak [N]")
+
+
+def _figure(
+    result: UnbalanceResult, names: Sequence[str], steady: Array, moved: Array, label: str
+) -> Figure:
+    """Of steady rotation (speeds, names) and on runs (runs, speeds, names)."""
+    picked = range(min(len(names), MOST))
     figure = new_figure(168.0, 26.0 + 56.0 * len(picked))
     boxes = grid_boxes(figure, len(picked), 1, margins=(17.0, 6.0, 12.0, 9.0), gaps=(0.0, 8.0))
     turns = "" if result.speed_ratio == 1.0 else " of the spindle"
-    for place, (box, point) in enumerate(zip(boxes, picked, strict=True)):
+    for place, (box, column) in enumerate(zip(boxes, picked, strict=True)):
         last = place == len(picked) - 1
-        axes = add_axes(figure, box, f"speed{turns} [rpm]" * last, "half axis of the orbit [µm]")
-        steady = _seen(result.fine_major_axis[:, point])
-        axes.plot(result.fine_speed * RPM.factor, steady, color=GREY, lw=2.2, label="steady")
+        axes = add_axes(figure, box, f"speed{turns} [rpm]" * last, label)
+        still: Any = {"color": GREY, "lw": 2.2, "label": "steady"}
+        axes.plot(result.fine_speed * RPM.factor, _seen(steady[:, column]), **still)
         for k, name in enumerate(result.run):
             if result.run_outcome[k]:
                 continue
-            moved = _seen(result.run_amplitude[k, :, point])
-            axes.plot(result.run_speed * RPM.factor, moved, label=name, **line_of(k))
-        axes.set_title(result.point[point], fontsize=FONT_SIZE, pad=3.0)
+            values = _seen(moved[k, :, column])
+            axes.plot(result.run_speed * RPM.factor, values, label=name, **line_of(k))
+        axes.set_title(names[column], fontsize=FONT_SIZE, pad=3.0)
         decades(axes)
         axes.tick_params(labelbottom=last)
         speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
@@ -52,5 +69,5 @@ def runs_figure(result: UnbalanceResult) -> Figure:
 
 
 def _seen(size: Array) -> Array:
-    """[µm], without what has no logarithm."""
-    return np.where(size > 0.0, size * MICROMETRE.factor, np.nan)
+    """Without what has no logarithm."""
+    return np.where(size > 0.0, size, np.nan)
