@@ -21,6 +21,7 @@ from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unbalance.summary import summary
 from rotordyn.equation.constraint import allowed_motions
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
@@ -215,3 +216,15 @@ def test_beside_bearings_the_limit_of_ever_stiffer_springs() -> None:
     assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
     assert apart[1] / apart[2] == pytest.approx(10.0, rel=0.02)
     assert apart[2] < 3e-5
+
+
+def test_forces_that_more_supports_than_needed_share_are_said_not_to_be_determined() -> None:
+    """A rigid rotor on three: no balance of forces tells what each takes."""
+    pins = pin("one", 0.0), pin("two", 0.2), pin("three", LENGTH)
+    scene = Scene(beam(*pins), Conditions(rotor="rigid"), np.array([0.0, 300.0]), 500.0)
+    asked = UnbalanceSpec(points=("mid",), unbalances=(Unbalance(0.2, 1e-6),), run_up=(1.0,))
+    found = unbalance.answer(scene, asked)
+    assert np.isnan(found.fine_force_amplitude).all()
+    assert np.isnan(found.run_force_peak).all()
+    (line,) = (each for each in summary(found) if "largest force" in each)
+    assert line.count("not determined") == 3

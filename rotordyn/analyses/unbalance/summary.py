@@ -39,6 +39,8 @@ def summary(result: UnbalanceResult) -> list[str]:
     moved = [unbroken(f"{name} {word}") for name, word in _moved(result).items()]
     pushed = [
         unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
+        if np.isfinite(values).any()
+        else f"{name} not determined"  # a rigid rotor on more rigid supports than hold it
         for name, values in zip(result.support, result.fine_force_amplitude.T, strict=True)
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"

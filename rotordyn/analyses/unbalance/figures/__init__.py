@@ -22,12 +22,15 @@ SEEN = 1e-6  # of the largest orbit: less, next to rest, would stretch the axis
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
+    determined = np.isfinite(result.fine_force_amplitude).any()
     if result.speed[-1] > 0.0:
         yield "unbalance", partial(code("response:response_figure"), result)
-        yield "unbalance_forces", partial(code("response:forces_figure"), result)
+        if determined:
+            yield "unbalance_forces", partial(code("response:forces_figure"), result)
     if result.run:
         yield "unbalance_runs", partial(code("runs:runs_figure"), result)
-        yield "unbalance_run_forces", partial(code("runs:run_forces_figure"), result)
+        if determined:
+            yield "unbalance_run_forces", partial(code("runs:run_forces_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

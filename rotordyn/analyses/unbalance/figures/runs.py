@@ -60,7 +60,8 @@ def _figure(
                 continue
             values = _seen(moved[k, :, column])
             axes.plot(result.run_speed * RPM.factor, values, label=name, **line_of(k))
-        axes.set_title(names[column], fontsize=FONT_SIZE, pad=3.0)
+        left = f" ({len(names) - MOST} more in the table)" if last and len(names) > MOST else ""
+        axes.set_title(f"{names[column]}{left}", fontsize=FONT_SIZE, pad=3.0)
         decades(axes)
         axes.tick_params(labelbottom=last)
         speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
