@@ -5,8 +5,8 @@ from __future__ import annotations
 import rotordyn
 from rotordyn.case.case import Case
 
-SPEEDS = 4
-OF_A_CHART = 40  # of stability lobes
+SPEEDS = 3
+OF_A_CHART = 16  # of stability lobes
 
 
 def at_few_speeds(case: Case) -> Case:

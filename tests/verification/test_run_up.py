@@ -209,7 +209,7 @@ def flagship():
     ("case", "nodes"),
     [
         (friswell(run_up=(1.0,)), 100),
-        (damped(friswell(run_up=(0.1,))), 100),
+        pytest.param(damped(friswell(run_up=(0.1,))), 100, marks=pytest.mark.long),
         pytest.param(coaxial(1.5, run_up=(0.5,)), 100, marks=pytest.mark.long),
         pytest.param(coaxial(-1.5, run_up=(0.5,)), 100, marks=pytest.mark.long),
         (flagship(), 481),
@@ -262,6 +262,7 @@ def test_slow_runs_are_steady():
     assert (apart[1:] < 0.01).all()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("ratio", "down"), [(1.5, True), (-1.5, False)])
 def test_runs_begin_in_steady_rotation(ratio, down):
     """With a rotor that turns with the spindle, and against it."""
@@ -294,6 +295,7 @@ def test_a_run_past_a_speed_without_a_state_says_so():
     assert np.isfinite(results["unbalance"].amplitude.values[1]).all()
 
 
+@pytest.mark.long
 def test_forces_of_slow_runs_are_steady():
     """Those of bearings on a spindle whose stop closes, and of its highest speed."""
     case = rotordyn.vary(flagship(), {"analyses.unbalance.run_up": (200.0,)})
