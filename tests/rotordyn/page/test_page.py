@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import os
 import re
 import shutil
 import subprocess
@@ -355,6 +356,21 @@ def test_other_folders_are_refused_in_one_sentence(
 def test_a_page_that_cannot_be_written_is_refused(evil_folder: Path, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="cannot be written"):
         rotordyn.write_report(evil_folder, tmp_path / "no" / "page.html")
+
+
+@pytest.mark.parametrize("name", ["study.yaml", "report", "page.html.txt"])
+def test_a_file_that_is_no_page_by_its_name_is_left_alone(
+    evil_folder: Path, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / name
+    file.write_text("case: mfw2310\n")
+    assert cli.main(["report", str(evil_folder), "-o", str(file)]) == 2
+    assert capsys.readouterr().err == f"{file}: the name of a page ends in .html or .htm\n"
+    assert file.read_text() == "case: mfw2310\n"
+
+
+def test_a_page_is_written_to_a_device(evil_folder: Path) -> None:
+    assert rotordyn.write_report(evil_folder, os.devnull) == Path(os.devnull)
 
 
 def test_without_plotly_nothing_is_solved(tmp_path: Path) -> None:
