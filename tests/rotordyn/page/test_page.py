@@ -23,6 +23,9 @@ from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.job.pages.inputs import input_blocks
+from rotordyn.job.pages.machine import machine_blocks
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.results.display import RPM
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
 from tests.few_speeds import at_few_speeds
@@ -125,6 +128,25 @@ def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) ->
     if name == "grinding_spindle_life":
         assert "life L10r [h]" in read
         assert "heat [W]" in read
+
+
+def test_the_machine_of_variants_says_whose_it_is_and_has_the_mass_of_each() -> None:
+    case = rotordyn.load("grinding_spindle")
+    heavy = replace(case.vary({"spindle.discs.wheel.outer_diameter": "250 mm"}), title="heavy")
+    section, rotors = machine_blocks([case])
+    assert section.title == "Section along the axis"
+    assert [row[0] for row in rotors.rows] == ["spindle"]
+    section, rotors = machine_blocks([heavy, case])
+    assert section.title == "Section along the axis: heavy"
+    assert rotors.head[:2] == ["variant", "mass [kg]"]
+    masses = [[each.title, f"{rotor_inertia(each.spindle).mass:.4g}"] for each in (heavy, case)]
+    assert [row[:2] for row in rotors.rows] == masses
+    coupled = case.vary({"spindle.sleeves.rear.spring.preload": "900 N"})
+    _, rotors = machine_blocks([case, coupled])
+    assert rotors.head[0] == "rotor"
+    assert len(rotors.rows) == 1
+    said = next(iter(input_blocks([heavy, case]))).sentences[0]
+    assert said.endswith("Machine and conditions are those of heavy.")
 
 
 def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:
