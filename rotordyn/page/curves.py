@@ -28,6 +28,7 @@ Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
 MOST_CHARTS = 24  # of one analysis
 ROOM = 1.05  # of an axis, above the values that it holds
+ROUNDED = 1e-5  # more than numbers of a page lose: marks outside an axis are not drawn
 BEYOND = "Triangles at the upper edge lie beyond the axis: pointing at them gives their values."
 OPEN = {"measured": "circle-open", "published": "diamond-open"}
 
@@ -58,7 +59,7 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
     traces = once_named(traces) + once_named(known_marks(held, variants)) + off
     down, up = first.limits
     if np.isfinite(edge):
-        up = edge
+        up = edge * (1.0 + ROUNDED)
     ordinate = logarithmic if first.log else axis
     layout: dict[str, Any] = {
         "xaxis": axis(first.along),
