@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from rotordyn.figures.amplitudes import log_axis
-from rotordyn.results.headline import Curve, Known
+from rotordyn.results.headline import Curve, Known, under
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -38,6 +39,11 @@ class Group(NamedTuple):
     def first(self) -> Curve:
         """The curve by which the panel is labelled."""
         return self.layers[0].curve
+
+    @property
+    def ceiling(self) -> float:
+        """Above it values lie beyond the axis."""
+        return max(layer.curve.ceiling for layer in self.layers)
 
     @property
     def known(self) -> set[Known]:
@@ -72,6 +78,7 @@ def limit_ordinate(axes: Axes, curve: Curve) -> None:
 
 def _changes(layers: Sequence[Layer]) -> list[Layer]:
     """The curves of further variants less those of the first; none where all are alike."""
+    ceiling = max(curve.ceiling for _, curve in layers)
     base = {c.key or c.series: c for place, c in layers if place == 0}
     changes = []
     for place, curve in layers:
@@ -79,9 +86,21 @@ def _changes(layers: Sequence[Layer]) -> list[Layer]:
         if not place or curve.log or first is None or len(curve.x) < 2:
             continue
         if np.array_equal(first.x, curve.x):
-            changes.append(Layer(place, curve._replace(y=curve.y - first.y)))
-    size, largest = (
-        max((float(np.nanmax(np.abs(c.y), initial=0.0)) for c in each), default=0.0)
-        for each in (base.values(), [layer.curve for layer in changes])
-    )
+            changes.append(Layer(place, _change(curve, first, ceiling)))
+    size = max((_largest(c.y[np.isfinite(c.y)]) for c in base.values()), default=0.0)
+    largest = max((_largest(layer.curve.y) for layer in changes), default=0.0)
     return changes if largest > ALIKE * size else []
+
+
+def _change(curve: Curve, first: Curve, ceiling: float) -> Curve:
+    """A curve less the first one; its axis holds differences of what lies within theirs."""
+    with np.errstate(invalid="ignore"):
+        change = curve.y - first.y
+    if np.isinf(ceiling):
+        return curve._replace(y=change)
+    within = under(curve.y, ceiling) - under(first.y, ceiling)
+    return curve._replace(y=change, ceiling=_largest(within))
+
+
+def _largest(values: Array) -> float:
+    return float(np.nanmax(np.abs(values), initial=0.0))

@@ -32,11 +32,12 @@ from rotordyn.figures.style import (
     round_ticks,
 )
 from rotordyn.results.described import Shown
-from rotordyn.results.headline import Curve, belongs
+from rotordyn.results.headline import Curve, belongs, under
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
 MOST_NAMED = 14  # variants in a legend; of more the colour is a value
 COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
@@ -47,6 +48,7 @@ STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
 NAMED_STRIP = 48.0  # the same where curves bear names at their ends
 BAR = 16.0  # room of a bar of colours [mm]
 MOST_STRIPS = 4
+BEYOND = "beyond the axis"
 
 Curves = Callable[[Shown], Iterable[Curve]]
 
@@ -114,9 +116,10 @@ def overlay_figure(
         axes = add_axes(figure, above, "" if strip else words, _ordinate(first, several=several))
         if place == 0:
             _name(axes, groups, variants, looks)
-        _draw(axes, group, looks)
+        lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
         _finish(axes, first, above[2], labelled=bool(words) and not strip)
+        _beyond(axes, group.layers, looks, lines)
         if names:
             name_ends(axes, _ends(group.layers, looks), above[3])
         if strip:
@@ -206,26 +209,51 @@ def _room(curve: Curve, wide: float) -> float:
     return stations.room(curve.places, stations.upright(curve.places, wide, *ends))
 
 
-def _draw(axes: Axes, group: Group, looks: Looks) -> None:
+def _draw(axes: Axes, group: Group, looks: Looks) -> list[Line2D]:
     for place, curve in enumerate(group.backdrop):
         look: dict[str, Any] = {"color": DARK, "lw": 0.8, "ls": DASHES[place % len(DASHES)]}
         axes.plot(curve.x, curve.y, zorder=1.5, scalex=False, scaley=curve.log, **look)
         axes.plot([], [], label=curve.series, **look)
-    for place, curve in group.layers:
-        _plot(axes, curve, looks.of(place, curve.series))
+    return _plot(axes, group.layers, looks, group.ceiling)
 
 
 def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
     axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
-    for place, curve in changes:
-        _plot(axes, curve, looks.of(place, curve.series) | {"lw": 0.9})
+    ceiling = max(curve.ceiling for _, curve in changes)
+    lines = _plot(axes, changes, looks, ceiling, lw=0.9)
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+    _beyond(axes, changes, looks, lines)
 
 
-def _plot(axes: Axes, curve: Curve, look: dict[str, Any]) -> None:
-    """A line; marks alone where points are too few for one."""
-    axes.plot(*curve.drawn, **(look | (_dots(look) if curve.dotted else {})))
+def _plot(
+    axes: Axes, layers: Sequence[Layer], looks: Looks, ceiling: float, **own: Any
+) -> list[Line2D]:
+    """A line for each curve up to the ceiling; marks alone where points are too few for one."""
+    lines = []
+    for place, curve in layers:
+        (x, y), look = curve.drawn, looks.of(place, curve.series) | own
+        look |= _dots(look) if curve.dotted else {}
+        lines += axes.plot(x, under(y, ceiling), **look)
+    return lines
+
+
+def _beyond(axes: Axes, layers: Sequence[Layer], looks: Looks, lines: list[Line2D]) -> None:
+    """What lies beyond an axis that has its limits: lines leave the frame, points too few for one
+    are triangles at its edge."""
+    low, high = axes.get_ylim()
+    for (place, curve), line in zip(layers, lines, strict=True):
+        (x, y), look = curve.drawn, looks.of(place, curve.series)
+        if np.isinf(curve.ceiling):
+            continue
+        if not curve.dotted:
+            line.set_ydata(np.clip(y, 2.0 * low - high, 2.0 * high - low))
+            continue
+        for off, edge, sign in ((y > high, high, "^"), (y < low, low, "v")):
+            if off.any():
+                marks = look | _dots({"marker": sign})
+                axes.plot(x[off], np.full(off.sum(), edge), **marks)
+                axes.plot([], [], label=BEYOND, **marks | {"color": GREY})
 
 
 def _dots(look: dict[str, Any]) -> dict[str, Any]:
@@ -285,7 +313,7 @@ def _say(axes: Axes, words: str) -> None:
 def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
     """An entry of the legend for every variant, unless they are many, and for every series."""
     layers = [layer for group in groups for layer in group.layers]
-    solved = {place for place, curve in layers if np.isfinite(curve.y).any()}
+    solved = {k for k, c in layers if (np.isfinite(c.y) | (c.y > c.ceiling)).any()}
     dotted = all(curve.dotted for _, curve in layers)
     for place, variant in enumerate(variants if looks.named else ()):
         look = looks.of(place, looks.series[0]) | {"markevery": None}

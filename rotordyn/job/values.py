@@ -46,7 +46,7 @@ def shown_of(case: Described, result: Any) -> Shown:
 
 
 def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
-    """Curves of an analysis by what tells them from the others."""
+    """Curves of an analysis, within their axes, by what tells them from the others."""
     count: Counter[str] = Counter()
     for curve in analysis(name).curves(case.analyses.get(name), shown_of(case, result)):
         if curve.backdrop:
@@ -54,7 +54,7 @@ def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str,
         parts = (curve.figure, curve.panel, curve.title or curve.label, curve.key or curve.series)
         words = f"{name}: {', '.join(part for part in dict.fromkeys(parts) if part)}"
         count[words] += 1
-        yield (words if count[words] == 1 else f"{words} ({count[words]})"), curve
+        yield (words if count[words] == 1 else f"{words} ({count[words]})"), curve.within
 
 
 def difference(curve: Curve, other: Curve, base: Curve) -> Array:

@@ -11,7 +11,6 @@ from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.page.blocks import Chart
 from rotordyn.page.looks import (
     FAINT,
-    FEW_POINTS,
     INK,
     MANY,
     axis,
@@ -23,11 +22,14 @@ from rotordyn.page.looks import (
 )
 from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, shown
-from rotordyn.results.headline import Curve, belongs
+from rotordyn.results.headline import Curve, belongs, under
 
 Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
 MOST_CHARTS = 24  # of one analysis
+ROOM = 1.05  # of an axis, above the values that it holds
+ROUNDED = 1e-5  # more than numbers of a page lose: marks outside an axis are not drawn
+BEYOND = "Triangles at the upper edge lie beyond the axis: pointing at them gives their values."
 OPEN = {"measured": "circle-open", "published": "diamond-open"}
 
 
@@ -48,12 +50,16 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
     first = next((curve for _, curve in held if not curve.backdrop), held[0][1])
     names = [curve.series or curve.key for _, curve in held if not curve.backdrop]
     series = list(dict.fromkeys(names))
+    edge = _edge([curve for _, curve in held])
     traces = [
-        _trace(place, curve, series, [variant.title for variant in variants])
+        _trace(place, curve, series, [variant.title for variant in variants], edge)
         for place, curve in held
     ]
-    traces = once_named(traces) + once_named(known_marks(held, variants))
+    off = [mark for pair in zip(held, traces, strict=True) for mark in _beyond(*pair, edge)]
+    traces = once_named(traces) + once_named(known_marks(held, variants)) + off
     down, up = first.limits
+    if np.isfinite(edge):
+        up = edge * (1.0 + ROUNDED)
     ordinate = logarithmic if first.log else axis
     layout: dict[str, Any] = {
         "xaxis": axis(first.along),
@@ -67,7 +73,37 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
     if sum(bool(each.get("showlegend", True)) for each in traces) < 2:
         layout["showlegend"] = False
     title = first.title or (f"{first.panel}: {first.label}" if first.panel else first.label)
-    return Chart(title, traces, layout)
+    return Chart(title, traces, layout, note=BEYOND if off else "")
+
+
+def _edge(curves: Sequence[Curve]) -> float:
+    """Upper end of an axis beyond which some values lie; infinite where it holds them all."""
+    ceiling = max(curve.ceiling for curve in curves)
+    values = np.concatenate([curve.y for curve in curves])
+    if not (values > ceiling).any():
+        return np.inf
+    return ROOM * float(np.max(values, where=values <= ceiling, initial=0.0)) or ceiling
+
+
+def _beyond(held: tuple[int, Curve], trace: Any, edge: float) -> Iterator[Any]:
+    """Triangles at the edge for points beyond it, where these are too few for a line."""
+    place, curve = held
+    off = curve.y > edge
+    if curve.dotted and off.any():
+        group = trace.setdefault("legendgroup", trace["name"])
+        marks = {"symbol": "triangle-up", "color": colour(place), "size": 10}
+        yield {
+            "x": curve.x[off],
+            "y": np.full(off.sum(), edge),
+            "text": [f"{y:.4g}" if np.isfinite(y) else "unbounded" for y in curve.y[off]],
+            "hovertemplate": f"%{{x}}, %{{text}} {curve.unit}",
+            "name": trace["name"],
+            "mode": "markers",
+            "marker": marks,
+            "cliponaxis": False,
+            "legendgroup": group,
+            "showlegend": False,
+        }
 
 
 def once_named(traces: list[Any]) -> list[Any]:
@@ -82,8 +118,11 @@ def once_named(traces: list[Any]) -> list[Any]:
     return traces
 
 
-def _trace(place: int, curve: Curve, series: Sequence[str], titles: Sequence[str]) -> Any:
+def _trace(
+    place: int, curve: Curve, series: Sequence[str], titles: Sequence[str], edge: float
+) -> Any:
     x, y = curve.drawn
+    y = under(y, edge) if curve.dotted else np.minimum(y, 2.0 * edge)
     name = curve.series or curve.key
     if curve.backdrop:
         looks = {"color": FAINT, "width": 1.0, "dash": "dot"}
@@ -95,7 +134,7 @@ def _trace(place: int, curve: Curve, series: Sequence[str], titles: Sequence[str
         trace["name"] = f"{titles[place]}, {name}" if name else titles[place]
         trace["legendgroup"] = titles[place]
         trace["showlegend"] = len(titles) <= MANY
-    if len(x) < FEW_POINTS:
+    if len(x) < curve.least:
         return trace | marks_only(own)
     dash = which if len(titles) == 1 or len(series) > 1 else place
     return trace | {

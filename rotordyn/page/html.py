@@ -34,6 +34,7 @@ LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
 MOST_COLUMNS = 12  # of a folded table that paper holds in the usual size
 STARTS = "0123456789-+−<>. "  # of cells that hold numbers
+ENDINGS = (".html", ".htm")
 _FRAME = """<!doctype html>
 <html lang="en">
 <head>
@@ -116,12 +117,15 @@ def write(path: Path, page: Page) -> None:
     Raises
     ------
     ModuleNotFoundError : plotly is not installed
-    InvalidInput : the file cannot be written
+    InvalidInput : the file is not one of HTML by its name, or cannot be written
     """
+    given, path = path, Path(os.path.realpath(path))
+    stream = path.exists() and not path.is_file()  # a pipe or a device is written to, not replaced
+    if not stream and given.suffix.lower() not in ENDINGS:
+        raise InvalidInput(f"{given}: the name of a page ends in {' or '.join(ENDINGS)}")
     text = html(page)
     try:
-        path = Path(os.path.realpath(path))
-        if path.exists() and not path.is_file():  # a pipe or a device is written to, not replaced
+        if stream:
             path.write_text(text, encoding="utf-8")
         else:
             with whole_files(path.parent) as place:

@@ -1,7 +1,7 @@
 "use strict";
 // Draws what the page holds: see the module rotordyn.page.packed for the form of the content.
 (async () => {
-  const FARTHER = 1.7;
+  const FARTHER = 1.7, LEGEND_LINE = 20;
   const element = (id) => document.getElementById(id);
   const held = async (id) => {
     const letters = atob(element(id).textContent), coded = new Uint8Array(letters.length);
@@ -48,15 +48,17 @@
     automargin: true, ticks: "outside", tickcolor: colours["@faint"], exponentformat: "none",
   });
   const narrow = matchMedia("screen and (max-width: 34rem)"), printed = matchMedia("print");
+  const small = () => narrow.matches || printed.matches;
   const layoutOf = (layout) => {
     const own = revived(layout);
     const scene = { gridcolor: colours["@rule"], color: colours["@ink"], showbackground: false, exponentformat: "none" };
     const base = {
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      font: { color: colours["@ink"], family: "system-ui, sans-serif", size: narrow.matches || printed.matches ? 11 : 13 },
+      font: { color: colours["@ink"], family: "system-ui, sans-serif", size: small() ? 11 : 13 },
       margin: { l: 60, r: 15, t: 12, b: 50 }, hovermode: "closest", autosize: true, separators: ".\u2009",
       hoverlabel: { bgcolor: colours["@paper"], font: { color: colours["@ink"] } },
       legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0 },
+      modebar: { bgcolor: "rgba(0,0,0,0)", color: colours["@faint"], activecolor: colours["@ink"] },
     };
     const result = { ...base, ...own };
     for (const key of Object.keys(result)) {
@@ -64,7 +66,7 @@
     }
     if (result.scene) {
       for (const key of ["xaxis", "yaxis", "zaxis"]) result.scene[key] = { ...scene, ...result.scene[key] };
-      if (narrow.matches || printed.matches) result.scene.camera = fartherBack(result.scene.camera);
+      if (small()) result.scene.camera = fartherBack(result.scene.camera);
     }
     return result;
   };
@@ -89,8 +91,18 @@
     const shape = of.w.slice(by.length), size = shape.reduce((a, b) => a * b, 1);
     return rows(array(of).subarray(at * size, (at + 1) * size), shape);
   };
-  const traces = (chart) => chart.spec.traces.map((trace) => {
+  // Legends do not break names: of what is longer than a chart is wide the end would be lost.
+  const inLines = (name, width) => {
+    const longest = (width - 60) / (small() ? 6.2 : 7), lines = [""];
+    for (const word of name.split(" ")) {
+      const last = lines.length - 1, longer = lines[last] ? `${lines[last]} ${word}` : word;
+      if (longer.length > longest && lines[last]) lines.push(word); else lines[last] = longer;
+    }
+    return lines.join("<br>");
+  };
+  const traces = (chart, width) => chart.spec.traces.map((trace) => {
     const copy = revived(trace);
+    if (copy.name) copy.name = inLines(copy.name, width);
     for (const [key, of] of Object.entries(trace.moving ?? {})) copy[key] = slice(chart, of);
     return copy;
   });
@@ -169,11 +181,20 @@
     });
   };
 
+  // A legend scrolls that is higher than half a chart.
+  const fitLegend = (chart, drawn) => {
+    const names = drawn.filter((trace) => trace.showlegend !== false).map((trace) => trace.name ?? "");
+    const lines = names.reduce((sum, name) => sum + name.split("<br>").length, 0);
+    chart.plot.style.height = `${Math.max(parseFloat(chart.plot.style.height), 2 * LEGEND_LINE * lines)}px`;
+  };
+
   const draw = async (chart, size = {}) => {
     const shapes = chart.spec.kind === "shapes";
     if (chart.spec.words.length) say(chart);
     const layout = { ...(shapes ? shapeLayout() : layoutOf(chart.spec.layout)), ...size };
-    await Plotly.react(chart.plot, shapes ? shapeTraces(chart) : traces(chart), layout, settings);
+    const drawn = shapes ? shapeTraces(chart) : traces(chart, size.width ?? chart.plot.clientWidth);
+    if (narrow.matches && layout.showlegend !== false) fitLegend(chart, drawn);
+    await Plotly.react(chart.plot, drawn, layout, settings);
     if (!shapes && chart.spec.layout.moving) await Plotly.relayout(chart.plot, axisTitles(chart));
     chart.drawn = true;
   };

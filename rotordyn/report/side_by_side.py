@@ -10,6 +10,7 @@ from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
+from rotordyn.report.rotors import rotor_lines, rotor_table
 from rotordyn.report.summary import called
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
@@ -26,11 +27,11 @@ def comparison_summary(
     warnings: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> str:
-    """Key figures at the first and the last speed, then the known values that apply.
+    """Rotors, key figures at the first and the last speed, then the known values that apply.
 
     Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
     """
-    lines = opening(warnings, called(case), notes)
+    lines = [*opening(warnings, called(case), notes), *_rotors([of for of, _ in variants])]
     for name in in_order(*(results for _, results in variants)):
         heads, rows = headline_cells(name, variants)
         if heads:
@@ -38,6 +39,16 @@ def comparison_summary(
             lines += ["", title, *aligned([["", *heads], *_some(rows)]), *_rest(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
+
+
+def _rotors(variants: Sequence[Described]) -> list[str]:
+    """Those of every variant; lines as of one machine where they are alike."""
+    heads, rows = rotor_table(variants)
+    if heads[0] == "variant":
+        _, some = rotor_table(_some(variants))
+        return ["", "rotor", *aligned([["", *heads[1:]], *some]), *_rest(variants)]
+    spindles = [each.spindle for each in variants if each.spindle is not None]
+    return [part for line in rotor_lines(spindles[0]) for part in wrapped(line)] if rows else []
 
 
 def _ends(variants: Sequence[Variant], name: str) -> str:

@@ -10,12 +10,11 @@ from bearings.kinds import DEFAULT, kind_of
 from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, in_order
 from rotordyn.machine.drawbar import Drawbar
-from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import SPINDLE
 from rotordyn.report.known import known_lines
+from rotordyn.report.rotors import rotor_lines
 from rotordyn.results.described import Described
 from rotordyn.results.text import opening, unbroken, wrapped
 
@@ -44,14 +43,7 @@ def summary(
 
 
 def _machine(spindle: Spindle) -> list[str]:
-    lines = []
-    for name, ratio in spindle.ratios.items():
-        m = rotor_inertia(spindle.part(name))
-        turns = f"{name}, {ratio:g} × the speed, " if name != SPINDLE else ""
-        lines.append(
-            f"rotor      {turns}{_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, "
-            f"inertia polar {m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
-        )
+    lines = rotor_lines(spindle)
     if spindle.seats:
         rows = ", ".join(unbroken(f"{s.name}{_which(s)} at {s.x * 1e3:.1f}") for s in spindle.seats)
         pairs = ", ".join(f"{a} and {b} in {word}" for a, b, word in spindle.pairings)
@@ -105,7 +97,3 @@ def _drawbar(bar: Drawbar) -> str:
     at = ", ".join(f"{x * 1e3:.1f}" for x in bar.contacts[1:-1])
     guides = f"guided at {at} mm" if at else "not guided" if bar.contacts else "guided everywhere"
     return f"drawbar    {bar.force:g} N {ends}, {guides}"
-
-
-def _mass(mass: float) -> str:
-    return f"{mass:.2f} kg" if mass >= 0.1 else f"{mass * 1e3:.3g} g"

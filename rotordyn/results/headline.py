@@ -59,7 +59,8 @@ class Curve(NamedTuple):
     ``known``: references shown beside it; ``limits`` of the ordinate, None where it has none;
     ``places`` along the abscissa, named above the panel. ``backdrop``: alike in all variants.
     ``end``: its name at the right edge, of several that share a series. ``least``: points that a
-    line needs; fewer are marks.
+    line needs; fewer are marks. ``ceiling``: larger values lie beyond the axis, which does not
+    grow for them.
     """
 
     figure: str
@@ -80,11 +81,17 @@ class Curve(NamedTuple):
     places: Sequence[Place] = ()
     end: str = ""
     least: int = LEAST_POINTS
+    ceiling: float = np.inf
 
     @property
     def dotted(self) -> bool:
         """Its points are too few for a line."""
         return 1 < len(self.x) < self.least
+
+    @property
+    def within(self) -> Curve:
+        """This curve without what lies beyond the axis."""
+        return self._replace(y=under(np.asarray(self.y, float), self.ceiling))
 
     @property
     def drawn(self) -> tuple[Array, Array]:
@@ -93,6 +100,11 @@ class Curve(NamedTuple):
         if self.log:
             y = np.where(y > 0.0, y, np.nan)
         return (x, y) if self.breaks is None else broken(x, y, self.breaks)
+
+
+def under(values: Array, ceiling: float) -> Array:
+    """Values with NaN where their size is above a ceiling; all of them where it is infinite."""
+    return values if np.isinf(ceiling) else np.where(np.abs(values) <= ceiling, values, np.nan)
 
 
 def broken(x: Array, y: Array, breaks: Flags) -> tuple[Array, Array]:

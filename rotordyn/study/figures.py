@@ -6,6 +6,7 @@ import math
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import takewhile
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -41,6 +42,7 @@ ROOM = (0.05, 0.1)  # share of an axis beside its points
 FEW = 7  # values of the second parameter, or combinations of the others, that the legend names
 LEGEND = 9.0  # mm of its two lines
 LETTER, SHORTEST, WIDEST = 1.25, 11, 22  # mm of a letter; letters of a line that stands level
+ALIKE = 1e-6  # relative difference of numbers that are drawn once
 ALONG = 5  # numbers beside the parameters of parallel coordinates
 
 
@@ -69,6 +71,7 @@ def figures(
         values = np.where(np.isfinite(column), column, np.nan)
         if np.isfinite(values).any() and np.nanmax(values) > np.nanmin(values):
             by_analysis.setdefault(of, []).append(Shown(words, unit, values))
+    by_analysis = {of: _once(found) for of, found in by_analysis.items()}
     for of, found in by_analysis.items():
         yield f"study_{of}", partial(_over, study, of, found)
     if len(study.design.parameters) > 2 and by_analysis:
@@ -78,6 +81,42 @@ def figures(
             for each in found[:2]
         ][:ALONG]
         yield "study_across", partial(_parallel_coordinates, study, chosen)
+
+
+def _once(found: Sequence[Shown]) -> list[Shown]:
+    """Numbers that are alike at every point as one, such as both whirls of a mode at rest."""
+    groups: list[list[Shown]] = []
+    for each in found:
+        for known in groups:
+            first = known[0]
+            if first.unit == each.unit and np.allclose(
+                first.values, each.values, rtol=ALIKE, atol=0.0, equal_nan=True
+            ):
+                known.append(each)
+                break
+        else:
+            groups.append([each])
+    return [known[0]._replace(words=_joined([each.words for each in known])) for known in groups]
+
+
+def _joined(names: Sequence[str]) -> str:
+    """Names as one: what differs is listed, what they share at both ends stands once.
+
+    >>> _joined(["bending 2 backward at 0 rpm", "bending 2 forward at 0 rpm"])
+    'bending 2 backward, forward at 0 rpm'
+    """
+    rows = [name.split() for name in names]
+    head = _shared(rows)
+    rest = [row[len(head) :] for row in rows]
+    tail = _shared([row[::-1] for row in rest])[::-1]
+    apart = [" ".join(row[: len(row) - len(tail)]) for row in rest]
+    return " ".join([*head, *filter(None, [", ".join(apart)]), *tail])
+
+
+def _shared(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Words that all rows begin with."""
+    alike = takewhile(lambda words: len({*words}) == 1, zip(*rows, strict=False))
+    return [first for first, *_ in alike]
 
 
 def _over(study: Study, name: str, found: list[Shown]) -> Figure:
@@ -93,12 +132,15 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
     legends = _legends(study, shown) if grid else []
     top = 11.0 + LEGEND * len(legends)
     high = top + 6.0 + ROW * rows
-    figure = new_figure(height=high, title=analysis(name).heading)
+    title = analysis(name).heading
+    if len(shown) < len(found):
+        title += f": the {len(shown)} of {len(found)} numbers that vary most"
+    figure = new_figure(height=high, title=title)
     margins = (12.0, 5.0, 12.0, top)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(14.0, 12.0 if grid else 16.0))
     for each, box in zip(shown, boxes, strict=False):
         axes = add_axes(figure, box)
-        axes.set_title(shortened(each.heading, 40), fontsize=FONT_SIZE - 1.5, loc="left", pad=3.0)
+        axes.set_title(shortened(each.heading, 42), fontsize=FONT_SIZE - 1.5, loc="left", pad=3.0)
         (_panel if grid else _scattered)(axes, study, each)
     for k, (title, handles) in enumerate(legends):
         figure.legend(

@@ -18,8 +18,10 @@ from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job import Delivery, deliver, one_variant, restricted, solve, solve_variants
 from rotordyn.machine.growth import PrescribedShortening
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.report.netcdf import read_results
 from rotordyn.report.side_by_side import comparison_summary
+from rotordyn.report.summary import summary
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
 pytestmark = pytest.mark.usefixtures("draft")
@@ -121,6 +123,24 @@ def test_nothing_is_written_where_no_variant_has_a_solution(tmp_path: Path) -> N
     with pytest.raises(NoSolution, match=r"variant a: .*; variant b: "):
         deliver(whole, tmp_path / "out")
     assert not any(tmp_path.iterdir())
+
+
+def test_the_summary_has_the_rotor_of_every_variant_once_where_they_are_alike() -> None:
+    whole = compared()
+    own = dict(whole.variants)
+    line = summary(own["rigid"], {}).splitlines()[1]
+    assert line.startswith("rotor      ")
+    alike = comparison_summary(whole, [(each, {}) for each in own.values()]).splitlines()
+    assert alike[1:] == [line]
+    long = own["rigid"].vary({"spindle.shaft.sections.tail.length": "90 mm"})
+    long = replace(long, title="long")
+    rows = comparison_summary(whole, [(own["rigid"], {}), (long, {})]).splitlines()
+    assert rows[2] == "rotor"
+    for each, row in zip((own["rigid"], long), rows[4:6], strict=True):
+        m = rotor_inertia(each.spindle)
+        told = [float(cell) for cell in row.removeprefix(each.title).split()]
+        wanted = [m.mass, m.centre * 1e3, m.polar, m.diametral]
+        assert told == pytest.approx(wanted, rel=1e-3)
 
 
 def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:

@@ -20,11 +20,15 @@ LONGEST = 90  # of a value in a table
 Row = tuple[str, str, str]
 
 
-def input_blocks(case: Case) -> Iterator[Block]:
-    """Speeds, conditions, analyses, machine, sources; tables shown when asked for."""
+def input_blocks(cases: Sequence[Case]) -> Iterator[Block]:
+    """Speeds, conditions, analyses, machine, sources, of variants those of the first one; tables
+    shown when asked for."""
+    case = cases[0]
     ends = " to ".join(dict.fromkeys(f"{case.speeds[k] * RPM.factor:.6g}" for k in (0, -1)))
     asked = ", ".join(name.replace("_", " ") for name in case.analyses)
     says = "What follows differs from the defaults; numbers without a unit are in SI units."
+    if len(cases) > 1:
+        says += f" Machine and conditions are those of {case.title or case.name}."
     yield Text([f"{len(case.speeds)} speeds, {ends} rpm; analyses: {asked}. {says}"])
     yield from _tables("Conditions", case.conditions)
     for name, spec in case.analyses.items():

@@ -9,11 +9,11 @@ import numpy as np
 
 from bearings.bearing import BallBearing
 from bearings.kinds import kind_of
-from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.case.case import Case
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import SPINDLE
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Chart, Table
 from rotordyn.page.looks import COLOURS, FAINT, INK, MARKS, axis
+from rotordyn.report.rotors import rotor_table
 from rotordyn.results.display import DEGREE, MILLIMETRE, RPM
 from rotordyn.results.text import unbroken
 from rotordyn.surface.rotor import bearing_width
@@ -22,19 +22,14 @@ MM = MILLIMETRE.factor
 _GEOMETRY = ("balls", "ball [mm]", "pitch circle [mm]", "free angle [deg]")
 
 
-def machine_blocks(spindle: Spindle) -> Iterator[Block]:
-    """Longitudinal section and rotors."""
-    yield _section(spindle)
-    rows = []
-    for name, ratio in spindle.ratios.items():
-        m = rotor_inertia(spindle.part(name))
-        values = (m.mass, m.centre * MM, m.polar, m.diametral)
-        speed = "" if name == SPINDLE else f"{ratio:g}"
-        rows.append([name, *(f"{value:.4g}" for value in values), speed])
-    heads = ["rotor", "mass [kg]", "centre of gravity [mm]", "polar inertia [kg·m²]"]
-    heads += ["diametral inertia [kg·m²]", "speed over the spindle's"]
-    several = len(rows) > 1
-    yield Table("Rotor", heads if several else heads[:-1], rows if several else [rows[0][:-1]])
+def machine_blocks(cases: Sequence[Case]) -> Iterator[Block]:
+    """Longitudinal section, of variants that of the first one; rotors of all."""
+    first = cases[0]
+    if first.spindle is None:
+        return
+    apart = any(each.spindle != first.spindle for each in cases)
+    yield _section(first.spindle, (first.title or first.name) if apart else "")
+    yield Table("Rotor", *rotor_table(cases))
 
 
 def bearings_table(spindle: Spindle, title: str) -> Table:
@@ -76,7 +71,7 @@ def _geometry(b: BallBearing) -> list[str]:
     ]
 
 
-def _section(spindle: Spindle) -> Chart:
+def _section(spindle: Spindle, of: str) -> Chart:
     traces: list[dict[str, Any]] = []
     for place, name in enumerate(spindle.ratios):
         shaft = spindle.part(name).shaft
@@ -104,7 +99,8 @@ def _section(spindle: Spindle) -> Chart:
         "xaxis": axis("x", "mm"),
         "yaxis": axis("radius", "mm", scaleanchor="x", zeroline=True),
     }
-    return Chart("Section along the axis", traces, layout, wide=True, tall=330)
+    title = f"Section along the axis{': ' if of else ''}{of}"
+    return Chart(title, traces, layout, wide=True, tall=330)
 
 
 def _outline(shaft: Any) -> tuple[Any, Any]:

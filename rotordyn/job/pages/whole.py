@@ -70,12 +70,11 @@ def _verdict(results: Results) -> Iterator[tuple[str, Block]]:
 
 def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
     parts = results.parts
-    first = next(iter(parts.values())).case
+    cases = [part.case for part in parts.values()]
     if "" not in parts:
         yield from (("Variants", block) for block in variant_blocks(parts))
-    if first.spindle is not None:
-        yield from (("Machine", block) for block in machine_blocks(first.spindle))
-    yield from (("Inputs", block) for block in input_blocks(first))
+    yield from (("Machine", block) for block in machine_blocks(cases))
+    yield from (("Inputs", block) for block in input_blocks(cases))
     yield from ((BEARINGS, table) for table in _bearings(parts))
     yield from analysis_blocks(list(parts.values()))
     yield from (("How sure", block) for block in interval_blocks(parts, results.held_intervals))

@@ -45,8 +45,9 @@ def test_the_axis_of_speeds_begins_with_them(count):
     assert upper.get_xlim() == lower.get_xlim() == pytest.approx((20000.0, 60000.0))
 
 
-def test_pockets_are_numbered_at_their_speeds_and_listed_below_the_panels():
-    figure = lobes_figure(_result(161), SPEC)
+@pytest.mark.parametrize("count", [41, 161])
+def test_pockets_are_numbered_at_their_speeds_and_listed_below_the_panels(count):
+    figure = lobes_figure(_result(count), SPEC)
     upper, lower, *_ = figure.axes
     figure.canvas.draw()
     numbers = {t.get_text(): t for t in upper.texts}
@@ -59,3 +60,36 @@ def test_pockets_are_numbered_at_their_speeds_and_listed_below_the_panels():
     boxes = [t.get_window_extent() for t in listed]
     assert all(box.y1 < lower.xaxis.label.get_window_extent().y0 for box in boxes)
     assert all(box.y0 >= 0.0 and box.x1 <= figure.bbox.x1 for box in boxes)
+
+
+def test_of_few_speeds_depths_above_the_frame_are_triangles_at_its_edge():
+    """Unbounded ones too; a speed without a depth has no mark."""
+    result = _result(41)
+    result.depth[[5, 9, 12]] = 0.5, np.inf, np.nan
+    result.at_rest[20] = 0.5
+    figure = lobes_figure(result, SPEC)
+    upper = figure.axes[0]
+    rpm, top = result.cutting_speed * 30.0 / math.pi, upper.get_ylim()[1]
+    lines = {line.get_label(): line for line in upper.get_lines()}
+    depth = lines["at every speed's own receptance"].get_ydata()
+    assert np.flatnonzero(np.isnan(depth)).tolist() == [5, 9, 12]
+    own, rest = (
+        line for line in upper.get_lines() if line.get_marker() == "^" and len(line.get_xdata())
+    )
+    assert own.get_xdata() == pytest.approx(rpm[[5, 9]])
+    assert rest.get_xdata() == pytest.approx(rpm[[20]])
+    assert own.get_ydata() == pytest.approx(top)
+    assert not own.get_clip_on()
+    assert "deeper than drawn" in [t.get_text() for t in figure.legends[0].get_texts()]
+    drawn = lobes_figure(_result(41), SPEC).legends[0].get_texts()
+    assert "deeper than drawn" not in [t.get_text() for t in drawn]
+
+
+def test_lines_leave_the_frame():
+    result = _result(161)
+    result.depth[[50, 60]] = 0.5, np.inf
+    upper = lobes_figure(result, SPEC).axes[0]
+    lines = {line.get_label(): line for line in upper.get_lines()}
+    depth = lines["at every speed's own receptance"].get_ydata()
+    assert (depth[[50, 60]] > upper.get_ylim()[1]).all()
+    assert "^" not in {line.get_marker() for line in upper.get_lines()}

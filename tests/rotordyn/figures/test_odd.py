@@ -283,6 +283,44 @@ def test_curves_that_need_more_points_for_a_line_are_marks_in_panels_and_legend(
     assert {line.get_linestyle() for line in legend.get_lines()} == {"None"}
 
 
+def _deep(least):
+    """Curves of which the second has a value beyond the axis, and one without bound."""
+    x = np.linspace(0.0, 9000.0, 10)
+
+    def curves(variant):
+        y = 1.0 + x / 9000.0
+        if variant.title == "bb":
+            y[[3, 7]] = 30.0, np.inf
+        look = {"least": least, "ceiling": 4.0, "limits": (0.0, None)}
+        yield Curve("lobes", "depth", "mm", x, y, **look)
+
+    return curves
+
+
+def test_few_points_beyond_the_axis_are_triangles_at_its_edge():
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+    figure = overlay_figure("lobes", _deep(100), shown, None)
+    for axes, highest in zip(figure.axes, (2.0, 0.0), strict=True):
+        top = axes.get_ylim()[1]
+        assert highest < top < 3.0
+        (line,) = (each for each in axes.get_lines() if len(each.get_xdata()) == 2 and
+                   each.get_marker() == "^")  # fmt: skip
+        assert line.get_xdata() == pytest.approx([3000.0, 7000.0])
+        assert line.get_ydata() == pytest.approx(top)
+        assert line.get_color() == colour(1)
+    names = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert names == ["a", "bb", "beyond the axis"]
+
+
+def test_lines_beyond_the_axis_leave_the_frame():
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+    for axes in overlay_figure("lobes", _deep(4), shown, None).axes:
+        top = axes.get_ylim()[1]
+        assert top < 3.0
+        line = axes.get_lines()[-1]
+        assert (line.get_ydata()[[3, 7]] > top).all()
+
+
 def test_differences_are_drawn_only_where_variants_differ():
     shown = [Shown(name, None, (), None) for name in ("a", "bb")]
     x = np.linspace(0.0, 9000.0, 9)

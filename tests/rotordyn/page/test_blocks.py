@@ -13,9 +13,11 @@ import pytest
 from rotordyn.analyses.frf.page import _responses
 from rotordyn.job.results import inputs_of
 from rotordyn.page.blocks import Chart, Control, Markup, Shapes, Table, Text, sections
-from rotordyn.page.curves import once_named
+from rotordyn.page.curves import curve_charts, once_named
 from rotordyn.page.html import Page, html
 from rotordyn.page.packed import packed, rounded
+from rotordyn.results.described import Shown
+from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
 from tests.rotordyn.page.conftest import array, held
 
@@ -140,3 +142,34 @@ def test_a_range_of_numbers_breaks_behind_its_arrow_alone() -> None:
     table = Table("T", ("bearing", "load"), [("a", "551 → 1251")])
     text = html(Page("t", [], "fine", False, sections([("S", table)])))
     assert '<td class="n">551\u00a0→ 1251</td>' in text
+
+
+@pytest.mark.parametrize("least", [100, 4])
+def test_points_beyond_the_axis_are_on_the_page(least: int) -> None:
+    """As triangles at its edge where they are too few for a line, which leaves the frame else."""
+    x = np.linspace(0.0, 9000.0, 10)
+    y = np.array([1.0, 2.0, 1.0, 30.0, 1.0, 2.2341231, np.nan, np.inf, 1.0, 2.0])
+
+    def curves(_: Any, variant: Shown) -> Any:
+        look: Any = {"least": least, "ceiling": 4.0, "limits": (0.0, None)}
+        yield Curve("lobes", "depth", "mm", x, y if variant.title == "b" else 0.0 * x, **look)
+
+    (chart,) = curve_charts(curves, None, [Shown(name, None, (), None) for name in ("a", "b")])
+    low, high = chart.layout["yaxis"]["range"]
+    assert low == 0.0
+    assert 2.0 < high < 3.0
+    _, line, *beyond = chart.traces
+    if least == 4:
+        assert (line["y"][[3, 7]] > high).all()
+        assert not beyond
+        assert not chart.note
+        return
+    assert line["mode"] == "markers"
+    assert np.isnan(line["y"][[3, 7]]).all()
+    (off,) = beyond
+    assert off["x"] == pytest.approx(x[[3, 7]])
+    assert off["y"] == pytest.approx(high, rel=1e-4)
+    assert (np.float32(off["y"]) < float(f"{high:.7g}")).all()  # as packed: else it is not drawn
+    assert off["text"] == ["30", "unbounded"]
+    assert off["legendgroup"] == line["legendgroup"]
+    assert "beyond the axis" in chart.note

@@ -10,6 +10,8 @@ import pytest
 
 import rotordyn
 from rotordyn.analyses.campbell.page import FACETS
+from rotordyn.page.blocks import Chart, sections
+from rotordyn.page.html import Page, write
 from rotordyn.surface.body import together
 from rotordyn.surface.several import displacements, surfaces
 
@@ -143,4 +145,32 @@ def test_prints_on_white(looked: Any, tmp_path: Path) -> None:
     pdf = page.pdf(path=tmp_path / "page.pdf")
     assert pdf.startswith(b"%PDF")
     assert len(pdf) > 50_000
+    assert said == []
+
+
+@pytest.mark.parametrize("width", [1300, 390])
+def test_long_names_are_read_whole_and_nothing_lies_over_them(
+    show: Any, tmp_path: Path, width: int
+) -> None:
+    """The toolbar that comes with the mouse lies above the legend, within the page."""
+    pytest.importorskip("plotly", reason="the extra report is not installed")
+    names = [f"Solid end mill of {k} mm in a shrink-fit holder on HSK-A63, mode" for k in range(6)]
+    traces = [{"x": [0, 1], "y": [k, 2], "name": name} for k, name in enumerate(names)]
+    chart = Chart("long names", traces, {"xaxis": {}, "yaxis": {}})
+    write(tmp_path / "p.html", Page("t", [], "fine", False, sections([("S", chart)])))
+    page, said = show(tmp_path / "p.html", viewport={"width": width, "height": 900})
+    plot = page.locator(".plot")
+    plot.hover()
+    bar, held = (page.locator(s).bounding_box() for s in (".modebar", ".across"))
+    assert held["y"] <= bar["y"]
+    texts = plot.locator(".legendtext")
+    read = [text.replace(" ", "") for text in texts.all_text_contents()]
+    assert read == [name.replace(" ", "") for name in names]
+    boxes = [each.bounding_box() for each in texts.all()]
+    shown = plot.locator(".legend .bg").bounding_box()
+    axes = plot.locator(".nsewdrag").bounding_box()
+    assert all(box["y"] > bar["y"] + bar["height"] for box in boxes)
+    assert all(box["x"] + box["width"] <= held["x"] + held["width"] for box in boxes)
+    assert all(box["y"] + box["height"] <= axes["y"] for box in boxes)
+    assert shown["y"] + shown["height"] >= max(box["y"] + box["height"] for box in boxes)
     assert said == []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import os
 import re
 import shutil
 import subprocess
@@ -22,6 +23,9 @@ from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.job.pages.inputs import input_blocks
+from rotordyn.job.pages.machine import machine_blocks
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.results.display import RPM
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
 from tests.few_speeds import at_few_speeds
@@ -124,6 +128,25 @@ def test_every_kind_of_case_has_a_page(name: str, runs: Path, tmp_path: Path) ->
     if name == "grinding_spindle_life":
         assert "life L10r [h]" in read
         assert "heat [W]" in read
+
+
+def test_the_machine_of_variants_says_whose_it_is_and_has_the_mass_of_each() -> None:
+    case = rotordyn.load("grinding_spindle")
+    heavy = replace(case.vary({"spindle.discs.wheel.outer_diameter": "250 mm"}), title="heavy")
+    section, rotors = machine_blocks([case])
+    assert section.title == "Section along the axis"
+    assert [row[0] for row in rotors.rows] == ["spindle"]
+    section, rotors = machine_blocks([heavy, case])
+    assert section.title == "Section along the axis: heavy"
+    assert rotors.head[:2] == ["variant", "mass [kg]"]
+    masses = [[each.title, f"{rotor_inertia(each.spindle).mass:.4g}"] for each in (heavy, case)]
+    assert [row[:2] for row in rotors.rows] == masses
+    coupled = case.vary({"spindle.sleeves.rear.spring.preload": "900 N"})
+    _, rotors = machine_blocks([case, coupled])
+    assert rotors.head[0] == "rotor"
+    assert len(rotors.rows) == 1
+    said = next(iter(input_blocks([heavy, case]))).sentences[0]
+    assert said.endswith("Machine and conditions are those of heavy.")
 
 
 def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:
@@ -355,6 +378,21 @@ def test_other_folders_are_refused_in_one_sentence(
 def test_a_page_that_cannot_be_written_is_refused(evil_folder: Path, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="cannot be written"):
         rotordyn.write_report(evil_folder, tmp_path / "no" / "page.html")
+
+
+@pytest.mark.parametrize("name", ["study.yaml", "report", "page.html.txt"])
+def test_a_file_that_is_no_page_by_its_name_is_left_alone(
+    evil_folder: Path, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / name
+    file.write_text("case: mfw2310\n")
+    assert cli.main(["report", str(evil_folder), "-o", str(file)]) == 2
+    assert capsys.readouterr().err == f"{file}: the name of a page ends in .html or .htm\n"
+    assert file.read_text() == "case: mfw2310\n"
+
+
+def test_a_page_is_written_to_a_device(evil_folder: Path) -> None:
+    assert rotordyn.write_report(evil_folder, os.devnull) == Path(os.devnull)
 
 
 def test_without_plotly_nothing_is_solved(tmp_path: Path) -> None:

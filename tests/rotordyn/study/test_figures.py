@@ -43,6 +43,37 @@ def test_lines_of_a_third_path_are_told_apart_and_named(drawn: dict[str, Any]) -
     assert words == [["82", "84"], ["50", "60"]]  # the travels that have a line
 
 
+def test_numbers_that_are_alike_have_one_panel_and_one_axis() -> None:
+    """Such as both whirls of a mode at rest; of more than nine others the title says so."""
+    asked = {PRELOAD: ["300 N", "400 N"], STATION: ["82 mm", "84 mm"], TRAVEL: [*TRAVELS]}
+    points = design(rotordyn.load("mfw2310"), asked)
+    rows = {}
+    for k in range(points.count):
+        rest = 900.0 + k
+        numbers = {"bending 1 backward at 0 rpm": rest, "bending 1 forward at 0 rpm": rest + 1e-7}
+        numbers |= {f"bending {n} forward at 9000 rpm": 990.0 + n * k for n in range(1, 11)}
+        rows[k] = Outcome(k, {f"campbell: {name}": (v, "Hz") for name, v in numbers.items()})
+    study = Study(rotordyn.load("mfw2310"), points)
+    made = {name: draw() for name, draw in figures(study, rows)}
+    panels = made["study_campbell"].axes
+    assert len(panels) == 9
+    heading = "bending modes, backward/forward: the 9 of 11 numbers that vary most"
+    assert heading in [text.get_text() for text in made["study_campbell"].texts]
+    rows = {k: Outcome(k, dict([*row.numbers.items()][:4])) for k, row in rows.items()}
+    made = {name: draw() for name, draw in figures(study, rows)}
+    titles = [axes.get_title("left") for axes in made["study_campbell"].axes]
+    assert titles == [
+        "bending 1 backward, forward at 0 rpm [Hz]",
+        "bending 1 forward at 9000 rpm [Hz]",
+        "bending 2 forward at 9000 rpm [Hz]",
+    ]
+    labels = made["study_across"].axes[0].get_xticklabels()[3:]
+    assert [" ".join(label.get_text().split()) for label in labels] == [
+        "campbell: bending 1 backward, forward at 0 rpm [Hz]",
+        "campbell: bending 1 forward at 9000 rpm [Hz]",
+    ]
+
+
 def test_axes_of_parallel_coordinates_are_named_whole_within_the_figure(
     drawn: dict[str, Any],
 ) -> None:

@@ -28,14 +28,13 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Depth of cut over speed; none where every depth is stable."""
+    """Depth of cut over speed, beyond the axis in deep pockets and where every depth is stable."""
     result = variant.result
     if len(result.cutting_speed) < 2:
         return
-    depth = np.where(np.isfinite(result.depth), result.depth, np.nan) * MILLIMETRE.factor
+    depth = result.depth * MILLIMETRE.factor
     known = depth[np.isfinite(depth)]
     top = HIGH * float(np.median(known)) if known.size else 1.0
-    depth = np.where(depth < top, depth, np.nan)
     rpm = result.cutting_speed * RPM.factor
-    how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS}
+    how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS, "ceiling": top}
     yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **how)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 ROOM = 1.1
 MARKED, SMALL = 4, 6.0
+SIZE = 3.5  # of marks
 REPEATING = (
     (FLIP, RED, "-", "period doubling"),
     (FOLD, ORANGE, (0, (1.0, 0.7)), "repeats with the pattern of teeth"),
@@ -48,37 +50,34 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     second axes; below the chatter frequency and the mode next to it, and a list of pockets."""
     rpm = result.cutting_speed * RPM.factor
     lines = len(rpm) >= LEAST_SPEEDS
-    marked = _marked(result) if lines else []
+    marked = _marked(result)
     foot = ROW * (1 + (len(marked) + 1) // 2) if marked else 0.0
     figure = new_figure(168.0, 128.0 + foot)
     upper = add_axes(figure, (15.0, 47.0 + foot, 135.0, 66.0), "", "depth of cut [mm]")
     lower = add_axes(figure, (15.0, 11.0 + foot, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
-    tested = result.measured * MILLIMETRE.factor
-    top = _height([depth, rest, tested, result.even * MILLIMETRE.factor])
-    drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
+    tested, even = result.measured * MILLIMETRE.factor, result.even * MILLIMETRE.factor
+    top = _height([depth, rest, tested, even])
     if lines:
         _band(upper, result, rpm, top)
+        drawn = _clipped(depth, top)
         upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
-    look: dict[str, Any] = {"ls": "-"} if lines else {"ls": "", "marker": "o", "ms": 3.5}
-    upper.plot(rpm, drawn, color=BLUE, lw=1.2, label="at every speed's own receptance", **look)
-    still = np.clip(np.nan_to_num(rest, posinf=2.0 * top), 0.0, 2.0 * top)
-    look = {"ls": "--"} if lines else {"ls": "", "marker": "x", "ms": 3.5}
-    upper.plot(rpm, still, color=GREY, lw=1.0, label="by the receptance at rest", **look)
-    if np.isfinite(tested).any():
-        look = {"ls": ":"} if lines else {"ls": "", "marker": "+", "ms": 4.5}
-        shown = np.clip(np.nan_to_num(tested, posinf=2.0 * top), 0.0, 2.0 * top)
-        upper.plot(rpm, shown, color=BLACK, lw=1.0, label="on the measured spindle", **look)
-    even = result.even * MILLIMETRE.factor
-    if np.isfinite(even).any():
-        look = {"ls": "-."} if lines else {"ls": "", "marker": "s", "ms": 3.0, "mfc": "none"}
-        shown = np.clip(np.nan_to_num(even, posinf=2.0 * top), 0.0, 2.0 * top)
-        upper.plot(rpm, shown, color=BLACK, lw=0.8, label="with evenly spaced teeth", **look)
-    for kind, colour, line, words in REPEATING:
-        shown = np.where(np.array(result.loss) == kind, drawn, np.nan)
-        if not np.isnan(shown).all():
-            upper.plot(rpm, shown, color=colour, lw=2.0, ls=line, label=words)
     upper.set_ylim(0.0, top)
+    draw = partial(_draw, upper, rpm, lines=lines)
+    draw(depth, "at every speed's own receptance", {}, color=BLUE, lw=1.2)
+    draw(rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
+    if np.isfinite(tested).any():
+        marks = {"marker": "+", "ms": 4.5}
+        draw(tested, "on the measured spindle", marks, color=BLACK, lw=1.0, ls=":")
+    if np.isfinite(even).any():
+        marks = {"marker": "s", "ms": 3.0}
+        draw(even, "with evenly spaced teeth", marks, color=BLACK, lw=0.8, ls="-.")
+    for kind, colour, line, words in REPEATING:
+        shown = np.where(np.array(result.loss) == kind, depth, np.nan)
+        if not np.isnan(shown).all():
+            draw(shown, words, {}, color=colour, lw=2.0, ls=line)
+    if not lines and any((each > top).any() for each in (depth, rest, tested, even)):
+        upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
     _pockets(upper, result, marked, top)
     _list(figure, result, marked)
@@ -93,14 +92,38 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     return figure
 
 
+def _draw(
+    axes: Axes,
+    rpm: Array,
+    depth: Array,
+    label: str,
+    marks: Mapping[str, Any],
+    *,
+    lines: bool,
+    **look: Any,
+) -> None:
+    """Depths as a line that leaves the frame, or as ``marks``, filled where none are given; those
+    above it then as triangles at its edge."""
+    top = axes.get_ylim()[1]
+    if lines:
+        axes.plot(rpm, _clipped(depth, top), label=label, **look)
+        return
+    marks = {"marker": "o", "ms": SIZE, "mfc": "none" if marks else look["color"], **marks}
+    look |= {**marks, "ls": "", "clip_on": False}
+    axes.plot(rpm, np.where(depth <= top, depth, np.nan), label=label, **look)
+    deep = depth > top
+    axes.plot(rpm[deep], np.full(deep.sum(), top), **look | {"marker": "^"})
+
+
+def _clipped(depth: Array, top: float) -> Array:
+    return np.clip(depth, 0.0, 2.0 * top)
+
+
 def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float) -> None:
     """Limits over the intervals of the case, where it gives any."""
     if np.allclose(result.least, result.most, rtol=1e-12, equal_nan=True):
         return
-    low, high = (
-        np.clip(np.nan_to_num(each * MILLIMETRE.factor, posinf=2.0 * top), 0.0, 2.0 * top)
-        for each in (result.least, result.most)
-    )
+    low, high = (_clipped(each * MILLIMETRE.factor, top) for each in (result.least, result.most))
     axes.fill_between(rpm, low, high, color=GREY, alpha=0.25, lw=0.0, label="band of the intervals")
 
 
