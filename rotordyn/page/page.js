@@ -75,7 +75,7 @@
     const eye = { x: 1.25, y: 1.25, z: 1.25, ...camera?.eye };
     return { ...camera, eye: Object.fromEntries(Object.entries(eye).map(([axis, at]) => [axis, FARTHER * at])) };
   };
-  const settings = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d"] };
+  const settings = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d", "sendChartToCloud"] };
 
   const charts = {};
   const chosen = (chart) => chart.inputs.map((each) => Number(each.tagName === "SELECT" ? each.selectedIndex : each.value));
