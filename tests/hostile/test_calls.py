@@ -6,4 +6,4 @@ from tests.hostile.calls import of, sample
 
 
 def test_calls_that_make_no_sense_are_answered_or_refused() -> None:
-    assert [*of(sample(300, seed=1))] == []
+    assert [*of(sample(200, seed=1))] == []

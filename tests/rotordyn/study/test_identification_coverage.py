@@ -58,8 +58,8 @@ def test_intervals_cover_as_they_say(degrees: int, noise: float) -> None:
     assert 0.92 < np.mean(held) < 0.98
 
 
-@pytest.mark.parametrize("absolute", [False, True])
-@pytest.mark.parametrize("degrees", [1, 8])
+@pytest.mark.few(2)
+@pytest.mark.parametrize(("degrees", "absolute"), [(1, False), (8, True), (1, True), (8, False)])
 def test_intervals_do_not_jump(degrees: int, *, absolute: bool) -> None:
     """Over the size of residuals: normal at those of the stated noise, Student's t well above."""
     forms = np.random.default_rng(2).normal(size=(degrees + 2, 2))
@@ -125,7 +125,8 @@ def test_digits(ends: tuple[float, float], value: float, printed: str) -> None:
     assert number(value, decimals(*ends, value)) == printed
 
 
-@pytest.mark.parametrize("outliers", [0.0, 0.06])
+@pytest.mark.few(1)
+@pytest.mark.parametrize("outliers", [0.06, 0.0])
 def test_intervals_of_least_absolute_differences(outliers: float) -> None:
     """In normal noise, and beside outliers of 25 times it: as wide as values scatter."""
     rng = np.random.default_rng(4)
