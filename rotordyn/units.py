@@ -136,6 +136,12 @@ def parse(given: object, kind: str) -> float:
     return value
 
 
+def unit_of(given: object) -> str:
+    """The unit that text such as ``"6.2 N/um"`` is written in; empty where there is none."""
+    match = _NUMBER.fullmatch(_ungrouped(written(given))) if isinstance(given, str) else None
+    return "" if match is None else match[3].strip()
+
+
 def _ungrouped(text: str) -> str:
     """A number without the spaces, or thin ones, between its groups of three digits."""
     match = _GROUPED.match(text)

@@ -129,7 +129,9 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
         values["deviation"] = deviation.plain()
     if any(values.get(key) is None for key in ("from", "to")):
         return None
-    low, high = values.pop("from"), values.pop("to")
+    ends = [(values.pop(key), node.child(key)) for key in ("from", "to")]
+    # text as it stands: its unit is that of summary, tables and figures
+    low, high = (n.value if n is not None and isinstance(n.value, str) else v for v, n in ends)
     made = Unknown(low, high, **values, also=tuple(given["also"]), name=given["name"] or "")
     try:
         sought(case, {path: made})

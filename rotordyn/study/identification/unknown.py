@@ -14,7 +14,7 @@ from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
-from rotordyn.units import parse, parse_unit, pretty_unit
+from rotordyn.units import parse, parse_unit, pretty_unit, unit_of
 
 FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
 
@@ -39,7 +39,8 @@ class Unknown:
 
 @dataclass(frozen=True, slots=True)
 class Sought:
-    """An unknown held against its case, all in SI units."""
+    """An unknown held against its case, all in SI units; its ends were ``written`` in a unit, or in
+    none."""
 
     path: str
     name: str
@@ -50,6 +51,7 @@ class Sought:
     deviation: float | None
     also: tuple[str, ...]
     quantity: Quantity | None
+    written: str = ""
 
     @property
     def scale(self) -> float:
@@ -64,9 +66,9 @@ class Sought:
 
     @property
     def unit(self) -> str:
-        """A usual unit for documents."""
-        if self.quantity is None:
-            return ""
+        """For documents: that in which it was written, or a usual one."""
+        if self.quantity is None or self.written:
+            return self.written
         return usual_unit(self.quantity, [self.start or self.high])
 
     @property
@@ -141,7 +143,9 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
         start = min(max(start, low), high) if math.isfinite(start) else 0.5 * (low + high)
     quantity = quantity_of(found_at(case, path)[0][1])
     name = asked.name or _short(path)
-    return Sought(path, name, low, high, start, prior, deviation, tuple(asked.also), quantity)
+    unit = unit_of(asked.high) or unit_of(asked.low)
+    also = tuple(asked.also)
+    return Sought(path, name, low, high, start, prior, deviation, also, quantity, unit)
 
 
 def _require_fractions(case: Case, path: str, low: float, high: float) -> None:

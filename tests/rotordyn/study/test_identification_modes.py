@@ -16,7 +16,7 @@ from rotordyn.study.identification.measured_modes import Modes
 from rotordyn.study.identification.solve import identify
 from rotordyn.study.identification.summary import summary
 from rotordyn.study.identification.trial import Trial
-from rotordyn.study.identification.unknown import Unknown
+from rotordyn.study.identification.unknown import Unknown, sought
 from tests.rotordyn.study.rotor_twin import (
     DAMPING,
     OUTER,
@@ -72,6 +72,19 @@ def test_a_value_small_by_its_unit_is_printed() -> None:
     assert [float(low), float(value), float(high)] == pytest.approx(
         [found.explained.sure.interval[0, 0], best, found.explained.sure.interval[0, 1]], rel=1e-3
     )
+
+
+def test_values_are_printed_in_the_unit_of_the_ends() -> None:
+    """Wherever the search begins."""
+    path = "spindle.shaft.sections.s2.outer_diameter"
+    for low, high, start, unit in (
+        ("20 mm", "9 cm", None, "cm"),
+        ("0.02 m", 0.09, "50 mm", "m"),
+        (0.02, 0.09, "50 mm", "mm"),
+    ):
+        (found,) = sought(case(spindle()), {path: Unknown(low, high, start=start)})
+        assert found.unit == unit
+        assert found.low == pytest.approx(0.02)
 
 
 def test_modes_are_paired_by_their_whirl() -> None:
