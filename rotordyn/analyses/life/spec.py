@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
@@ -79,12 +78,12 @@ class LifeSpec(Spec):
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
             yield from self._loads(setting, index, step)
-            if step.speed > max(setting.speeds, default=math.inf):
+            if step.speed > setting.top:
                 yield (
                     ("spectrum", index, "speed"),
                     "beyond the speeds of the case, up to which warnings look: given "
                     f"{step.speed * RPM.factor:.6g} rpm; allowed: up to "
-                    f"{max(setting.speeds) * RPM.factor:.6g} rpm, or add speeds to the case",
+                    f"{setting.top * RPM.factor:.6g} rpm, or add speeds to the case",
                 )
         for path in places:
             if path[-1] not in names:

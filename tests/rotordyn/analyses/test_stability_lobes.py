@@ -490,7 +490,7 @@ def test_pockets_and_their_margins():
             "pitch.*of milling: given beside turning",
         ),
         ({"radial": "null"}, "tangential and radial must be given, or workpiece"),
-        ({"workpiece": "al7075"}, "given beside coefficients"),
+        ({"workpiece": "al7075"}, "workpiece: given beside tangential and radial: leave"),
         (
             {"workpiece": "al7", "tangential": "null", "radial": "null"},
             r"^[^\n]*unknown model: given 'al7'[^\n]*$",
