@@ -40,10 +40,10 @@ class Setting:
 
 def acts_across(spindle: Spindle, conditions: Conditions) -> bool:
     """Loads, weight or misaligned seats act across the axis on the state of the bearings."""
-    misaligned = any(any(seat.misalignment.offset) for seat in spindle.seats)
     loads = [load.on_axis for load in conditions.loads]
-    across = any(any((*load[1:3], *load[4:])) for load in loads)
-    return bool(spindle.seats) and (misaligned or across or any(conditions.pull[1:]))
+    acting = [*conditions.pull[1:], *(each for load in loads for each in (*load[1:3], *load[4:]))]
+    acting += [each for seat in spindle.seats for each in seat.misalignment.offset]
+    return bool(spindle.seats) and any(each for each in acting if known(each))
 
 
 class Spec(Description):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, known
+from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Choice, Duration, Force, Load, Name, Preload, Share, Speed
 from rotordyn.results.display import RPM
 from rotordyn.scene.loads import PointLoad
@@ -86,11 +87,8 @@ class LifeSpec(Spec):
                     f"{setting.top * RPM.factor:.6g} rpm, or add speeds to the case",
                 )
         for path in places:
-            if path[-1] not in names:
-                yield (
-                    path,
-                    f"unknown bearing: given '{path[-1]}'; allowed: {', '.join(names)}",
-                )
+            for sentence in unknown("bearing", str(path[-1]), names):
+                yield path, sentence
         if setting.conditions.bearings == "static":
             yield (), "needs bearings at speed: given conditions.bearings: static"
 
