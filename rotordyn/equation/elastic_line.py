@@ -1,5 +1,4 @@
-"""How a shaft deforms under its section forces: strain integrated from the front end on, and how
-far its joints give."""
+"""How a shaft deforms under its section forces: strain integrated from the front end on."""
 
 from __future__ import annotations
 
