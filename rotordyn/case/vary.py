@@ -156,8 +156,10 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         name: _value(fields[name].annotation, getattr(old, name), group)
         for name, group in groups.items()
     }
-    if isinstance(old, BearingSeat) and any(not c.steps for c in groups.get("bearing", ())):
-        new.setdefault("model", "")  # the name of the one that was there
+    if isinstance(old, BearingSeat):
+        whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
+        if any(each != old.bearing for each in whole):
+            new["model"] = ""  # the name of the one that was there
     made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
         if getattr(made, name) is not value and getattr(made, name) != value:

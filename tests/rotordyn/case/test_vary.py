@@ -223,6 +223,8 @@ def test_another_bearing_is_not_called_as_the_one_before() -> None:
     model = rotordyn.model("bearings", "vex55")
     made = changed(**{"bearings__a__model": model, "bearings__b__model__balls": 12})
     assert [seat.model for seat in made.seats[:2]] == ["", "VEX 70"]
+    same = changed(**{"bearings__a__model": changed().seats[0].bearing})
+    assert same.seats[0].model == "VEX 70"
 
 
 def test_where_each_bearing_has_its_own_the_way_there_is_named() -> None:
