@@ -18,7 +18,7 @@ from functools import cache, partial
 from itertools import pairwise
 from typing import Any, get_args
 
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, printable
 from rotordyn.field import Check, Refused, bare, check_of, declared, found_in, shown
 from rotordyn.quantity import Quantity
 
@@ -79,7 +79,7 @@ class Description:
 
     def _called(self) -> str:
         name, kind = getattr(self, "name", ""), type(self).__name__
-        return f"{kind} {name:.60}" if isinstance(name, str) and name else kind
+        return f"{kind} {printable(name):.60}" if isinstance(name, str) and name else kind
 
 
 def require(description: Description, faults: Faults) -> None:

@@ -256,6 +256,23 @@ def _whole(value: Any) -> int:
     return int(value)
 
 
+def unwritable(text: str) -> str:
+    """Why a text is refused: a character in it that results have no form for; empty where there is
+    none."""
+    letter = next((each for each in text if each == "\0" or "\ud800" <= each <= "\udfff"), "")
+    if not letter:
+        return ""
+    return f"given {shown(text)} with the character U+{ord(letter):04X}; allowed: text without it"
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise Refused(_kind_wanted(value, _NOUNS[str]))
+    if why := unwritable(value):
+        raise Refused(why)
+    return value
+
+
 def _instance(kind: type) -> Check:
     def instance(value: Any) -> Any:
         if isinstance(value, kind):
@@ -265,7 +282,7 @@ def _instance(kind: type) -> Check:
     return instance
 
 
-_PLAIN: dict[Any, Check] = {float: _finite, int: _whole, Any: lambda value: value}
+_PLAIN: dict[Any, Check] = {float: _finite, int: _whole, str: _text, Any: lambda value: value}
 _NOUNS = {str: "text", bool: "True or False", float: "a number in SI units", int: "a whole number"}
 
 

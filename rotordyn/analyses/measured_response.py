@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults, ascending
 from rotordyn.machine.matrix import Dof
 from rotordyn.quantity import HIDDEN, Choice, Frequency, Key, Name, PointName, Speed
+from rotordyn.results.display import response_unit
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("receptance", "mobility", "inertance")
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
+RANGE = 1e-50, 1e50  # of the largest value of a response in SI: its square is a number
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +70,24 @@ class MeasuredResponse(Description):
             yield ("file",), f"frequency: {sentence}"
         if not any((*self.real, *self.imaginary)):
             yield ("file",), NO_RESPONSE
+            return
+        values = map(complex, self.real, self.imaginary)
+        if why := out_of_range(self.frequency, values, response_unit(self.pair, self.quantity)):
+            yield ("file",), why
+
+
+def out_of_range(frequency: Sequence[float], values: Iterable[complex], unit: str) -> str:
+    """Why a response [SI, named by its ``unit``] is too large or too small by its largest value;
+    empty where it is not, or not known. ``frequency`` [Hz]."""
+    sizes = [math.hypot(value.real, value.imag) for value in values]
+    size, (low, high) = max(sizes, default=1.0), RANGE
+    if size < low or size > high:
+        at = frequency[sizes.index(size)]
+        return (
+            f"response out of range: the largest given {size:.3g} {unit} at {at:.6g} Hz; "
+            f"allowed: {low:.0e} to {high:.0e} {unit}"
+        )
+    return ""
 
 
 def as_quantity(one: MeasuredResponse, quantity: str) -> NDArray[np.complex128]:

@@ -64,7 +64,8 @@ class Reader:
         except UnknownModel as error:
             self.faults.at(reference, str(error))
             return None
-        return self.document(path) if self._exists(path, reference) else None
+        root = self.document(path) if self._exists(path, reference) else None
+        return root and replace(root, named=reference)
 
     def beside(self, reference: Node) -> Path | None:
         """The file that ``reference`` names, relative to the one it is written in."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotordyn.case.node import Node, joined
+from rotordyn.case.node import UNKNOWN, Node, joined
 from rotordyn.errors import Fault, InvalidInput, TooManyFaults, printable
 
 MOST = 200  # faults, after which nothing more is read
@@ -35,6 +35,12 @@ class Faults:
         """A fault of a key that is not there, at the mapping that should hold it."""
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, joined(node.path, str(key)), message))
+
+    def told(self, node: Node) -> bool:
+        """A fault of this value is reported already."""
+        here = node.file, node.line, node.column
+        found = ((fault.file, fault.line, fault.column) for fault in self.reported)
+        return node.value is UNKNOWN or here in found
 
     def add(self, fault: Fault) -> None:
         """Keeps ``fault`` on one line, unless it is known."""

@@ -15,7 +15,7 @@ from bearings.materials import Material
 from rotordyn import units
 from rotordyn.case.keys import keys_of
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Refused, bare, members, metadata, optional
+from rotordyn.field import Refused, bare, members, metadata, optional, unwritable
 from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.quantity import Choice, Limit, Named, Quantity
 
@@ -58,6 +58,8 @@ def leaf(annotation: Any, value: object) -> Any:
 def _plain(inner: Any, value: object, given: str) -> Any:
     if inner is str and not isinstance(value, str):
         raise Refused(f"not text: given {given}; allowed: text, in quotes where it is a number")
+    if inner is str and (why := unwritable(str(value))):
+        raise Refused(why)
     if inner is bool and not isinstance(value, bool):
         raise Refused(f"not a yes or no: given {given}; allowed: true, false")
     if inner is float:

@@ -26,7 +26,8 @@ class Node:
     ``value``: a scalar, ``dict[str, Node]``, ``list[Node]`` or ``UNKNOWN``. ``line`` and
     ``column`` count from 1; ``key``: line and column of its key, where it has one; ``path``: its
     dotted path in ``file``; ``raw``: a scalar as it was written; ``size``: number of values in it;
-    ``shared``: it is given once for several items, of which this one gives none itself.
+    ``shared``: it is given once for several items, of which this one gives none itself; ``named``:
+    where a file names the one of which it is the whole.
     """
 
     value: Any
@@ -38,6 +39,7 @@ class Node:
     key: tuple[int, int] | None = None
     size: int = 1
     shared: bool = False
+    named: Node | None = None
 
     def items(self) -> Iterator[tuple[Key, Node]]:
         """Children with the key or index each is found by."""

@@ -236,12 +236,16 @@ class Reading:
         """A fault of what is at ``path``, or should be."""
         message = filled(sentence, path, lambda way: _written(node, way))
         entry = node.child(*path)
+        if path and entry is not None:
+            entry = entry.named or entry  # a file as a whole has no key to put right
+        if message.startswith("missing key") and entry is not None and self.faults.told(entry):
+            return  # what stands there is not known
         if entry is None and message.startswith("missing key"):
             self.faults.missing(node.at(*path[:-1]), path[-1], message)
         elif entry is not None and entry.key and isinstance(entry.value, dict | list):
             self.faults.at_key(entry, message)
         else:
-            self.faults.at(node.at(*path), message)
+            self.faults.at(entry or node.at(*path), message)
 
     def _unknown_keys(
         self, kind: type, keys: tuple[Field, ...], node: Node, others: tuple[type, ...]

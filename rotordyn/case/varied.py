@@ -98,9 +98,10 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
     """What a value holds: the way there, what it is, how it is declared."""
     if is_dataclass(value):
         kind: Any = type(value)
+        keys = {field.keys for field in fields_of(kind)}
         for field in fields_of(kind):
-            if field.name:
-                way = field.keys or (field.name,)
+            way = field.keys or (field.name,)
+            if field.name and (field.keys or way not in keys):  # no key is called as another is
                 yield way, getattr(value, field.name), field.annotation
     elif isinstance(value, Mapping):
         matrix = found_in(annotation, Matrix)

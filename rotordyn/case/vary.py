@@ -15,6 +15,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import fields_of
+from rotordyn.case.named_models import MODELS as FOLDERS
 from rotordyn.case.shared import called, called_at, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -135,7 +136,10 @@ def _taken(annotation: Any, change: _Change) -> Any:
     try:
         return accept(annotation, change.value)
     except Refused as refusal:
-        raise change.refused(refusal.why, refusal.place) from None
+        folder = next((FOLDERS[k] for k in kinds_of(annotation) if k in FOLDERS), "")
+        named = folder and isinstance(change.value, str)
+        hint = f", such as rotordyn.model('{folder}', {shown(change.value)})" if named else ""
+        raise change.refused(f"{refusal.why}{hint}", refusal.place) from None
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
@@ -154,6 +158,10 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         name: _value(fields[name].annotation, getattr(old, name), group)
         for name, group in groups.items()
     }
+    if isinstance(old, BearingSeat):
+        whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
+        if any(each != old.bearing for each in whole):
+            new["model"] = ""  # the name of the one that was there
     made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
         if getattr(made, name) is not value and getattr(made, name) != value:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, printable
 from rotordyn.plain import HANDLER, register
 
 
@@ -31,7 +31,7 @@ def say(text: object, end: str = "\n") -> None:
     if sys.stdout is None:  # closed before we began
         return
     try:
-        print(text, end=end, flush=True)
+        print(_lines(text), end=end, flush=True)
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):
@@ -42,7 +42,12 @@ def complain(sentence: object) -> None:
     """Print ``sentence`` as an error, if anybody can still read it."""
     if sys.stderr is not None:
         with suppress(OSError):
-            print(sentence, file=sys.stderr, flush=True)
+            print(_lines(sentence), file=sys.stderr, flush=True)
+
+
+def _lines(text: object) -> str:
+    """Lines without characters that move the cursor, change colours or turn the direction."""
+    return "\n".join(map(printable, str(text).split("\n")))
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -19,27 +19,34 @@ GAUSS = 31  # degree of the quadrature over an element: exact for cylinders, to 
 @dataclass(frozen=True, eq=False, slots=True)
 class Compliance:
     """∫ sᵏ/EA ds, ∫ sᵏ/κGA ds, ∫ sᵏ/EI ds and ∫ sᵏ/GIp ds over every element (elements,), k from 0
-    on along the first axis, with s [m] counted from its rear end."""
+    on along the first axis, with s [m] counted from its rear end; ``joints`` (elements, 6): 1/k of
+    a joint at its front end along and about x, y, z, 0 without one."""
 
     stretch: Array
     shear: Array
     bending: Array
     torsion: Array
+    joints: Array = field(default_factory=lambda: np.zeros((1, 6)))
 
 
 def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
-    """Of a Timoshenko shaft; zero where the rotor is ``rigid``."""
+    """Of a Timoshenko shaft with its joints; zero where the rotor is ``rigid``."""
     xi, weight = points(GAUSS)
     s = mesh.length[:, None] * (1.0 - xi) / 2.0
     powers = np.stack([s**k for k in range(5)]) * weight * mesh.length[:, None] / 2.0
     shear, bending, *_ = sections_at(spindle, mesh, xi)
     rigidities = axial(mesh, xi)[0], shear, bending, torsion(mesh, xi)[0]
-    elastic = 0.0 if rigid else 1.0
-    return Compliance(*(elastic * (powers / each).sum(axis=-1) for each in rigidities))
+    elastic, joints = 0.0 if rigid else 1.0, np.zeros((mesh.nodes - 1, 6))
+    for joint in spindle.joints:
+        ways = joint.axial, joint.radial, joint.radial, joint.torsion, joint.tilt, joint.tilt
+        joints[mesh.node_of(joint.x)] = elastic / np.array(ways)
+    shaft = Compliance(*(elastic * (powers / each).sum(axis=-1) for each in rigidities))
+    return replace(shaft, joints=joints)
 
 
 def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array) -> Array:
-    """Displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held; exact.
+    """Displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held, at a joint of the
+    part in front; exact.
 
     ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``.
     """
@@ -47,19 +54,22 @@ def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array)
     qx, qy, qz = np.moveaxis(line[..., 1, :], -1, 0)
     rx, ry, rz = np.moveaxis((line[..., 0, :] - line[..., 1, :]) / h[:, None], -1, 0)
     n, ty, tz, mt, my, mz = np.moveaxis(forces.rear, -1, 0)
+    jump = np.moveaxis(forces.front * give.joints, -1, 0)
+    apart_x, apart_y, apart_z, twisted, tilted_y, tilted_z = jump
 
     def strain(give: Array, k: int, *series: Array) -> Array:
         """∫ sᵏ (a + b s + …) give ds."""
         return np.asarray(sum(each * give[k + j] for j, each in enumerate(series)))
 
     bent_y, bent_z = (my, -tz, -qz / 2.0, -rz / 6.0), (mz, ty, qy / 2.0, ry / 6.0)
-    thy, thz = (_from_front(strain(give.bending, 0, *each)) for each in (bent_y, bent_z))
+    thy = _from_front(tilted_y + strain(give.bending, 0, *bent_y))
+    thz = _from_front(tilted_z + strain(give.bending, 0, *bent_z))
     bow_y, bow_z = (strain(give.bending, 1, *each) for each in (bent_y, bent_z))
-    y = h * thz[..., :-1] + bow_z + strain(give.shear, 0, ty, qy, ry / 2.0)
-    z = -h * thy[..., :-1] - bow_y + strain(give.shear, 0, tz, qz, rz / 2.0)
-    stretch = strain(give.stretch, 0, n, qx, rx / 2.0)
+    y = apart_y + h * (thz[..., :-1] + tilted_z) + bow_z + strain(give.shear, 0, ty, qy, ry / 2.0)
+    z = apart_z - h * (thy[..., :-1] + tilted_y) - bow_y + strain(give.shear, 0, tz, qz, rz / 2.0)
+    stretch = apart_x + strain(give.stretch, 0, n, qx, rx / 2.0)
     columns = (_from_front(stretch), _from_front(y), _from_front(z))
-    twist = _from_front(strain(give.torsion, 0, mt))
+    twist = _from_front(twisted + strain(give.torsion, 0, mt))
     return np.stack([*columns, twist, thy, thz], axis=-1)
 
 

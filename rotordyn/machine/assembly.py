@@ -36,9 +36,10 @@ def spindle_faults(spindle: Spindle) -> Faults:
 
 
 def unknown(what: str, name: str, allowed: Iterable[str], instead: str = "") -> Iterator[str]:
-    """A sentence where a name is none of those allowed; an empty one is not known."""
+    """A sentence where a name is none of those allowed; an empty one is not known, and may be any
+    other."""
     known = list(allowed)
-    if name and name not in known:
+    if name and not {name, ""} & {*known}:
         choices = ", ".join(known) or "none, there are none here"
         choices += f", {instead}" if instead else ""
         yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, known)}"

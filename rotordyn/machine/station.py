@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from rotordyn.description import Faults, Path, named_twice
+from rotordyn.description import Faults, Path, known, named_twice
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.shaft import Shaft
@@ -18,8 +18,8 @@ PART = 1e-6  # of a shaft: its shortest part between joints
 
 def on_the_shaft(what: str, x: float, reach: Reach, path: Path, holder: str = "shaft") -> Faults:
     """A fault where station ``x`` [m], given at ``path``, does not lie on a shaft, or on another
-    ``holder``, of that reach."""
-    if x < reach[0] - SLACK or x > reach[1] + SLACK:
+    ``holder``, of that reach, if that is known."""
+    if all(map(known, reach)) and (x < reach[0] - SLACK or x > reach[1] + SLACK):
         ends = " to ".join(format_quantity(end, "mm") for end in reach)
         yield path, f"{what} off the {holder}: given {{given}}; allowed: {ends}"
 
@@ -57,6 +57,8 @@ def turning_faults(
 def _parts(reach: Reach, joints: Sequence[Joint]) -> Faults:
     """Joints that bear one name, or join no two parts of some length."""
     yield from named_twice("joints", joints)
+    if not all(map(known, reach)):
+        return
     (start, end), least = reach, least_part(*reach)
     for index, joint in enumerate(joints):
         way = ("joints", index, "x")

@@ -1,7 +1,7 @@
 """The shaft at rest under static loads on its bearings and supports, at every usable speed.
 
 Linear and of first order: bearings act with the tangent of their preload state. A shaft of further
-rotors or with joints is not among them.
+rotors is not among them.
 
 Theory: docs/theory/statics.md.
 """

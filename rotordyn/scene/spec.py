@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from bearings.bearing import BallBearing
-from rotordyn.description import Description, Faults, Path
+from rotordyn.description import Description, Faults, Path, known
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
@@ -25,18 +26,24 @@ class Setting:
         """Static loads act across the axis on the state of the bearings."""
         return acts_across(self.spindle, self.conditions)
 
+    @property
+    def top(self) -> float:
+        """The highest speed [rad/s], infinite where there is none; NaN where not all are known."""
+        return max(self.speeds, default=math.inf) if all(map(known, self.speeds)) else math.nan
+
     def within(self, speed: float) -> bool:
         """A speed lies within those of the case, as far as these are known."""
-        known = self.speeds and not (speed != speed or any(s != s for s in self.speeds))
-        return not known or self.speeds[0] - 1e-6 <= speed <= self.speeds[-1] + 1e-6
+        if not self.speeds or math.isnan(self.top):
+            return True
+        return not (speed < min(self.speeds) - 1e-6 or speed > self.top + 1e-6)
 
 
 def acts_across(spindle: Spindle, conditions: Conditions) -> bool:
     """Loads, weight or misaligned seats act across the axis on the state of the bearings."""
-    misaligned = any(any(seat.misalignment.offset) for seat in spindle.seats)
     loads = [load.on_axis for load in conditions.loads]
-    across = any(any((*load[1:3], *load[4:])) for load in loads)
-    return bool(spindle.seats) and (misaligned or across or any(conditions.pull[1:]))
+    acting = [*conditions.pull[1:], *(each for load in loads for each in (*load[1:3], *load[4:]))]
+    acting += [each for seat in spindle.seats for each in seat.misalignment.offset]
+    return bool(spindle.seats) and any(each for each in acting if known(each))
 
 
 class Spec(Description):

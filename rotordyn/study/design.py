@@ -21,7 +21,13 @@ from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.results.kinds import Array
 from rotordyn.study.latin_hypercube import latin_hypercube
-from rotordyn.study.parameter import Parameter, is_whole, parameters, require_whole
+from rotordyn.study.parameter import (
+    Parameter,
+    is_whole,
+    parameters,
+    require_each_once,
+    require_whole,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,15 +154,18 @@ def _require_begun(case: Case, whole: Design) -> None:
 def _require_fitting(whole: Design) -> None:
     found = whole.parameters
     if whole.sampling == "grid":
-        for each in found:
-            if each.ends is None and len(set(each.labels)) < len(each.labels):
-                raise InvalidInput(f"{each.path}: a value is listed twice; a grid takes each once")
+        require_each_once(found)
     elif len({len(each.values) for each in found}) > 1:
         given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
         raise InvalidInput(f"a list has as many values of every path: got {given}")
 
 
 def _require_sample(sampling: str, samples: Any, seed: Any) -> None:
+    if samples is None:
+        raise InvalidInput(
+            f"samples: missing key: {sampling} needs how many points are drawn; allowed: a whole "
+            f"number from 1 to {MOST_DRAWN:g}"
+        )
     if not is_whole(samples, 1, MOST_DRAWN):
         raise InvalidInput(
             f"samples: given {shown(samples)}; {sampling} needs a whole number, up to "

@@ -23,6 +23,7 @@ from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
 RESOLVED = 1e-14  # relative distance of numbers that 15 digits tell apart
+LONGEST = 60  # characters of a row as a coordinate
 MODELS: Mapping[type, Any] = {BallBearing: "bearings", Tool: "tools"}
 
 
@@ -150,7 +151,8 @@ def parameter(case: Case, path: str, asked: object) -> Parameter:
     kind = kind_of_model(case, path)
     values = tuple(_given(value, kind) for value in asked)
     found = [_taken(case, path, value) for value in values]
-    labels = tuple(_label(each, word) for (each, _), word in zip(found, asked, strict=True))
+    pairs = zip(found, asked, strict=True)
+    labels = tuple(_label(each, word, quantity) for (each, quantity), word in pairs)
     plain = all(isinstance(each, str | float | int | np.generic) for each in asked)
     if len(set(labels)) < len(labels) and not plain:  # words of what is no word tell little
         labels = tuple(f"{label} ({k + 1})" for k, label in enumerate(labels))
@@ -217,15 +219,27 @@ def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
         raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
 
 
-def _label(kept: Any, given: object) -> Any:
-    """A value as a coordinate: a number or a word."""
+def _label(kept: Any, given: object, quantity: Quantity | None) -> Any:
+    """A value as a coordinate: a number or a word; a row as it was written."""
     if isinstance(kept, float | int) and not isinstance(kept, bool) and math.isfinite(kept):
         return kept
     if isinstance(given, str):
         return given
     if is_dataclass(kept):
         return str(getattr(kept, "name", "") or type(kept).__name__)
+    if isinstance(kept, tuple) and isinstance(given, Sequence | np.ndarray):
+        words = [each if isinstance(each, str) else _written(each, quantity) for each in given]
+        return _cut(f"[{', '.join(words)}]")
     return shown(kept)
+
+
+def _written(value: Any, quantity: Quantity | None) -> str:
+    number = isinstance(value, float | int) and not isinstance(value, bool)
+    return quantity.written(value) if quantity is not None and number else shown(value)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 5]} ...]"
 
 
 def _as_word(label: Any, value: Any, quantity: Quantity) -> str:
@@ -245,6 +259,18 @@ def require_whole(name: str, value: object, least: int) -> None:
     """Refuse a value given in Python that is no whole number from ``least`` up."""
     if not is_whole(value, least):
         raise InvalidInput(f"{name}: given {shown(value)}; allowed: a whole number from {least} up")
+
+
+def require_each_once(found: Sequence[Parameter]) -> None:
+    """Refuse lists that hold a value twice."""
+    for each in found:
+        if each.ends is None and len(set(each.labels)) < len(each.labels):
+            twice = next(v for k, v in enumerate(each.labels) if v in each.labels[:k])
+            given = f"{each.displayed(twice):.12g}" if each.numeric else twice
+            words = f"{given} {each.display[0]}".rstrip()
+            raise InvalidInput(
+                f"{each.path}: a value is listed twice: given {words}; allowed: once"
+            )
 
 
 def parameters(case: Case, asked: Any) -> Iterator[Parameter]:

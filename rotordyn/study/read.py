@@ -42,11 +42,7 @@ def read_study(path: str | Path) -> Study:
     try:
         return study_of(read.case, read.varied, **how)
     except InvalidInput as refusal:
-        word = str(refusal).partition(":")[0]  # sentences begin with a key or path, or with none
-        at: tuple[str, ...] = ("vary", word) if word in read.varied else ()
-        if read.root.child(word):
-            at = (word,)
-        raise read.refused(at, str(refusal).removeprefix(f"{word}: " if at else "")) from None
+        raise read.refused_at_its_word(refusal) from None
 
 
 def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
@@ -86,7 +82,9 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
             for k, each in enumerate(found)
             if shown(each.criterion.of) in str(refusal) and not (limits_alone and key == "goals")
         ]
-        raise read.refused(places[0] if places else (), str(refusal)) from None
+        if places:
+            raise read.refused(places[0], str(refusal)) from None
+        raise read.refused_at_its_word(refusal) from None
     return problem, {name: read.asked[name] for name in ("trials", "seed")}
 
 
@@ -111,6 +109,14 @@ class _Opened:
         faults = Faults()
         faults.at(self.root.at(*at), why)
         return InvalidInput(faults.reported)
+
+    def refused_at_its_word(self, refusal: InvalidInput) -> InvalidInput:
+        """The same at the key or path with which a sentence begins, if it does."""
+        word = str(refusal).partition(":")[0]
+        at: tuple[str, ...] = ("vary", word) if word in self.varied else ()
+        if self.root.child(word):
+            at = (word,)
+        return self.refused(at, str(refusal).removeprefix(f"{word}: " if at else ""))
 
 
 def _opened(path: str | Path, kind: type) -> _Opened:

@@ -77,6 +77,19 @@ def test_quiet_prints_nothing(
     assert capsys.readouterr() == ("", "")
 
 
+def test_what_would_steer_a_terminal_is_printed_as_spaces(
+    bearing: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Colours, deleted lines, writing from right to left, invisible marks in a title; µ stays."""
+    text = bearing.read_text(encoding="utf-8")
+    title = 'title: "µ \\e[31mred \\u202eleft \\x9bK \\u200bend"'
+    bearing.write_text(text.replace("title: one bearing", title), encoding="utf-8")
+    assert run(bearing, "--out", tmp_path / "out", "--no-figures") == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("one: µ  [31mred  left  K  end\n")
+    assert printed.replace("\n", "").isprintable()
+
+
 def test_default_folder_is_named_after_the_case(
     bearing: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -313,6 +313,10 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"speeds.1.: n·dm of bearing a is .* given 229183 rpm; .*did you mean 24000 rpm = 2513": (
         lambda: case(speeds=(0.0, 24000.0))
     ),
+    r"Case .: title: given 'a.x00' with the character U.0000; allowed: text without it": lambda: (
+        case(title="a\0")
+    ),
+    r"Case a : name: given 'a.ud800' with the character U.D800": lambda: case(name="a\ud800"),
     r"compare.v: the speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
 }
 

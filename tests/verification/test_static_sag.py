@@ -13,14 +13,14 @@ import pytest
 
 import rotordyn
 from bearings import Material
-from rotordyn.analyses import Conditions, PointLoad, SectionForcesSpec
+from rotordyn.analyses import Conditions, FrfSpec, PointLoad, Port, SectionForcesSpec
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.static_sag.figures.line import line_figure
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
 from rotordyn.analyses.static_sag.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
-from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.machine import Joint, LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.results.described import Shown
 from rotordyn.units import STANDARD_GRAVITY
 
@@ -48,9 +48,11 @@ def sprung(name: str, x: float, y: float = 2e7, z: float = 2e7, tilt: float = 0.
     return LinearSupport(name, x, stiffness={k: v for k, v in stiffness.items() if v})
 
 
-def solved(spindle: Spindle, point: str = "nose", **asked: Any) -> StaticSagResult:
+def solved(
+    spindle: Spindle, point: str = "nose", conditions: Conditions | None = None, **asked: Any
+) -> StaticSagResult:
     spec = {"static_sag": StaticSagSpec(point, **asked)}
-    found = answer_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
+    found = answer_spindle(spindle, conditions or Conditions(), (0.0,), spec, lambda name: None)
     result = found.results["static_sag"]
     assert isinstance(result, StaticSagResult)
     return result
@@ -83,6 +85,49 @@ def test_overhung_nose(overhang: float) -> None:
     wanted = [-sag, -sag - 0.3 * turn, -sag + 0.1 * turn]
     assert found.sag[0, :, 0] == pytest.approx(wanted, rel=1e-10)
     assert not found.sag[0, :, 1].any()
+
+
+@pytest.mark.parametrize(("way", "stiffness"), [("tilt", 2e5), ("radial", 3e7), ("axial", 1e6)])
+def test_a_joint_adds_what_it_gives(way: str, stiffness: float) -> None:
+    """Under a weight m g on the nose, l in front of a joint: m g l²/k of one that tilts, m g/k of
+    one that gives across the axis, and what the weight w l of the shaft there adds, at l/2."""
+    arm, mass = 0.2, 4.0
+    joint = Joint("holder", arm, **{way: stiffness})
+    spindle = beam(*SUPPORTS["soft"], masses=(PointMass("m", 0.0, mass),))
+    whole, jointed = (
+        solved(each, gauges=(0.0, 0.1)) for each in (spindle, replace(spindle, joints=(joint,)))
+    )
+    force, shaft = mass * STANDARD_GRAVITY, W * arm
+    turn = (force * arm + shaft * arm / 2) / stiffness if way == "tilt" else 0.0
+    shift = (force + shaft) / stiffness if way == "radial" else 0.0
+    more = jointed.sag - whole.sag
+    wanted = [-shift - turn * arm, -shift - turn * (arm + 0.1)]
+    assert more[0, :, 0] == pytest.approx(wanted, rel=1e-9, abs=1e-15)
+    assert (jointed.slope - whole.slope)[0] == pytest.approx([turn, 0.0], rel=1e-9, abs=1e-15)
+
+
+@pytest.mark.parametrize("rotor", ["flexible", "rigid"])
+def test_joints_between_supports_are_those_of_the_equation_of_motion(rotor: str) -> None:
+    """A weight sags by the receptance at frequencies near zero, unlike in y and z."""
+    joints = (
+        Joint("front", 0.5, radial=4e7, tilt=3e5, axial=1e8),
+        Joint("rear", 0.8, radial=9e6, torsion=1e4),
+    )
+    supports = (sprung("a", 0.3, 3e7, 1e7, 4e4), sprung("b", 0.7, 1e8, 2e7), sprung("c", 1.1))
+    spindle, conditions = beam(*supports, joints=joints), Conditions(rotor=rotor)
+    ports = [(Port(at, way), Port("nose", way)) for at in ("nose", "middle") for way in "yz"]
+    asked = {"frf": FrfSpec((0.01,), tuple(ports))}
+    receptance: Any = answer_spindle(spindle, conditions, (0.0,), asked, lambda name: None)
+    wanted = receptance.results["frf"].receptance.real.reshape(2, 2)
+    heavy = replace(spindle, masses=(PointMass("m", 0.0, 10.0),))
+    for column, gravity in enumerate(("-y", "-z")):
+        for row, at in enumerate(("nose", "middle")):
+            sag = [
+                solved(each, at, conditions, gravity=gravity).sag[0, 0, column]
+                for each in (heavy, spindle)
+            ]
+            more = (sag[1] - sag[0]) / (10.0 * STANDARD_GRAVITY)
+            assert more == pytest.approx(wanted[row, column], rel=1e-6)
 
 
 def test_weight_turns_and_grows_with_mass() -> None:

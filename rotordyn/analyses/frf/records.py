@@ -12,7 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rotordyn.analyses.measured_response import NO_RESPONSE, QUANTITIES
+from rotordyn.analyses.measured_response import NO_RESPONSE, QUANTITIES, out_of_range
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.results.display import is_rotation, response_unit
@@ -82,7 +82,7 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     scale *= _sign(data_set, pair)
     coherence = next((own for own in sets if _coherence_of(data_set, own)), None)
     known = () if coherence is None else [complex(value).real for value in coherence["data"]]
-    found = _record(quantity, frequency, [scale * value for value in values], known)
+    found = _record(pair, quantity, frequency, [scale * value for value in values], known)
     return found._replace(speed=_speed(data_set))
 
 
@@ -238,12 +238,12 @@ def _from_table(path: Path, pair: str) -> Record:
         if other != quantity:
             raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
         two = _scaled(numbers, columns[second], factor)
-        return _record(quantity, frequency, list(map(complex, one, two)), coherence)
+        return _record(pair, quantity, frequency, list(map(complex, one, two)), coherence)
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
     if min(one, default=0.0) < 0.0:
         raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
     values = [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)]
-    return _record(quantity, frequency, values, coherence)
+    return _record(pair, quantity, frequency, values, coherence)
 
 
 def _holds(row: Sequence[str]) -> bool:
@@ -319,6 +319,7 @@ def _plain(text: str, like: str, what: str, allowed: str) -> float:
 
 
 def _record(
+    pair: str,
     quantity: str,
     frequency: list[float],
     values: list[complex],
@@ -338,6 +339,8 @@ def _record(
         raise InvalidInput(NO_RESPONSE)
     if not all(map(cmath.isfinite, values)):
         raise InvalidInput("a value is not a finite number")
+    if why := out_of_range(frequency, values, response_unit(pair, quantity)):
+        raise InvalidInput(why)
     return Record(quantity, tuple(frequency), tuple(values), _coherence(coherence, frequency))
 
 

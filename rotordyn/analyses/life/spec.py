@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, known
+from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Choice, Duration, Force, Load, Name, Preload, Share, Speed
 from rotordyn.results.display import RPM
 from rotordyn.scene.loads import PointLoad
@@ -79,19 +79,16 @@ class LifeSpec(Spec):
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
             yield from self._loads(setting, index, step)
-            if step.speed > max(setting.speeds, default=math.inf):
+            if step.speed > setting.top:
                 yield (
                     ("spectrum", index, "speed"),
                     "beyond the speeds of the case, up to which warnings look: given "
                     f"{step.speed * RPM.factor:.6g} rpm; allowed: up to "
-                    f"{max(setting.speeds) * RPM.factor:.6g} rpm, or add speeds to the case",
+                    f"{setting.top * RPM.factor:.6g} rpm, or add speeds to the case",
                 )
         for path in places:
-            if path[-1] not in names:
-                yield (
-                    path,
-                    f"unknown bearing: given '{path[-1]}'; allowed: {', '.join(names)}",
-                )
+            for sentence in unknown("bearing", str(path[-1]), names):
+                yield path, sentence
         if setting.conditions.bearings == "static":
             yield (), "needs bearings at speed: given conditions.bearings: static"
 

@@ -39,11 +39,7 @@ class SectionForcesSpec(Spec):
         if spindle.rotors:
             yield (), "section forces take no further rotors: leave out the rotors"
         if spindle.joints:
-            yield (
-                (),
-                "section forces take no joints, whose give the elastic line leaves out: leave out "
-                "the joints",
-            )
+            yield (), "section forces take no joints: leave out the joints"
         if setting.loaded:
             yield (
                 (),

@@ -23,14 +23,17 @@ class Pockets(NamedTuple):
 
 
 def pockets(speed: Array, depth: Array) -> Pockets:
-    """Of a limit (s,) over speed (s,); where no depth is unstable there is no pocket."""
+    """Of a limit (s,) over speed (s,); where no depth is unstable there is no pocket. What lies
+    between ``low`` and ``high`` of a deeper one belongs to it."""
     finite = np.where(np.isfinite(depth), depth, 0.0)
     least = PROMINENT * finite.max(initial=0.0)
-    tops = np.array([k for k in _tops(finite) if _prominence(finite, k) >= least], dtype=np.intp)
-    place = tops[np.argsort(-finite[tops], kind="stable")][:MOST]
-    ends = [_ends(speed, finite, at) for at in place.tolist()]
-    low, high = np.array(ends, dtype=float).reshape(-1, 2).T
-    return Pockets(place, low, high)
+    tops = [k for k in _tops(finite) if _prominence(finite, k) >= least]
+    found: dict[int, tuple[float, float]] = {}
+    for at in sorted(tops, key=lambda k: -finite[k]):
+        if not any(low <= speed[at] <= high for low, high in found.values()):
+            found[at] = _ends(speed, finite, at)
+    ends = np.array([*found.values()][:MOST], dtype=float).reshape(-1, 2)
+    return Pockets(np.array([*found][:MOST], dtype=np.intp), *ends.T)
 
 
 def _tops(depth: Array) -> list[int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from itertools import compress
 from typing import Annotated
 
 from rotordyn.analyses.measured_spindle import MeasuredSpindle, at_front
@@ -28,6 +29,7 @@ from rotordyn.quantity import (
     TopSpeed,
     Whole,
 )
+from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING
 from rotordyn.scene.spec import Setting, Spec
 
@@ -181,7 +183,8 @@ class StabilityLobesSpec(Spec):
             key = "radial" if given[0] else "tangential"
             yield (key,), "missing key: tangential and radial must be given, or workpiece"
         if self.workpiece is not None and any(given):
-            yield ("workpiece",), "given beside coefficients: leave one of both out"
+            beside = " and ".join(compress(("tangential", "radial"), given))
+            yield ("workpiece",), f"given beside {beside}: leave one of both out"
         if self.milling == "slot" and self.immersion != 1.0:
             yield (
                 ("immersion",),
@@ -208,14 +211,14 @@ class StabilityLobesSpec(Spec):
                 "nothing in the machine is damped, so that no cut is stable: give damping.rotor, "
                 "damping.bearings, or damping of supports",
             )
-        known = [speed for speed in setting.speeds if speed == speed]
         for index, speed in enumerate(self.speeds):
-            if known and speed > max(known) * (1.0 + 1e-9):
+            if speed > setting.top * (1.0 + 1e-9):
                 yield (
                     ("speeds", index),
-                    "above the highest speed of the case, to which the machine is modelled",
+                    "above the highest speed of the case, to which the machine is modelled: "
+                    f"allowed: up to {setting.top * RPM.factor:.6g} rpm",
                 )
-        if known and not self.speeds and not max(known) > 0.0:
+        if not self.speeds and setting.top <= 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
 
     def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:

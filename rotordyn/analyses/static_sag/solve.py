@@ -15,7 +15,6 @@ from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import StaticSagSpec
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
-from rotordyn.errors import InvalidInput
 from rotordyn.scene.at_rest import at_rest, weight
 from rotordyn.scene.scene import Scene
 
@@ -28,11 +27,9 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
 
     Raises
     ------
-    InvalidInput : the shaft is a free body, has joints, or its reactions are not determined
+    InvalidInput : the shaft is a free body, or its reactions are not determined
     """
     spindle, mesh = scene.spindle, scene.mesh
-    if spindle.joints:
-        raise InvalidInput("the static sag takes no joints: leave them out")
     node, gauges = mesh.node_of(spindle.points[spec.point]), np.array(spec.gauges)
     moved = at_rest(scene, mesh, *weight(spindle, mesh, spec.gravity)).moved
     turned = [_turned(scene, ring.bearing, node, gauges) for ring in spec.ring_runouts]

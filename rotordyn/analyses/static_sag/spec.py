@@ -49,9 +49,8 @@ class StaticSagSpec(Spec):
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions
-        for what, there in (("further rotors", spindle.rotors), ("joints", spindle.joints)):
-            if there:
-                yield (), f"the static sag takes no {what}: leave them out"
+        if spindle.rotors:
+            yield (), "the static sag takes no further rotors: leave them out"
         for sentence in unknown("point", self.point, spindle.points):
             yield ("point",), sentence
         names = [*(s.name for s in spindle.seats), *(s.name for s in spindle.supports)]

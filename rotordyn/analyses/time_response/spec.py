@@ -212,7 +212,7 @@ class TimeResponseSpec(Spec):
 
     def _turning_slowly(self, setting: Setting) -> Faults:
         """Unbalances turn no faster than the machine is modelled."""
-        top = max(setting.speeds, default=0.0) / (2.0 * math.pi)
+        top = setting.top / (2.0 * math.pi)
         for each in self.unbalances:
             if isinstance(each.at, str) and each.at not in setting.spindle.places:
                 continue

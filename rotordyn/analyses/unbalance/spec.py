@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Faults, Path, repeated
+from rotordyn.description import Faults, Path, known, repeated
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Duration, Items, PointName
@@ -44,9 +44,9 @@ class UnbalanceSpec(Spec):
             yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
 
     def faults_on(self, setting: Setting) -> Faults:
-        spindle = setting.spindle
+        spindle, speeds = setting.spindle, setting.speeds
         for key in ("run_up", "run_down"):
-            if getattr(self, key) and len(setting.speeds) < 2:
+            if getattr(self, key) and len(speeds) < 2 and all(map(known, speeds)):
                 yield (key,), "needs two speeds of the case, from which and to which it goes"
             if getattr(self, key) and spindle.hysteretic:
                 yield (

@@ -18,7 +18,7 @@ from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.results.declaration import declared
 from rotordyn.results.kinds import Array
-from rotordyn.units import parse_unit
+from rotordyn.units import in_unit, parse_unit
 
 ALIKE = 1e-9  # relative difference of coordinates that are the same
 
@@ -174,9 +174,11 @@ def _places(of: str, name: str, entries: Any, asked: object, unit: str) -> list[
     room = ALIKE * max(abs(low), abs(high))
     inside = (values >= low - room) & (values <= high + room)
     if not inside.any():
+        suffix = str(ends[0]).strip().partition(" ")[2]  # a unit, as it was asked in
+        low, high = (in_unit(v, suffix) if suffix else v for v in (values.min(), values.max()))
         raise InvalidInput(
-            f"{shown(of)}: no {name} at {shown(asked)}; it goes from {values.min():g} to "
-            f"{values.max():g} in SI units"
+            f"{shown(of)}: no {name} at {shown(asked)}; it goes from {low:.6g} to {high:.6g} "
+            f"{suffix or 'in SI units'}"
         )
     return [int(k) for k in np.flatnonzero(inside)]
 

@@ -26,7 +26,7 @@ from rotordyn.study.optimum.goals import Goal, Limit
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
 from rotordyn.study.optimum.search import search
 from rotordyn.study.optimum.trials import Trials
-from rotordyn.study.parameter import is_whole, parameters, require_whole
+from rotordyn.study.parameter import is_whole, parameters, require_each_once, require_whole
 from rotordyn.study.solve import Progress
 
 if TYPE_CHECKING:
@@ -183,6 +183,7 @@ def problem_of(
     for one in found:
         if one.ends is None and len(one.values) < 2:
             raise InvalidInput(f"{one.path}: one value is no choice: give two or more, or a span")
+    require_each_once(found)
     return Problem(case, found, tuple(goals), tuple(limits))
 
 

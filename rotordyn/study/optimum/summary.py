@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from rotordyn import __version__
-from rotordyn.case.varied import found_at
+from rotordyn.case.case import Case
+from rotordyn.case.varied import found_at, places
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import sized
 from rotordyn.results.text import wrapped
@@ -85,16 +87,25 @@ def write_about(folder: Path, found: Optimum) -> None:
 
 def _present(problem: Problem, p: Parameter) -> str:
     """The value that the case has; none where items under ``*`` have several."""
-    words = {_word(p, value) for value, _ in found_at(problem.case, p.path)}
+    case = problem.case
+    words = {_word(p, value) or _called(case, way, value) for way, value, _ in places(case, p.path)}
     return words.pop() if len(words) == 1 else "–"
 
 
+def _called(case: Case, path: str, value: Any) -> str:
+    """The name of a model that is none of the choices."""
+    seats = (holder for holder, _ in found_at(case, path.rpartition(".")[0]))
+    names = (each.model for each in seats if isinstance(each, BearingSeat))
+    return getattr(value, "name", "") or next(names, "") or "–"
+
+
 def _word(p: Parameter, value: Any) -> str:
+    """A value as its choice is written; empty where it is none of them."""
     if isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value):
         return f"{p.displayed(value):.6g}"
     if isinstance(value, str):
         return value[:40]
-    return next((str(w) for w, each in zip(p.labels, p.values, strict=False) if each == value), "–")
+    return next((str(w) for w, each in zip(p.labels, p.values, strict=False) if each == value), "")
 
 
 def _chosen(problem: Problem, p: Parameter, trial: Trial) -> str:

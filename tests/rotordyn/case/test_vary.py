@@ -221,6 +221,14 @@ def test_bearings_and_materials_can_be_changed_too() -> None:
     assert {seat.bearing.ball_material.young_modulus for seat in made.seats} == {300e9}
 
 
+def test_another_bearing_is_not_called_as_the_one_before() -> None:
+    model = rotordyn.model("bearings", "vex55")
+    made = changed(**{"bearings__a__model": model, "bearings__b__model__balls": 12})
+    assert [seat.model for seat in made.seats[:2]] == ["", "VEX 70"]
+    same = changed(**{"bearings__a__model": changed().seats[0].bearing})
+    assert same.seats[0].model == "VEX 70"
+
+
 def test_where_each_bearing_has_its_own_the_way_there_is_named() -> None:
     """A way that can be taken, also where the common one has more steps."""
     seats = tuple(replace(seat, own=("damping", "growth")) for seat in mfw2310().seats)
@@ -289,6 +297,8 @@ WRONG = {
     "spindle.bearings.a.model.balls": (60, "overlap"),
     "spindle.seats.a.x": (5.0, "'seats' is called 'bearings' here, as in files"),
     "spindle.bearings.a.x": (5.0, "off the shaft"),
+    "spindle.bearings.a.model": ("vex55", r"such as rotordyn.model.'bearings', 'vex55'."),
+    "spindle.shaft.sections.nose.material": ("steel", r"rotordyn.model.'materials', 'steel'."),
     "spindle.bearings.*": (1, "allowed: BearingSeat"),
     "spindle.*": (1, "unknown key"),
     "conditions.rotor": ("rigidd", "did you mean rigid"),

@@ -76,6 +76,14 @@ def test_numbers_beside_words_keep_their_unit(flagship: Case) -> None:
     assert found.labels == ("rigid", "8 N/um", "9 N/um")
 
 
+def test_rows_of_numbers_stand_as_they_were_written(flagship: Case) -> None:
+    asked = [["0 rpm", "9000 rpm"], (0.0, 10.0), [f"{k} rpm" for k in range(99)]]
+    found = design(flagship, {"speeds": asked}).parameters[0]
+    assert found.labels[:2] == ("[0 rpm, 9000 rpm]", "[0 rad/s, 10 rad/s]")
+    assert found.labels[2].startswith("[0 rpm, 1 rpm, ")
+    assert found.labels[2].endswith(" ...]")
+
+
 @pytest.mark.parametrize("sampling", ["latin-hypercube", "sobol"])
 def test_a_sample_fills_its_spans_evenly(flagship: Case, sampling: str) -> None:
     """Each of n equal parts of every span holds one point; by ratio, of its logarithm."""
@@ -125,12 +133,13 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"varied": {PRELOAD: Span(300, 400, 10**14)}}, "closer than 15 digits tell"),
     ({"varied": {PRELOAD: Span(300, 400, 10**8)}, "results": ["preload"]}, "kept as a file"),
     ({"varied": {PRELOAD: Span(300, 400)}, "sampling": "sobol", "samples": 2**30}, "drawn whole"),
-    ({"varied": {PRELOAD: [300, "0.3 kN"]}}, "a value is listed twice"),
+    ({"varied": {PRELOAD: [300, "0.3 kN"]}}, "listed twice: given 300 N; allowed: once"),
     ({"varied": {3: [300]}}, "not a dotted path: given 3"),
     ({"varied": {PRELOAD: [1], TRAVEL: [1e-5, 2e-5]}, "sampling": "list"}, "as many values"),
     ({"varied": {PRELOAD: [1]}, "sampling": "sobl"}, "did you mean sobol"),
     ({"varied": {PRELOAD: [1]}, "samples": 4}, "a grid has no samples"),
-    ({"varied": {PRELOAD: [1]}, "sampling": "sobol"}, "needs a whole number"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobol"}, "samples: missing key: sobol needs"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobol", "samples": 0}, "needs a whole number"),
     ({"varied": {PRELOAD: [1]}, "sampling": "sobol", "samples": 100}, "take 128"),
     ({"varied": {PRELOAD: [1]}, "sampling": "sobol", "samples": 8, "seed": -1}, "seed"),
     ({"varied": {PRELOAD: [300.0]}, "analyses": ["campbel"]}, "analyses: given 'campbel'; this"),

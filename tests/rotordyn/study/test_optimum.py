@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq, minimize
 
 import rotordyn
-from rotordyn import Goal, Limit, Span, optimise
+from rotordyn import Goal, Limit, Span, model, optimise
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at, unlike
 from rotordyn.case.vary import vary
@@ -272,6 +272,23 @@ def test_whole_numbers(case: Case) -> None:
         assert found.values[balls] == best
 
 
+def test_models_of_the_case_as_it_stands_are_named(case: Case) -> None:
+    """By their choice, or by their own name where they are none of these; none if they differ."""
+    rows = []
+    for choices, machine in (
+        (["vex70", "kh6014e"], case),
+        (["kh6014e", "s6014e"], case),
+        (["vex70", "kh6014e"], case.vary({"spindle.bearings.a.model": model("bearings", "vex75")})),
+    ):
+        found = optimise(machine, {MODEL: choices}, [STIFF], trials=2, workers=1)
+        rows += [line for line in summary(found).splitlines() if line.startswith(MODEL)]
+    assert [row.removeprefix(MODEL).rsplit(maxsplit=1)[0].strip() for row in rows] == [
+        "vex70",
+        "VEX 70",
+        "–",
+    ]
+
+
 def test_nothing_keeps_the_limits(case: Case) -> None:
     limits = [Limit("preload: sum", at_least="90 kN"), Limit("preload: sum", at_most="500 kN")]
     goal = Goal(highest="preload.axial_load")
@@ -390,6 +407,11 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         ("highest: preload.axial_load", "where: {}", "either highest or lowest"),
         ("trials: 24", "trials: 0", "trials"),
         (
+            "[vex70, kh6014e]",
+            "[vex70, kh6014e, vex70]",
+            f"5:29: vary.{MODEL}: a value is listed twice: given vex70; allowed: once",
+        ),
+        (
             "highest: preload.axial_load",
             "highest: preload.axial_load, where: {bearing: z}",
             "no ",
@@ -483,6 +505,14 @@ def test_numbers_whose_words_begin_others_are_read_alone(
     assert read("bending 1") == [2.0]
     assert read("bending") == [2.0, 8.0]
     assert read("no") == [1.0, 9.0]
+
+
+def test_a_coordinate_that_is_not_there_is_answered_in_the_unit_asked_in() -> None:
+    speeds = np.array([100.0, 200.0]) * math.pi
+    with pytest.raises(InvalidInput, match=r"at '7000 rpm'; it goes from 3000 to 6000 rpm$"):
+        _places("campbell.frequency", "speed", speeds, "7000 rpm", "rpm")
+    with pytest.raises(InvalidInput, match=r"at 7000; it goes from 314.159 to 628.319 in SI units"):
+        _places("campbell.frequency", "speed", speeds, 7000, "rpm")
 
 
 def test_amounts() -> None:

@@ -282,6 +282,9 @@ TABLES = {
     "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
     "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
     "frequency [Hz],real [m/N],imag [m/N]\n2,0,0\n4,0,0\n": "csv: no response: given zero at every",
+    "frequency [Hz],amplitude [mm/N],phase [deg]\n2,2,9\n4,1e300,9\n": r"csv: response out "
+    r"of range: the largest given 1e\+297 m/N at 4 Hz; allowed: 1e-50 to 1e\+50 m/N",
+    "frequency [Hz],amplitude [m/N],phase [deg]\n2,1e-200,9\n4,0,9\n": "given 1e-200 m/N at 2 Hz;",
     "": "the file is empty",
 }
 
