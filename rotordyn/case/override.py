@@ -7,6 +7,7 @@ from typing import Any
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, joined
+from rotordyn.case.shared import called_at
 from rotordyn.quantity import suggestion
 
 
@@ -33,11 +34,11 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
             else:
                 held[key] = value.copy()
     elif isinstance(target.value, list):
-        item = _item(value, step, target, faults)
-        if item is not None and rest:
-            _put(value, rest, item, faults)
-        elif item is not None:
-            target.value[target.value.index(item)] = value.copy()
+        place = _place(value, step, target, faults)
+        if place is not None and rest:
+            _put(value, rest, target.value[place], faults)
+        elif place is not None:
+            target.value[place] = value.copy()
     elif not isinstance(target.value, dict):
         where = f"'{joined(target.path, step)}' does not exist"
         faults.at_key(value, f"{where}: '{target.path}' holds one value")
@@ -50,17 +51,17 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
         _put(value, rest, target.value[step], faults)
 
 
-def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
-    names = [item.name for item in target.value]
+def _place(value: Node, step: str, target: Node, faults: Faults) -> int | None:
+    """Of the item of a list by its name, without one by its place from 1."""
+    names = [called_at(k, item) for k, item in enumerate(target.value, start=1)]
+    if step in names:
+        return names.index(step)
     where = target.path or "the list"
-    if any(names):
-        allowed = f"{', '.join(filter(None, names))}{suggestion(step, names)}"
-        message = f"unknown name '{step}' in {where}; allowed: {allowed}"
+    if any(item.name for item in target.value):
+        allowed = f"unknown name '{step}' in {where}; allowed: {', '.join(names)}"
+        faults.at_key(value, f"{allowed}{suggestion(step, names)}")
+    elif names:
+        faults.at_key(value, f"unknown number '{step}' in {where}; allowed: from 1 to {len(names)}")
     else:
-        names = [str(place) for place in range(1, len(names) + 1)]
-        message = f"unknown number '{step}' in {where}; allowed: from 1 to {len(names)}"
-    if step not in filter(None, names):
-        faults.at_key(value, message if names else f"'{where}' is empty: give it whole")
-        return None
-    found: Node = target.value[names.index(step)]
-    return found
+        faults.at_key(value, f"'{where}' is empty: give it whole")
+    return None

@@ -327,9 +327,9 @@ def _known(change: _Change, step: str, known: Iterable[str], what: str, inner: s
     if step in names:
         return
     listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
-    if what == "number":
-        raise change.refused(f"unknown number '{step}'; allowed: from 1 to {len(names)}")
     where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
+    if what == "number":
+        raise change.refused(f"unknown number '{step}'{where}; allowed: from 1 to {len(names)}")
     hint = f" (did you mean {inner}?)" if inner else suggestion(step, names)
     allowed = f"{listed or 'none, it is empty'}{hint}"
     raise change.refused(f"unknown {what} '{step}'{where}; allowed: {allowed}")

@@ -45,8 +45,8 @@ def _rotors(variants: Sequence[Described]) -> list[str]:
     """Those of every variant; lines as of one machine where they are alike."""
     heads, rows = rotor_table(variants)
     if heads[0] == "variant":
-        _, some = rotor_table(_some(variants))
-        return ["", "rotor", *aligned([["", *heads[1:]], *some]), *_rest(variants)]
+        left = [f"{FEW} of {len(rows)} rotors"] * (len(rows) > MOST)
+        return ["", "rotor", *aligned([["", *heads[1:]], *_some(rows)]), *left]
     spindles = [each.spindle for each in variants if each.spindle is not None]
     return [part for line in rotor_lines(spindles[0]) for part in wrapped(line)] if rows else []
 

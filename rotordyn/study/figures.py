@@ -110,7 +110,8 @@ def _joined(names: Sequence[str]) -> str:
     rest = [row[len(head) :] for row in rows]
     tail = _shared([row[::-1] for row in rest])[::-1]
     apart = [" ".join(row[: len(row) - len(tail)]) for row in rest]
-    return " ".join([*head, *filter(None, [", ".join(apart)]), *tail])
+    listed = ", ".join(dict.fromkeys(filter(None, apart)))
+    return " ".join(filter(None, [*head, listed, *tail]))
 
 
 def _shared(rows: Sequence[Sequence[str]]) -> list[str]:

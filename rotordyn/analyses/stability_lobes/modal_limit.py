@@ -20,8 +20,8 @@ from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, NONE
 
 Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
-DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit,
-DEEP = 0.1  # [m], where it is deeper than this: the first modes of slender tools are very soft
+DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit
+DEEP = 0.1  # [m]: no limit is deeper than that either; the first modes of slender tools are soft
 LEAST_DAMPED = 0.01  # least damping ratio for that: beside their peaks, modes limit without it
 JUST_BELOW = 1e-7  # of the depth of period doubling
 SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix

@@ -17,7 +17,7 @@ LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
 FIRST = 1.01  # ratio of neighbours
 BENT = 0.05  # of its size, by which a receptance may leave the line between samples
 NEGLIGIBLE = 1e-2  # of the largest receptance: where it stays below, nothing chatters
-STIFF = 1e-7  # m/N: the same, of soft tips; with 600 MPa it limits no depth below 8 mm
+STIFF = 1e-7  # m/N: of very soft tips, only what stays below that; it limits no depth up to 8 mm
 STATIC = 0.5  # of the lowest frequency's receptance: the same, where a peak is hardly damped
 LEAST, MOST = 1e-20, 1e3  # m/N, between which the largest receptance of a tip is
 DAMPED = 1e-3  # of the largest receptance: what is less in quadrature damps nothing
@@ -64,7 +64,7 @@ def resolving(
         new = np.sort(np.concatenate([at[bent], at[bent] + 1]))
         if not len(new):
             break
-    least = min(NEGLIGIBLE * _size(value).max(), STATIC * _size(value[:1])[0], STIFF)
+    least = min(NEGLIGIBLE * _size(value).max(), STATIC * _size(value[:1])[0])
     matters = np.flatnonzero(_size(value) > least)
     if matters[-1] == len(omega) - 1:
         raise InvalidInput(
@@ -72,6 +72,9 @@ def resolving(
             "does, such as a modal fit"
         )
     _damped(omega, value, at_force)
+    soft = np.flatnonzero(_size(value) > min(least, STIFF))
+    if soft[-1] < len(omega) - 1:  # not where its end is a residual flexibility
+        matters = soft
     return omega, float(omega[matters[-1]])
 
 

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FAR = 0.2  # of a frequency: as far apart as modes of MAC 0
-ALONE = 1.0  # as of a mode of MAC 0 at the same frequency
+ALONE = 1.5  # as of a pair of MAC 1, 35 % apart: farther ones are no pair
 SWINGS = 1e-3  # Im λ over |λ| below which nothing swings
-APART = 0.5  # ln of frequencies beyond which two modes are no pair
+APART = 0.5  # ln of frequencies beyond which two modes are no pair, whatever is left alone
 SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no mode
 DAMPED = 0.3  # damping ratio above which it is none
 WIDTHS = 4.0  # half-widths within which a mode hides beside another

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rotordyn.case.case import Case
@@ -51,7 +51,7 @@ class Sought:
     deviation: float | None
     also: tuple[str, ...]
     quantity: Quantity | None
-    written: str = ""
+    written: str = field(default="", repr=False, compare=False)
 
     @property
     def scale(self) -> float:

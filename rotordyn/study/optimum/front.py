@@ -31,13 +31,15 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> tuple[list[Trial],
     if problem.choices <= most:
         search(problem, trials, costs[0], most, seed)
         return front(problem, trials), True
-    share, known = int(0.5 * ENDS * most), [*filter(None, [problem.present])]
-    settled = [search(problem, trials, cost, share, seed, [*known, *trials.made]) for cost in costs]
+    share = int(0.5 * ENDS * most)
+    settled = [search(problem, trials, cost, share, seed) for cost in costs]
     found = front(problem, trials)
-    if len(found) > 1:
-        ends = costs[1](found[-1]), costs[1](found[0])
+    levels = [costs[1](each) for each in found]
+    if len(found) > 1 and np.isfinite(levels).all():
         with suppress(Spent):
-            _between(problem, trials, costs, ends)
+            _between(problem, trials, costs, (levels[-1], levels[0]))
+    else:  # one machine is the best in both so far
+        search(problem, trials, costs[0], trials.most - len(trials.made), seed + 1)
     return front(problem, trials), all(settled)
 
 
@@ -81,7 +83,7 @@ def front(problem: Problem, trials: Trials) -> list[Trial]:
     kept: list[Trial] = []
     least = np.inf
     for each in good:
-        if costs[1](each) < least:
+        if not kept or costs[1](each) < least:
             kept.append(each)
             least = costs[1](each)
     return kept

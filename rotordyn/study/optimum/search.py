@@ -1,4 +1,5 @@
-"""Which places are tried: all of few choices, else differential evolution and a local search.
+"""Which places are tried: all of few choices, else differential evolution, or where trials are few
+places spread evenly, and a local search.
 
 Differential evolution (Storn & Price, J. Global Optimization 11 (1997) 341; ``scipy``) compares
 places by the rules of Deb (Comput. Methods Appl. Mech. Eng. 186 (2000) 311): what keeps the limits
@@ -33,15 +34,9 @@ STEP, LAST = 0.08, 1e-6  # of the way between the ends: first and last radius of
 Cost = Callable[[Trial], float]
 
 
-def search(
-    problem: Problem,
-    trials: Trials,
-    cost: Cost,
-    most: int,
-    seed: int,
-    known: Sequence[Place] = (),
-) -> bool:
-    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places too.
+def search(problem: Problem, trials: Trials, cost: Cost, most: int, seed: int) -> bool:
+    """Make up to ``most`` trials where they lower ``cost``, starting from the case as it stands and
+    the best that were made before, too.
 
     Returns whether it has settled: nothing beside the best one is known, or likely, to be better.
     """
@@ -49,11 +44,24 @@ def search(
         if problem.choices <= most:
             trials.at([tuple(map(float, x)) for x in product(*_numbers(problem))])
             return True
-        begin = len(trials.made)
-        _evolve(problem, trials, cost, int(BROAD * most), seed, known)
+        end = len(trials.made) + most
+        ranked = sorted(trials.made.values(), key=lambda t: _energy(t, cost, 1.0))
+        before = [*filter(None, [problem.present]), *(each.number for each in ranked)]
+        _evolve(problem, trials, cost, int(BROAD * most), seed, [*dict.fromkeys(before)])
         finish = beside if problem.whole.all() else _follow
-        return finish(problem, trials, cost, begin + most)
+        if finish(problem, trials, cost, end):
+            return True
+        if (left := end - len(trials.made)) > 0:  # too few for a local search
+            trials.at([problem.place(x) for x in _spread(problem, left, seed + 1)])
     return False
+
+
+def _spread(problem: Problem, count: int, seed: int) -> Array:
+    """So many places evenly between all ends (count, n)."""
+    shares = latin_hypercube(count, len(problem.parameters), seed)
+    places = shares * np.where(problem.whole, problem.last + 1.0, 1.0)
+    whole = np.minimum(np.floor(places), problem.last)
+    return np.asarray(np.where(problem.whole, whole, places))
 
 
 def _numbers(problem: Problem) -> list[range]:
@@ -72,17 +80,15 @@ def _scale(trials: Trials, cost: Cost) -> float:
 
 
 def _evolve(
-    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Sequence[Place]
+    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, before: Sequence[Place]
 ) -> None:
     from scipy.optimize import differential_evolution
 
     size = len(problem.parameters)
     each, least, largest = POPULATION
     count = int(np.clip(each * size, least, min(largest, max(most // 4, least))))
-    shares = latin_hypercube(count, size, seed)
-    first = shares * np.where(problem.whole, problem.last + 1.0, 1.0)
-    first = np.where(problem.whole, np.minimum(np.floor(first), problem.last), first)
-    for k, place in enumerate(known[: count // 2]):
+    first = _spread(problem, count, seed)
+    for k, place in enumerate(before[: count // 2]):
         first[k] = place
     if most < FEW * count:  # too few generations to get anywhere: the local search has the others
         trials.at([problem.place(x) for x in first[: max(most, 1)]])
@@ -137,7 +143,8 @@ def _follow(problem: Problem, trials: Trials, cost: Cost, end: int) -> bool:
     starts: dict[tuple[float, ...], Trial] = {}
     for each in ranked:
         starts.setdefault(_combination(problem, each.number), each)
-    chosen, settled = [t for t in list(starts.values())[:FOLLOWED] if t.goals], dict[Place, bool]()
+    chosen = [t for t in [*starts.values()][:FOLLOWED] if t.goals and np.isfinite(cost(t))]
+    settled: dict[Place, bool] = {}
     for k, start in enumerate(chosen):
         left = (end - len(trials.made)) // (len(chosen) - k)
         if left > 2 * len(problem.parameters):

@@ -32,7 +32,7 @@ from rotordyn.study.solve import Progress
 if TYPE_CHECKING:
     import xarray as xr
 
-UNSETTLED = "The last trials still found better ones: more trials may go further."
+UNSETTLED = "The trials ended before the search had settled: more of them may go further."
 ALIKE = 1e-6  # of a cost: so much is rounding of what is chosen
 BINDING = 1e-3  # margin of a limit, or share of a way between ends, that holds the best back
 
@@ -43,8 +43,8 @@ class Optimum:
 
     ``start``: the case as it stands; ``trials`` in the order in which they were made; ``best``: the
     feasible one of the first goal, None where no trial keeps all limits; ``front``: of two goals,
-    the trials of which none beats another in both. ``settled``: the last trials of the search
-    hardly found better.
+    the trials of which none beats another in both. ``settled``: the search came to where its
+    last trials hardly found better.
     """
 
     problem: Problem
@@ -250,8 +250,7 @@ def solved(
         if len(problem.goals) == 2:
             found, settled = trade_off(problem, made, seed)
         else:
-            cost, known = cost_of(problem, 0), [*filter(None, [problem.present])]
-            found, settled = [], search(problem, made, cost, trials, seed, known)
+            found, settled = [], search(problem, made, cost_of(problem, 0), trials, seed)
     good = [each for each in made.made.values() if each.feasible]
     best = min(good, key=cost_of(problem, 0), default=None)
     return Optimum(problem, start, tuple(made.made.values()), best, tuple(found), settled)

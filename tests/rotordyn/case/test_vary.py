@@ -286,7 +286,7 @@ WRONG = {
     "bearing.balls": (3, "'bearing' is None; give it whole"),
     "spindle.damping.bearings": ({}, "several values.* change spindle.damping.bearings.radial"),
     "spindle.title.x": (1, "leads too far"),
-    "speeds.0": (1.0, "unknown number '0'; allowed: from 1 to"),
+    "speeds.0": (1.0, "unknown number '0' in 'speeds'; allowed: from 1 to"),
     "speeds": ((0.0, math.nan), r"speeds\[1\]: not a number"),
     "spindle.sleeves.front.spring": (8e6, "wrong type: given 8000000.0; allowed: Spring"),
     "spindle.sleeves.front.spring.stiffness": ("8 N", "'N' is not a unit of stiffness"),
@@ -397,5 +397,7 @@ def test_an_item_without_a_name_goes_by_its_place(tmp_path: Path) -> None:
     lines = "spindle: mfw2310\noverride: {damping.rotor.2: 3 %}\nspeeds: [0 rpm]\n"
     file.write_text(f"title: x\n{lines}analyses: {{campbell: {{max_frequency: 900 Hz}}}}\n")
     assert rotordyn.load(file).spindle.rotor_damping == (0.01, 0.03, 0.05)
+    file.write_text(file.read_text().replace("rotor.2: 3 %", "rotor.*: 5 %, damping.rotor.2: 4 %"))
+    assert rotordyn.load(file).spindle.rotor_damping == (0.05, 0.04, 0.05)
     with pytest.raises(InvalidInput, match=r"unknown number '4'.*from 1 to 3"):
         case.vary({"spindle.damping.rotor.4": 0.1})

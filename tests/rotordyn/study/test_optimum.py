@@ -240,6 +240,37 @@ def test_the_case_as_it_stands_is_tried_first_or_said_to_be_better(case: Case) -
     assert "The case as it stands is none of the choices, and better." in found.verdict
 
 
+@pytest.mark.parametrize("granted", [1, 5, 11, 24])
+@pytest.mark.parametrize("flat", [False, True])
+def test_all_trials_are_spent_unless_the_search_has_settled(
+    case: Case, monkeypatch: pytest.MonkeyPatch, granted: int, *, flat: bool
+) -> None:
+    """Also where one machine is the best in both goals, or nothing depends on what is chosen."""
+
+    def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
+        return Trial(place, goals=(1.0,) * 2 if flat else (sum(place),) * 2, units=("N", "N"))
+
+    monkeypatch.setattr(trials, "solve_trial", tried)
+    varied = {SPRING: Span("1 kN", "2 kN"), MIDDLE: Span("74 mm", "84 mm")}
+    goals = [Goal(lowest="preload.spring_force"), Goal(lowest="preload: sum")]
+    for asked in (goals[:1], goals):
+        found = optimise(case, varied, asked, trials=granted, workers=1)
+        assert len(found.trials) == granted or found.settled
+        assert (UNSETTLED in found.verdict) == (not found.settled)
+
+
+def test_a_goal_without_bound_leaves_the_best_on_the_front(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
+        return Trial(place, goals=(place[0], math.inf), units=("N", "N"))
+
+    monkeypatch.setattr(trials, "solve_trial", tried)
+    goals = [Goal(lowest="preload.spring_force"), Goal(lowest="preload: sum")]
+    found = optimise(case, {SPRING: Span("1 kN", "2 kN")}, goals, trials=20, workers=1)
+    assert found.front == (found.best,)
+
+
 @pytest.mark.parametrize(
     ("asked", "place"),
     [

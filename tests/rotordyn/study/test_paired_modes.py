@@ -25,7 +25,7 @@ def test_a_measured_mode_too_many_does_not_move_the_others() -> None:
 
 
 def test_a_mode_far_off_has_no_partner() -> None:
-    apart = np.abs(np.log(np.array([[1.3], [1.1]])))
+    apart = np.abs(np.log(np.array([[1.5], [1.1]])))
     assert assigned(apart / FAR, apart, ALONE) == ([1], [0])
     assert assigned(apart[:1] / FAR, apart[:1], ALONE) == ([], [])
 
