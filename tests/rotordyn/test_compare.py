@@ -143,6 +143,17 @@ def test_the_summary_has_the_rotor_of_every_variant_once_where_they_are_alike() 
         assert told == pytest.approx(wanted, rel=1e-3)
 
 
+def test_of_many_rotors_some_are_shown_by_the_name_of_their_variant() -> None:
+    """Also where those shown are alike, and the one that differs is not among them."""
+    whole = compared()
+    rigid = dict(whole.variants)["rigid"]
+    many = [replace(rigid, title=f"v{k:02d}") for k in range(30)]
+    many[3] = many[3].vary({"spindle.shaft.sections.tail.length": "90 mm"})
+    rows = comparison_summary(whole, [(each, {}) for each in many]).splitlines()
+    assert [row.split()[0] for row in rows[4:12:7]] == ["v00", "v29"]
+    assert rows[12] == "8 of 30 rotors"
+
+
 def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
     """With a front spring that has no preload its bearing is idle at rest and loaded by its growth
     at speed."""

@@ -12,7 +12,7 @@ import rotordyn
 from rotordyn.page.blocks import Markup
 from rotordyn.study.columns import Column, parallel_coordinates, plain_group, scatter
 from rotordyn.study.design import design
-from rotordyn.study.figures import figures
+from rotordyn.study.figures import _joined, figures
 from rotordyn.study.point import Outcome, Study
 
 PRELOAD = "spindle.sleeves.front.spring.preload"
@@ -110,3 +110,15 @@ def test_labels_at_the_mouse_are_templates() -> None:
     )
     assert isinstance(chart.traces[0]["hovertemplate"], Markup)
     assert not any(isinstance(each, Markup) for each in chart.traces[0]["text"])
+
+
+@pytest.mark.parametrize(
+    ("names", "one"),
+    [
+        (["b at 0 rpm", "f at 0 rpm"], "b, f at 0 rpm"),
+        (["sum", "sum at 0 rpm"], "sum at 0 rpm"),
+        (["a", "a"], "a"),
+    ],
+)
+def test_numbers_that_are_alike_have_one_name(names: list[str], one: str) -> None:
+    assert _joined(names) == one

@@ -85,6 +85,7 @@ def test_values_are_printed_in_the_unit_of_the_ends() -> None:
         (found,) = sought(case(spindle()), {path: Unknown(low, high, start=start)})
         assert found.unit == unit
         assert found.low == pytest.approx(0.02)
+        assert found == replace(found, written="")  # a search begun goes on, whatever is typed
 
 
 def test_modes_are_paired_by_their_whirl() -> None:
