@@ -28,7 +28,7 @@ Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
 MOST_CHARTS = 24  # of one analysis
 ROOM = 1.05  # of an axis, above the values that it holds
-ROUNDED = 1e-5  # more than numbers of a page lose: marks outside an axis are not drawn
+ROUNDED = 1e-5  # of an axis, above its end: a mark there, rounded up, would not be drawn
 BEYOND = "Triangles at the upper edge lie beyond the axis: pointing at them gives their values."
 OPEN = {"measured": "circle-open", "published": "diamond-open"}
 

@@ -353,6 +353,25 @@ def test_spherical_bessel_functions():
         np.testing.assert_allclose(spherical_bessel(x, count), known, rtol=1e-9, atol=1e-9)
 
 
+def test_a_soft_tip_with_a_residual_flexibility_has_its_limit():
+    """Such as a modal fit gives: as if a stiff mode far above, in its place, ended it."""
+
+    def tip(omega, far):
+        each = (1e4, 60.0, 0.03), (5e6, 800.0, 0.03), (5e6, far, 0.5)
+        ratio = omega[:, None] / (2.0 * math.pi * np.array([own for _, own, _ in each]))
+        damped = 2j * np.array([ratio_of for *_, ratio_of in each]) * ratio
+        value = (1.0 / np.array([k for k, *_ in each]) / (1.0 - ratio**2 + damped)).sum(axis=1)
+        return value[:, None, None] * np.eye(2)
+
+    speed = 3000.0 * math.pi / 30.0
+    ended, endless = (
+        limit_depth(lambda omega, far=far: tip(omega, far), 3, speed=speed, entry=0.0, exit=1.5)
+        for far in (12e3, 1e7)
+    )
+    assert endless.depth == pytest.approx(ended.depth, rel=2e-3)
+    assert endless.frequency == pytest.approx(ended.frequency, rel=1e-3)
+
+
 def test_receptances_that_end_before_the_chatter_band():
     def ends(omega):
         return np.where(omega[:, None, None] > 3e3, np.nan, MACHINE.receptance(omega))

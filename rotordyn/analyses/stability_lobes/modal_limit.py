@@ -21,7 +21,7 @@ from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, NONE
 Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
 DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit
-DEEP = 0.1  # [m]: no limit is deeper than that either; the first modes of slender tools are soft
+DEEP = 0.1  # [m]: limits are looked for down to here in any case, however soft a tip is at first
 LEAST_DAMPED = 0.01  # least damping ratio for that: beside their peaks, modes limit without it
 JUST_BELOW = 1e-7  # of the depth of period doubling
 SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix

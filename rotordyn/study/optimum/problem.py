@@ -99,10 +99,8 @@ class Problem:
 def _share(p: Parameter, values: list[Any]) -> float | None:
     """The number of a value that all places have; None where they differ, or it is no choice."""
     if p.ends is None:
-        words = any(isinstance(v, str) for v in p.values)
-        held = [v for v in values if words or not isinstance(v, str)]
         pairs = [*zip(p.values, p.labels, strict=True)]
-        numbers = {next((k for k, pair in enumerate(pairs) if v in pair), None) for v in held}
+        numbers = {next((k for k, pair in enumerate(pairs) if v in pair), None) for v in values}
         found = numbers.pop() if len(numbers) == 1 else None
         return None if found is None else float(found)
     low, high = p.ends
