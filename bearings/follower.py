@@ -71,6 +71,7 @@ class Follower:
         self.speed = float(finite_numbers("speed", speed, single=True)[0])
         self._geometry, self._law = acting(geometry(bearing.grooves), law.dynamics), law
         self._origin = groove_origin(self._geometry, static, total)
+        self._compliances = compliances(bearing.grooves)
         if not np.isfinite(self._origin).all():
             raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")
         self._last: tuple[Array, Array] | None = None  # (d (1, 5), X (2, 1, n))
@@ -101,11 +102,15 @@ class Follower:
         self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool
     ) -> Followed:
         shape = load.shape[:-1]
-        turning = np.abs(finite_numbers("speed", self.speed if speed is None else speed))
-        try:
-            omega = np.broadcast_to(turning, shape).reshape(-1)
-        except ValueError as error:
-            raise InvalidBearing(f"speed {turning.shape} does not fit states {shape}") from error
+        if speed is None:
+            omega = np.full(shape, abs(self.speed)).reshape(-1)
+        else:
+            turning = np.abs(finite_numbers("speed", speed))
+            try:
+                omega = np.broadcast_to(turning, shape).reshape(-1)
+            except ValueError as error:
+                what = f"speed {turning.shape} does not fit states {shape}"
+                raise InvalidBearing(what) from error
         if not omega.size:
             return Followed(load, move, np.zeros((*shape, 5, 5)), np.zeros(shape, dtype=bool))
         move, load, turn = move.reshape(-1, 5), load.reshape(-1, 5), turns(self._geometry, omega)
@@ -131,12 +136,12 @@ class Follower:
             geometry=self._geometry,
             law=self._law,
             assembly=full_assembly(self._geometry),
-            origin=np.broadcast_to(self._origin, (2, len(omega))),
+            origin=self._origin.repeat(len(omega), axis=1),
             speed=omega,
             load=load,
             free=np.full(5, free),
             turning=turning,
-            compliances=compliances(self._bearing.grooves),
+            compliances=self._compliances,
         )
         near, chained = None, self._law.one_branch
         if self._last is not None and chained:

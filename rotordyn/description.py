@@ -121,7 +121,7 @@ def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
         if isinstance(step, int):
             value = value[step] if isinstance(value, Sequence) and step < len(value) else None
             name = getattr(value, "name", "")
-            words[-1:] = [*words[-1:], name] if name else [f"{words[-1]}[{step}]"]
+            words[-1:] = [*words[-1:], name] if name else [f"{words[-1]}.{step + 1}"]
             continue
         words.append(step)
         if isinstance(value, Mapping):

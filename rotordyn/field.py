@@ -207,23 +207,25 @@ def _row(inner: tuple[Any, ...]) -> Check:
         items = tuple(value)
         if not endless and len(items) != len(checks):
             raise Refused(f"{len(checks)} items are needed: given {len(items)}")
-        return tuple(_item(checks[0 if endless else k], v, k) for k, v in enumerate(items))
+        return tuple(
+            _item(checks[0 if endless else k], v, f".{k + 1}") for k, v in enumerate(items)
+        )
 
     return row
 
 
-def _item(check: Check, value: object, index: object) -> Any:
+def _item(check: Check, value: object, place: str) -> Any:
     try:
         return check(value)
     except Refused as refusal:
-        raise Refused(refusal.why, f"[{index}]{refusal.place}") from None
+        raise Refused(refusal.why, f"{place}{refusal.place}") from None
 
 
 def _mapping(key: Check, entry: Check) -> Check:
     def mapping(value: Any) -> dict[Any, Any]:
         if not isinstance(value, Mapping):
             raise Refused(_kind_wanted(value, "a mapping"))
-        return {key(k): _item(entry, v, k) for k, v in value.items()}
+        return {key(k): _item(entry, v, f"[{k}]") for k, v in value.items()}
 
     return mapping
 

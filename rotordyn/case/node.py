@@ -113,9 +113,10 @@ def merged(base: Node | None, more: Node | None) -> Node | None:
 
 
 def joined(path: str, key: Key) -> str:
-    """``path`` extended by a key or by an index in brackets."""
+    """``path`` extended by a key, or by the place of an item of a list, counted from 1 as in paths
+    that are varied."""
     if isinstance(key, int):
-        return f"{path}[{key}]"
+        key = f"{key + 1}"
     return f"{path}.{key}" if path else key
 
 

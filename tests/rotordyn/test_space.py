@@ -123,5 +123,5 @@ def test_python_of_the_page_runs(
 def test_shapes_in_space_need_shapes() -> None:
     with pytest.raises(rotordyn.InvalidInput, match="shapes_3d: needs the shapes"):
         CampbellSpec(shapes=False, shapes_3d=ShapesInSpaceSpec())
-    with pytest.raises(rotordyn.InvalidInput, match=r"files\[1\]: repeated: given 'vtu'"):
+    with pytest.raises(rotordyn.InvalidInput, match=r"files\.2: repeated: given 'vtu'"):
         ShapesInSpaceSpec(files=("vtu", "vtu"))

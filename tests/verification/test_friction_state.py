@@ -353,13 +353,13 @@ def test_a_warm_spindle_may_run_up_cold() -> None:
         ("one thing: given warm and axial_force", lambda: HistoryStep(warm=True, axial_force=1.0)),
         ("axial_force.*nan", lambda: HistoryStep(axial_force=math.nan)),
         (
-            r"history\[1\].speed: after the run-up",
+            r"history\.2.speed: after the run-up",
             lambda: scene(
                 mfw2310(), [0.0], history=(HistoryStep(run_up=True), HistoryStep(speed=1.0))
             ),
         ),
         (
-            r"history\[1\].run_up: a history runs up once",
+            r"history\.2.run_up: a history runs up once",
             lambda: scene(mfw2310(), [0.0], history=(HistoryStep(run_up=True),) * 2),
         ),
     ],

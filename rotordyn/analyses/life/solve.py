@@ -244,7 +244,7 @@ def _step(
     there = scene.at(np.array([step.speed])).under(conditions)
     if there.outcome[0]:
         raise InvalidInput(
-            f"life: spectrum[{place}] at {step.speed * RPM.factor:.6g} rpm has no physical "
+            f"life: spectrum.{place + 1} at {step.speed * RPM.factor:.6g} rpm has no physical "
             f"solution: {there.outcome[0]}; change the loads or the speed of this step"
         )
     hot = rating * _rating_factor(spec, _temperatures(there))[0]
@@ -258,7 +258,7 @@ def _step(
         revolutions = float(bearings.life.reference_life(state, float(rated)).flat[at])
         if math.isnan(revolutions):
             raise InvalidInput(
-                f"life: spectrum[{place}].radial.{seat.name}: no state under this load: given "
+                f"life: spectrum.{place + 1}.radial.{seat.name}: no state under this load: given "
                 f"{step.radial[seat.name]:.6g} N; allowed: what the bearing bears; lower it"
             )
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)

@@ -70,7 +70,7 @@ def test_places(tmp_path: Path) -> None:
     root = read(tmp_path, "a:\n  - {name: front, x: 3}\n  - [1, 2]\n")
     x = root.at("a", 0, "x")
     assert (x.line, x.column, x.path, x.key) == (2, 22, "a.front.x", (2, 19))
-    assert root.at("a", 1, 1).path == "a[1][1]"
+    assert root.at("a", 1, 1).path == "a.2.2"
 
 
 def test_alias_is_a_copy(tmp_path: Path) -> None:

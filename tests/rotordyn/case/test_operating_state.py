@@ -54,7 +54,7 @@ WARM, PAST = "sleeves: []\nconditions:\n  temperatures: ", "sleeves: []\nconditi
         (WARM + "30 degC", "temperatures", "wrong shape"),
         (PAST + "[{axialforce: 9 N}]", "axialforce", "did you mean axial_force"),
         (PAST + "[{axial_force: .nan N}]", "axial_force", "not a finite number"),
-        (PAST + "[{speed: 400000 rpm}]", "history[0].speed", "mm/min: given 400000 rpm"),
+        (PAST + "[{speed: 400000 rpm}]", "history.1.speed", "mm/min: given 400000 rpm"),
     ],
 )
 def test_it_is_one_sentence_at_its_place(

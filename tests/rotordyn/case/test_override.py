@@ -198,5 +198,5 @@ def test_a_faulty_estimate_is_told_once(overridden: Override) -> None:
     with pytest.raises(InvalidInput) as found:
         overridden(f"bearings.*.model: {{{model}, estimate: {{preloads: [-190 N]}}}}")
     assert [fault.path for fault in found.value.faults] == [
-        "override.bearings.*.model.estimate.preloads[0]"
+        "override.bearings.*.model.estimate.preloads.1"
     ]

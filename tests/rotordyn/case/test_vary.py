@@ -287,7 +287,7 @@ WRONG = {
     "spindle.damping.bearings": ({}, "several values.* change spindle.damping.bearings.radial"),
     "spindle.title.x": (1, "leads too far"),
     "speeds.0": (1.0, "unknown number '0' in 'speeds'; allowed: from 1 to"),
-    "speeds": ((0.0, math.nan), r"speeds\[1\]: not a number"),
+    "speeds": ((0.0, math.nan), r"speeds\.2: not a number"),
     "spindle.sleeves.front.spring": (8e6, "wrong type: given 8000000.0; allowed: Spring"),
     "spindle.sleeves.front.spring.stiffness": ("8 N", "'N' is not a unit of stiffness"),
     "spindle.sleeves.rear.spring.stiffness": ("rigd", "or rigid .did you mean rigid"),

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from matplotlib import colormaps
 from matplotlib.collections import LineCollection
 
 from rotordyn.analyses.bearing.figures.tangents import tangents_figure
@@ -264,11 +265,18 @@ def test_map_covers_the_axes_and_carries_the_modes():
     assert not map_figure(samples.frf(9, 100), [0]).axes[0].collections
 
 
+def _drawn_up_to(image):
+    """The upper end of the colours of a map, whose colour is there."""
+    top = colormaps["viridis"](1.0, bytes=True)
+    assert (np.asarray(image.get_array()) == top).all(axis=-1).any()
+    return image.get_clim()[1]
+
+
 def test_map_keeps_the_largest_amplitude():
     frf = samples.frf(9, 2000)
     image = map_figure(frf, [0]).axes[0].images[0]
     largest = np.abs(frf.receptance[:, 0]).max() * 1e6
-    assert np.nanmax(image.get_array()) == pytest.approx(np.log10(largest))
+    assert _drawn_up_to(image) == pytest.approx(np.log10(largest))
 
 
 def test_uneven_speeds_are_put_where_they_belong():
@@ -276,7 +284,7 @@ def test_uneven_speeds_are_put_where_they_belong():
     uneven = replace(frf, speed=frf.speed**2 / frf.speed[-1])
     values = map_figure(uneven, [0]).axes[0].images[0].get_array()
     assert values.shape[1] == 480
-    assert np.ptp(values[:, :2], axis=1).max() == 0.0
+    assert np.ptp(values[:, :2], axis=1).max() == 0
 
 
 def test_surface_keeps_peaks_and_leaves_out_missing_speeds():
@@ -316,8 +324,7 @@ def test_a_map_shows_peaks_between_its_frequencies_and_no_speed_below_the_first(
     at[4, 0], value[4, 0] = 0.5 * (frf.frequency[20] + frf.frequency[21]), 1e-3
     one = replace(frf, speed=speed, resonance=np.arange(1), peak_frequency=at, peak_value=value)
     axes = map_figure(one, [0]).axes[0]
-    image = np.asarray(axes.images[0].get_array())
-    assert np.nanmax(image) == pytest.approx(np.log10(1e-3 * 1e6))
+    assert _drawn_up_to(axes.images[0]) == pytest.approx(np.log10(1e-3 * 1e6))
     assert axes.get_xlim()[0] == pytest.approx(speed[0] * 30.0 / np.pi)
     assert axes.images[0].get_extent()[0] == axes.get_xlim()[0]
 

@@ -295,7 +295,7 @@ def test_faulty_table_is_refused_at_its_key(tmp_path: Path, content: str) -> Non
     with pytest.raises(InvalidInput, match=TABLES[content]) as caught:
         case(tmp_path, measured=MEASURED % ("tap.csv", ""))
     (fault,) = caught.value.faults
-    assert fault.path == "analyses.frf.measured[0].file"
+    assert fault.path == "analyses.frf.measured.1.file"
     assert fault.line == 12
     assert fault.message.replace("'", "").startswith("tap.csv: ")
 
