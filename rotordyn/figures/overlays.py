@@ -118,7 +118,7 @@ def overlay_figure(
             _name(axes, groups, variants, looks)
         lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
-        _finish(axes, first, above[2], labelled=bool(words) and not strip)
+        _finish(axes, first, above[2], labelled=bool(words) and not strip, top=place < columns)
         _beyond(axes, group.layers, looks, lines)
         if names:
             name_ends(axes, _ends(group.layers, looks), above[3])
@@ -261,13 +261,15 @@ def _dots(look: dict[str, Any]) -> dict[str, Any]:
     return {"clip_on": False, **marks}
 
 
-def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
-    """Limits, ticks, title and names of places."""
+def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool, top: bool) -> None:
+    """Limits, ticks, title and, on ``top`` of the figure, names of places."""
     low, high = float(curve.x[0]), float(curve.x[-1])
     if curve.places:
         axes.set_xlim(low, high)
         stations.mark(axes, curve.places)
-        stations.name(axes, curve.places, wide, stations.upright(curve.places, wide, low, high))
+        if top:
+            upright = stations.upright(curve.places, wide, low, high)
+            stations.name(axes, curve.places, wide, upright)
         axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     else:
         start, high = axis_start(low, high), max(high, 1.0)

@@ -40,11 +40,14 @@ ROUNDING = 1e-12  # of all loads
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AtRest:
-    """``forces`` within the shaft; ``moved`` (usable, nodes, 6): its displacements [m, rad];
-    ``push`` (usable, connections, 6): loads of bearings and supports on it [N, N·m]."""
+    """``forces`` within the shaft; ``moved`` (usable, nodes, 6): its displacements [m, rad], at a
+    joint those of the part in front; ``apart`` (usable, elements, 6): by how much more the front
+    end of an element behind a joint moves; ``push`` (usable, connections, 6): loads of bearings and
+    supports on it [N, N·m]."""
 
     forces: SectionForces
     moved: Array
+    apart: Array
     push: Array
 
 
@@ -85,7 +88,7 @@ def at_rest(
     forces = section_forces(x, whole, line)
     moved = elastic_line(x, give, forces, line)
     moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
-    return AtRest(forces, moved, push)
+    return AtRest(forces, moved, forces.front * give.joints, push)
 
 
 def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:

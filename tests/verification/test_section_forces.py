@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import rotordyn
 from bearings import Material
 from rotordyn.analyses import (
     Conditions,
@@ -26,7 +27,7 @@ from rotordyn.analyses import (
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.errors import InvalidInput
-from rotordyn.machine import Disc, Drawbar, LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.machine import Disc, Drawbar, Joint, LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from tests.oracles.spindles import RPM, answers, case, mfw2310, undamped, with_sleeve
 
@@ -109,6 +110,45 @@ def test_cantilever(plane: str) -> None:
         np.testing.assert_allclose(found, wanted, rtol=1e-11, atol=1e-12 * abs(wanted).max())
     assert not result.torque.any()
     assert not getattr(result, f"deflection_{other}").any()
+
+
+@pytest.mark.parametrize("plane", ["y", "z"])
+def test_a_cantilever_with_a_joint(plane: str) -> None:
+    """Behind the joint the shaft is shifted by F/k and tilted by M/k; in front nothing changes."""
+    clamped, x = held("wall", 0.0, "x", "y", "z", "thx", "thy", "thz"), 0.5
+    joint = Joint("holder", x, radial=3e7, tilt=2e5, axial=1e7, torsion=5e4)
+    load = PointLoad(L, **{f"F{plane}": F}, Fx=100.0, Mx=20.0)
+    limits = TwistLimit(0.0, x, 0.1, name="front"), TwistLimit(x, L, 0.1, name="rear")
+    whole, jointed = (
+        solved(beam(clamped, joints=joints), load, twist_limits=limits) for joints in ((), (joint,))
+    )
+    behind = np.arange(jointed.cut.size) > np.flatnonzero(jointed.cut == x)[0]
+    arm, moment = (jointed.cut - x) * behind, F * (L - x) * behind
+    sign, other = {"y": (1.0, "z"), "z": (-1.0, "y")}[plane]
+    wanted = {
+        f"deflection_{plane}": F / 3e7 * behind + moment / 2e5 * arm,
+        f"slope_{other}": sign * moment / 2e5,
+        "axial_displacement": 100.0 / 1e7 * behind,
+        "twist": 20.0 / 5e4 * behind,
+        f"bending_moment_{other}": 0.0 * arm,
+        "von_mises_stress": 0.0 * arm,
+    }
+    assert np.array_equal(whole.cut, jointed.cut)
+    for name, change in wanted.items():
+        without, found = getattr(whole, name)[0], getattr(jointed, name)[0]
+        np.testing.assert_allclose(found - without, change, atol=1e-11 * np.abs(found).max())
+    np.testing.assert_allclose(jointed.twist_between, whole.twist_between, rtol=1e-11)
+
+
+def test_a_twist_limit_across_a_joint_is_refused() -> None:
+    clamped = held("wall", 0.0, "x", "y", "z", "thx", "thy", "thz")
+    spindle = beam(clamped, joints=(Joint("holder", 0.5, torsion=5e4),))
+    across = TwistLimit(0.2, 0.8, 0.1)
+    asked = {"section_forces": SectionForcesSpec((PointLoad(L, Mx=20.0),), twist_limits=(across,))}
+    with pytest.raises(InvalidInput, match=r"twist_limits\.1: joint 'holder' twists between both"):
+        rotordyn.Case("c", "", (0.0,), asked, spindle=spindle)
+    stiff = beam(clamped, joints=(Joint("holder", 0.5, tilt=5e4),))
+    assert solved(stiff, PointLoad(L, Mx=20.0), twist_limits=(across,)).twist_between.all()
 
 
 def test_overhang_with_a_line_load() -> None:

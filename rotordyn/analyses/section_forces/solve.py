@@ -16,7 +16,6 @@ from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.static_loads import loaded_mesh, static_loads
 from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
-from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import at_rest
@@ -35,8 +34,6 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     InvalidInput : the shaft is a free body, or its reactions are not determined
     """
     spindle = scene.spindle
-    if spindle.joints:
-        raise InvalidInput("section forces take no joints: leave them out")
     mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
     loads = static_loads(spindle, mesh, spec, scene.conditions)
     speed = scene.speed[scene.usable]
@@ -51,14 +48,13 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         both[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
     cut = scene.scattered(both.reshape(len(both), -1, 6))
-    line = scene.scattered(
-        np.stack([moved[:, :-1], moved[:, 1:]], axis=2).reshape(len(moved), -1, 6)
-    )
-    outer, inner = (ends.T.ravel() for ends in (mesh.outer, mesh.inner))
+    ends = np.stack([moved[:, :-1] + rest.apart, moved[:, 1:]], axis=2)
+    line = scene.scattered(ends.reshape(len(moved), -1, 6))
+    outer, inner = (each.T.ravel() for each in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)
     held = [(each.name, each.x) for each in spindle.connections]
     spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]
-    turned = [moved[:, span.stop, 3] - moved[:, span.start, 3] for span in spans]
+    turned = [ends[:, span.stop - 1, 1, 3] - ends[:, span.start, 0, 3] for span in spans]
     needed = [
         _required_diameter(limit, mesh, both, span)
         for limit, span in zip(spec.twist_limits, spans, strict=True)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Faults, repeated
+from rotordyn.description import Faults, Path, repeated
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Choice
 from rotordyn.scene.loads import LineLoad, PointLoad, TwistLimit, Unbalance
 from rotordyn.scene.spec import Setting, Spec, held_twice, placed, spanned
@@ -38,8 +40,6 @@ class SectionForcesSpec(Spec):
         spindle, conditions = setting.spindle, setting.conditions
         if spindle.rotors:
             yield (), "section forces take no further rotors: leave out the rotors"
-        if spindle.joints:
-            yield (), "section forces take no joints: leave out the joints"
         if setting.loaded:
             yield (
                 (),
@@ -61,7 +61,9 @@ class SectionForcesSpec(Spec):
         for index, line in enumerate(self.line_loads):
             yield from spanned(line.start, line.to, spindle, ("line_loads", index))
         for index, limit in enumerate(self.twist_limits):
-            yield from spanned(limit.start, limit.to, spindle, ("twist_limits", index))
+            path = "twist_limits", index
+            faults = [*spanned(limit.start, limit.to, spindle, path)]
+            yield from faults or _of_one_part(limit, spindle, path)
         if not {self.gravity, conditions.gravity} & {"", "none"}:
             yield (
                 ("gravity",),
@@ -88,3 +90,17 @@ class SectionForcesSpec(Spec):
         named += [at for span in self.line_loads for at in (span.start, span.to)]
         named += [at for span in self.twist_limits for at in (span.start, span.to)]
         return tuple(named)
+
+
+def _of_one_part(limit: TwistLimit, spindle: Spindle, path: Path) -> Faults:
+    """A fault where a joint that twists is between the ends: no diameter makes it twist less."""
+    if "" in (limit.start, limit.to):
+        return
+    first, last = (spindle.place(at).x for at in (limit.start, limit.to))
+    for joint in spindle.joints:
+        if first < joint.x < last and math.isfinite(joint.torsion):
+            yield (
+                path,
+                f"joint '{joint.name}' twists between both ends: allowed: from and to on one of the "
+                f"parts that it joins at {joint.x * 1e3:.6g} mm",
+            )

@@ -7,7 +7,12 @@ from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
-from rotordyn.analyses.section_forces.figures.diagrams import FORCES, speeds_shown, stations_of
+from rotordyn.analyses.section_forces.figures.diagrams import (
+    FORCES,
+    LINES,
+    speeds_shown,
+    stations_of,
+)
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
 from rotordyn.results.headline import Curve, curves_of
@@ -22,9 +27,11 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """The six diagrams at the last speed with a solution."""
+    """The six diagrams, deflections and von Mises stress at the last speed with a solution."""
     result = variant.result
     row, places = speeds_shown(result)[-1].row, stations_of(result, variant.spindle)
-    for name in FORCES:
-        at_speeds = [*curves_of(result, name, along="cut", figure="section_forces")]
+    figures = dict.fromkeys(FORCES, "section_forces")
+    figures |= dict.fromkeys((*LINES[0], "von_mises_stress"), "elastic_line")
+    for name, figure in figures.items():
+        at_speeds = [*curves_of(result, name, along="cut", figure=figure)]
         yield at_speeds[row]._replace(places=places)

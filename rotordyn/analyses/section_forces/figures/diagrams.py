@@ -154,11 +154,12 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
 
 
 def stations_of(result: SectionForcesResult, spindle: Spindle | None) -> list[stations.Mark]:
-    """What holds the shaft and named points [mm]; names at one station share it."""
+    """What holds the shaft, its joints and named points [mm]; names at one station share it."""
     named: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):
         named.setdefault(round(float(x) * 1e3, 6), []).append(name)
-    for name, x in (spindle.points if spindle else {}).items():
+    joints = {joint.name: joint.x for joint in spindle.joints} if spindle else {}
+    for name, x in (joints | dict(spindle.points) if spindle else {}).items():
         names = named.setdefault(round(x * 1e3, 6), [])
         if name not in names:
             names.append(name)
