@@ -101,6 +101,6 @@ def _of_one_part(limit: TwistLimit, spindle: Spindle, path: Path) -> Faults:
         if first < joint.x < last and math.isfinite(joint.torsion):
             yield (
                 path,
-                f"joint '{joint.name}' twists between both ends: allowed: from and to on one of the "
-                f"parts that it joins at {joint.x * 1e3:.6g} mm",
+                f"joint '{joint.name}' twists between both ends: allowed: from and to on one of "
+                f"the parts that it joins at {joint.x * 1e3:.6g} mm",
             )
