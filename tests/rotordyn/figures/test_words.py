@@ -15,7 +15,9 @@ from rotordyn.analyses.frf.figures.map import map_figure
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
+from rotordyn.analyses.unbalance.figures import headline_curves
 from rotordyn.figures.interval import bands_figure
+from rotordyn.results.described import Shown
 from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
 
@@ -114,3 +116,23 @@ def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
     over = max(line.get_zorder() for line in axes.lines)
     assert all(text.get_zorder() > over for text in axes.texts)
     assert len(axes.texts) > 1
+
+
+@pytest.mark.parametrize(
+    ("runs", "panels"),
+    [
+        (("up",), ["Oc2 up", "O3 up"]),
+        (("up", "down"), ["Oc2 up", "Oc2 down"]),
+        (("a", "b", "c", "d", "e"), ["Oc2 a", "Oc2 b", "Oc2 c", "Oc2 d"]),
+    ],
+)
+def test_comparisons_have_a_panel_for_every_run(runs, panels):
+    steady = samples.unbalance(9)
+    result = replace(steady, run=runs, run_amplitude=np.full((len(runs), 5, 2), 1e-6))
+    curves = list(headline_curves(None, Shown("", result, (), None)))
+    drawn = [each for each in curves if each.figure == "unbalance_runs"]
+    assert [each.panel for each in drawn] == panels
+    assert [each.panel for each in curves if each.figure == "unbalance"] == ["Oc2", "O3"]
+    assert not {each.series for each in drawn} - {""}
+    np.testing.assert_allclose(drawn[0].x, np.linspace(0.0, 1000.0, 5) * 30.0 / math.pi)
+    np.testing.assert_allclose(drawn[0].y, 1.0)

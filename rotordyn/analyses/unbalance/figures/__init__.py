@@ -17,6 +17,7 @@ from rotordyn.results.headline import Curve, curves_of
 code = partial(Code, __name__)
 
 MOST_POINTS = 3
+MOST_RUNS = 4
 SEEN = 1e-6  # of the largest orbit: less, next to rest, would stretch the axis
 
 
@@ -34,13 +35,25 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Major half axis of the orbit of the first points."""
-    if variant.result.speed[-1] <= 0.0:
-        return
-    field, how = "fine_major_axis", {"figure": "unbalance", "along": "fine_speed"}
-    for curve in islice(curves_of(variant.result, field, panels="point", **how), MOST_POINTS):
-        title = f"{curve.panel}, major half axis, zero to peak"
-        y = np.asarray(curve.y)
-        largest = np.max(y, where=np.isfinite(y), initial=0.0)
-        seen = np.where(y > SEEN * largest, y, np.nan)
-        yield curve._replace(y=seen, label="half axis of the orbit", title=title, log=True)
+    """Major half axis of the orbit of the first points, in steady rotation and on the first runs,
+    of these each in a panel of its own."""
+    result = variant.result
+    if result.speed[-1] > 0.0:
+        how = {"figure": "unbalance", "along": "fine_speed", "panels": "point"}
+        for curve in islice(curves_of(result, "fine_major_axis", **how), MOST_POINTS):
+            yield _orbit(curve._replace(title=f"{curve.panel}, major half axis, zero to peak"))
+    runs = result.run[:MOST_RUNS]
+    points = result.point[: max(1, MOST_POINTS // max(len(runs), 1))]
+    how = {"figure": "unbalance_runs", "along": "run_speed", "panels": "point", "series": "run"}
+    for curve in curves_of(result, "run_amplitude", **how):
+        if curve.series in runs and curve.panel in points and np.isfinite(curve.y).any():
+            name = f"{curve.panel} {curve.series}"
+            title = f"{name}, major half axis, zero to peak"
+            yield _orbit(curve._replace(panel=name, title=title, series="", key=""))
+
+
+def _orbit(curve: Curve) -> Curve:
+    """The curve without what is next to rest."""
+    largest = np.max(curve.y, where=np.isfinite(curve.y), initial=0.0)
+    seen = np.where(curve.y > SEEN * largest, curve.y, np.nan)
+    return curve._replace(y=seen, label="half axis of the orbit", log=True)
