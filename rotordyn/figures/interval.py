@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from rotordyn.figures.style import (
     new_figure,
     round_ticks,
 )
-from rotordyn.results.headline import Curve
+from rotordyn.results.headline import FAR, Curve, under
 from rotordyn.results.interval import (
     NARROW,
     OVER_HYPOTHESES,
@@ -144,7 +144,12 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
             axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
         series = list(dict.fromkeys(curve.series for _, curve in shown))
         for key, curve in shown:
-            _band(axes, held, held.curve.index(key), curve, series)
+            _line(axes, held.curve_nominal[held.rows_of(held.curve.index(key))], curve, series)
+        within = axes.get_ylim()
+        for key, curve in shown:
+            _band(axes, held, held.curve.index(key), curve)
+        if np.isfinite(first.ceiling):  # the axis does not grow for what lies beyond
+            axes.set_ylim(within)
         _finish(axes, first)
         if named:
             name_ends(axes, _ends(held, shown, series), box[3])
@@ -152,22 +157,29 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
     return figure
 
 
-def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence[str]) -> None:
+def _line(axes: Axes, y: Array, curve: Curve, series: Sequence[str]) -> None:
+    """The curve as in the case; one that has points beyond the axis leaves the frame."""
+    name, look = curve.series or "as in the case", line_of(series.index(curve.series))
+    x, y = curve._replace(y=y).drawn
+    if curve.dotted:
+        look |= {"marker": "o", "ms": 3.0, "ls": ""}
+    (line,) = axes.plot(x, under(y, curve.ceiling), label=name, lw=1.0, **look)
+    line.set_ydata(np.minimum(y, FAR * curve.ceiling))
+
+
+def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
     rows = held.rows_of(place)
-    x, y = held.x[rows], held.curve_nominal[rows]
-    if curve.log:
-        y = np.where(y > 0.0, y, np.nan)
     bands: tuple[tuple[Array, str, str, float], ...] = (
         (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
         (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
     )
     for ends, words, shade, alpha in bands:
-        if len(x) > 1:
-            axes.fill_between(x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha)
+        x, (low, high) = held.x[rows], np.minimum(ends, FAR * curve.ceiling).T
+        look: dict[str, Any] = {"label": words, "color": shade, "alpha": alpha, "zorder": 1.2}
+        if len(x) == 1 or curve.dotted:
+            axes.vlines(x, low, high, lw=3.0, **look)
         else:
-            axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
-    look = line_of(series.index(curve.series))
-    axes.plot(x, y, label=curve.series or "as in the case", lw=1.0, **look)
+            axes.fill_between(x, low, high, lw=0.0, **look)
 
 
 def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[str]) -> list[End]:

@@ -58,7 +58,8 @@ def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str,
 
 
 def difference(curve: Curve, other: Curve, base: Curve) -> Array:
-    """How far ``other`` lies from ``base`` at the points of ``curve``; logarithms of amplitudes.
+    """How far ``other`` lies from ``base`` at the points of ``curve``; by logarithms where they
+    change by factors.
 
     The difference is followed between the points of the two where these are the same.
     """
@@ -69,10 +70,10 @@ def difference(curve: Curve, other: Curve, base: Curve) -> Array:
 
 
 def _scaled(curve: Curve) -> Array:
-    if not curve.log:
+    if not curve.by_ratio:
         return np.asarray(curve.y, float)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(curve.y > 0.0, np.log(np.where(curve.y > 0.0, curve.y, 1.0)), np.nan)
+    known = (curve.y > 0.0) & (curve.y < np.inf)
+    return np.where(known, np.log(np.where(known, curve.y, 1.0)), np.nan)
 
 
 def _followed(x: Array, at: Array, y: Array) -> Array:

@@ -17,6 +17,7 @@ from rotordyn.results.display import RPM, number
 from rotordyn.results.kinds import Array, Flags
 
 LEAST_POINTS = 4  # for a line; fewer are marks
+FAR = 4.0  # times a ceiling: as far as a line is drawn beyond an axis
 CHANGE = 6  # decimals of a change [%]: less is rounding
 Known = tuple[str, str]  # quantity and subject of a reference
 Place = tuple[float, str]
@@ -87,6 +88,11 @@ class Curve(NamedTuple):
     def dotted(self) -> bool:
         """Its points are too few for a line."""
         return 1 < len(self.x) < self.least
+
+    @property
+    def by_ratio(self) -> bool:
+        """What is above zero and changes by factors: amplitudes, and depths that have no end."""
+        return self.log or bool(np.isfinite(self.ceiling))
 
     @property
     def within(self) -> Curve:

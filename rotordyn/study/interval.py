@@ -42,10 +42,10 @@ class Nominal(NamedTuple):
 
     @property
     def value(self) -> Array:
-        """Every column in printed units; NaN of logarithmic curves, that differ by logarithms."""
+        """Every column in printed units; NaN of curves that differ by logarithms."""
         numbers = np.array([each.value for each in self.values.numbers.values()], dtype=float)
         curves = self.values.curves.values()
-        parts = [np.full(len(c.x), np.nan) if c.log else np.asarray(c.y, float) for c in curves]
+        parts = [np.asarray(c.y, float) * (np.nan if c.by_ratio else 1.0) for c in curves]
         return np.concatenate([numbers, *parts])
 
     def of(self, machines: Sequence[Values]) -> Array:
@@ -215,7 +215,7 @@ def _joined(
     value, points = nominal.value[:count], slice(count, None)
     length = [len(curve.x) for curve in curves.values()]
     y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
-    log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)
+    log = np.repeat([curve.by_ratio for curve in curves.values()], length).astype(bool)
     moved = nominal.of(combined)
     by_combination = _each(nominal, combined, moved[:, :count])
     return Interval(
@@ -276,7 +276,7 @@ def _ends(changes: Array) -> Array:
 
 
 def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
-    """Points of curves moved by changes, of logarithms where they are logarithmic."""
+    """Points of curves moved by changes, of their logarithms where ``log``."""
     changes = np.nan_to_num(changes)
     with np.errstate(over="ignore", invalid="ignore"):
         return np.where(

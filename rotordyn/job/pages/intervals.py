@@ -13,7 +13,7 @@ from rotordyn.page.blocks import Block, Chart, Control, Markup, Table, Text
 from rotordyn.page.curves import MOST_CHARTS, known_marks
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, marks_only
 from rotordyn.report.interval import interval_doubts, interval_over, interval_ranges
-from rotordyn.results.headline import Curve
+from rotordyn.results.headline import FAR, Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
 from rotordyn.results.kinds import Array
 
@@ -21,6 +21,7 @@ MOST, BARS = 24, 10  # numbers to choose from, sources of each
 FEW = 4  # curves of a small chart
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 GREY, OPAQUE = "#8A8A8A", 0.35
+OVER = 1.05  # of an axis that has its end, above the curves that it holds
 BAR, ROOM = 26, 130  # px of a bar, and of what surrounds them
 Lists = list[list[float]]
 
@@ -109,25 +110,31 @@ def _band_chart(of: str, part: Part, held: Interval, curves: list[tuple[Curve, i
     for name, (curve, which) in zip(names, curves, strict=True):
         place = list(dict.fromkeys(names)).index(name)
         rows = held.rows_of(which)
-        x, y = held.x[rows], _positive(held.curve_nominal[rows], curve)
+        x, y = held.x[rows], _drawable(held.curve_nominal[rows], curve)
         for ends, words, shade in (
             (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY),
             (held.curve_tolerances[rows], OVER_TOLERANCES, colour(place)),
         ):
             if (np.ptp(ends, axis=1) > 0.0).any():
-                traces.append({**_band(x, _positive(ends, curve), shade), "name": words})
-        drawn = {"mode": "lines", "line": line(place)} if len(x) > 1 else marks_only(place)
+                traces.append({**_band(x, _drawable(ends, curve), shade), "name": words})
+        single = len(x) == 1 or curve.dotted
+        drawn = marks_only(place) if single else {"mode": "lines", "line": line(place)}
         traces.append({"x": x, "y": y, "name": name, **drawn})
     for k, trace in enumerate(traces):
         trace["showlegend"] = trace["name"] not in [other["name"] for other in traces[:k]]
     traces += known_marks([(0, curve) for curve, _ in curves], [shown_of(part.case, None)])
     ordinate = logarithmic if first.log else axis
     layout = {"xaxis": axis(first.along), "yaxis": ordinate(first.label, first.unit)}
+    if np.isfinite(first.ceiling):  # the axis does not grow for what lies beyond
+        every = np.concatenate([curve.within.y for curve, _ in curves])
+        layout["yaxis"]["range"] = [0.0, OVER * float(np.nanmax(every))]
     title = first.title or (f"{first.panel}: {first.label}" if first.panel else first.label)
     return Chart(f"{of}{title}", traces, layout, wide=first.log or len(curves) > FEW)
 
 
-def _positive(values: Array, curve: Curve) -> Array:
+def _drawable(values: Array, curve: Curve) -> Array:
+    """What has a logarithm where the axis has one, and what is endless not far beyond the axis."""
+    values = np.minimum(values, FAR * curve.ceiling)
     return np.where(values > 0.0, values, np.nan) if curve.log else values
 
 

@@ -83,6 +83,25 @@ def test_modes_in_their_bands_bear_their_names():
     assert all(t.get_window_extent().x1 <= axes.figure.bbox.x1 for t in axes.texts)
 
 
+@pytest.mark.parametrize("least", [3, 8])
+def test_a_band_leaves_the_frame_where_depths_do(least):
+    rpm, depth = np.linspace(1000.0, 5000.0, 5), np.array([2.0, 3.0, math.inf, 3.0, 50.0])
+    look = {"limits": (0.0, None), "ceiling": 10.0, "least": least}
+    curve = Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **look)
+    held = SimpleNamespace(
+        curve=("depth",), rows_of=lambda k: slice(None), x=rpm, curve_nominal=depth,
+        curve_hypotheses=np.column_stack([depth / 2.0, depth]),
+        curve_tolerances=np.column_stack([depth / 2.0, depth * 2.0]),
+    )  # fmt: skip
+    (axes,) = bands_figure(held, {"depth": curve}).axes
+    assert 3.0 < axes.get_ylim()[1] < 4.0
+    (line,) = axes.lines
+    assert line.get_ydata() == pytest.approx([2.0, 3.0, 40.0, 3.0, 40.0])
+    assert (line.get_linestyle() == "None") == (least > 5)
+    for band in axes.collections:
+        assert band.get_datalim(axes.transData).y1 == pytest.approx(40.0)
+
+
 def test_lines_of_defects_are_named_along_them_those_side_by_side_once():
     base, turns = samples.campbell(9), samples.speeds(9) / (2.0 * math.pi)
     orders = np.array([3.02, 3.0, 2.4, 90.0])

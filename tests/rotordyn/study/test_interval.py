@@ -113,6 +113,22 @@ def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
     assert (inside[:, 1] >= held.curve_nominal[points]).all()
 
 
+@pytest.mark.long
+def test_bands_of_stable_depths_are_ratios() -> None:
+    """Depths of turning go with one over the cutting coefficient: its range turned around."""
+    whole = rotordyn.load("deep_groove_turning")
+    asked = {"speeds": tuple(np.linspace(200.0, 300.0, 5)), "process_damping": 0.0}
+    spec = replace(whole.analyses["stability_lobes"], **asked)
+    path = "analyses.stability_lobes.turning.force"
+    given = Uncertain(tolerances={path: "± 60 %"})
+    case = replace(whole, variants={}, analyses={"stability_lobes": spec}, uncertain=given)
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    depth = held.curve_nominal[:, None]
+    share = held.curve_tolerances / depth
+    np.testing.assert_allclose(share, np.broadcast_to([1 / 1.57, 1 / 0.43], (5, 2)), rtol=0.02)
+    assert np.ptp(share, axis=0) == pytest.approx([0.0, 0.0], abs=1e-6)
+
+
 def test_rounding_does_not_order_twins() -> None:
     """Both whirls of a mode at rest have one frequency, which of them is named must not depend on
     the last digit."""
