@@ -67,6 +67,11 @@ class Journal:
         line = {f.name: getattr(outcome, f.name) for f in fields(outcome) if f.name != "results"}
         record.add(self._path, {"point": line.pop("number"), **line})
 
+    def withdraw(self) -> None:
+        """Remove all that is kept, and the folder with it."""
+        shutil.rmtree(self.folder / RESULTS, ignore_errors=True)
+        record.withdraw(self._path)
+
     @property
     def size(self) -> int:
         """Bytes that it takes on disk."""

@@ -150,10 +150,14 @@ def solved(
                 import xarray  # noqa: F401 - gathers the outcomes; meanwhile the processes load
             found = journal.begin()
             progress(len(found), count)
-            for outcome in _outcomes(journal, found, most, cluster, yes=yes):
-                journal.add(outcome)
-                found[outcome.number] = outcome
-                progress(len(found), count)
+            try:
+                for outcome in _outcomes(journal, found, most, cluster, yes=yes):
+                    journal.add(outcome)
+                    found[outcome.number] = outcome
+                    progress(len(found), count)
+            finally:
+                if not found:  # another study finds its folder free
+                    journal.withdraw()
         return gathered(study, found, journal.datasets), found
 
 
@@ -162,7 +166,7 @@ def _outcomes(
 ) -> Iterator[Outcome]:
     """Outcomes of what is not known yet; the first ones tell how long the others take."""
     study = journal.study
-    count = study.design.count
+    count, begun_here = study.design.count, not known
     total = count - len(known)
     left = (k for k in range(count) if k not in known)  # one by one: they may be any number
     packed, least, looked = pack(study), math.inf, 0
@@ -201,7 +205,10 @@ def _outcomes(
             least = min(least, *(outcome.seconds for outcome in block))
             seconds = least * (total - looked) / workers
             if looked >= min(LOOKED, total) and seconds > LONG and not unasked:
-                raise InvalidInput(_too_long(journal, count, total - looked, seconds, workers))
+                told = _too_long(journal, count, total - looked, seconds, workers)
+                if begun_here:
+                    journal.withdraw()
+                raise InvalidInput(told)
 
 
 def _too_long(journal: Journal, count: int, left: int, seconds: float, workers: int) -> str:

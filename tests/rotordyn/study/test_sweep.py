@@ -320,13 +320,24 @@ def test_models_stand_beside_the_file_of_the_study(
     assert found.values[0] == rotordyn.model("bearings", "vex70")
 
 
-def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_long_study_asks_first(
+    case: Case, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """And leaves its folder to another one, unless that holds points of a study let go on."""
     monkeypatch.setattr(solve, "LONG", 1e-3)
-    how: Any = {"analyses": ["preload"], "workers": 1}
+    how: Any = {"analyses": ["preload"], "workers": 1, "folder": tmp_path / "s"}
     asked = {SPRING: Span(800.0, 1600.0, 4)}
     with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve: about .* h with 1 work"):
         sweep(case, asked, **how)
+    assert not (tmp_path / "s").exists()
     assert sweep(case, asked, **how, yes=True)["sentence"].values.tolist() == [""] * 4
+    (tmp_path / "s" / "points.jsonl").write_text(
+        "\n".join((tmp_path / "s" / "points.jsonl").read_text().splitlines()[:3]) + "\n"
+    )
+    monkeypatch.setattr(solve, "LOOKED", 1)
+    with pytest.raises(InvalidInput, match=r"4 points, 1 of them to solve"):
+        sweep(case, asked, **how)
+    assert len((tmp_path / "s" / "points.jsonl").read_text().splitlines()) == 4
 
 
 def test_a_refusal_ends_what_is_still_solved(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -524,10 +535,14 @@ def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case, alone: Any) -
     same(found, alone)
 
 
-def test_a_scheduler_that_is_not_there(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_scheduler_that_is_not_there(
+    case: Case, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(workers, "PATIENCE", "200ms")
+    how: Any = {"analyses": ["preload"], "folder": tmp_path / "s", "cluster": "tcp://127.0.0.1:9"}
     with pytest.raises(InvalidInput, match=r"no scheduler answers at 'tcp://127\.0\.0\.1:9'"):
-        sweep(case, {SPRING: [800.0, 900.0]}, analyses=["preload"], cluster="tcp://127.0.0.1:9")
+        sweep(case, {SPRING: [800.0, 900.0]}, **how)
+    assert not (tmp_path / "s").exists()
 
 
 def test_processes_that_were_started_before_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
