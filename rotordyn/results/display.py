@@ -61,12 +61,16 @@ def number(value: float, digits: int = 1) -> str:
 
 
 def sized(value: float, digits: int, *size: float) -> str:
-    """The same, also of values that are small by their unit, such as m/N; ``size``: of what stands
-    beside it.
+    """The same, also of values that are small by their unit, such as m/N, and of those without
+    bound; ``size``: of what stands beside it.
 
     >>> sized(3.0e-7, 6, 2.9e-7), sized(0.0, 6, 2e-7), sized(0.25, 3), sized(1e-17, 3)
     ('3e-07', '0', '0.250', '0.000')
+    >>> sized(math.inf, 3), sized(math.nan, 3)
+    ('unbounded', 'none')
     """
+    if math.isinf(value):
+        return "unbounded"
     largest = max((abs(each) for each in (value, *size) if math.isfinite(each)), default=0.0)
     if math.isfinite(value) and LEAST < largest < SMALL:
         return f"{value:.4g}"

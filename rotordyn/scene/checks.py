@@ -7,8 +7,13 @@ from dataclasses import dataclass
 
 @dataclass
 class Checks:
-    """``wanted``: models are refined, else their errors are not known (NaN). ``worst``: the largest
-    error found so far, over what the accuracy allows; infinite where modes appear or vanish."""
+    """``wanted``: models are refined, else their errors are not known (NaN).
+
+    Largest errors found so far, over what the accuracy allows, infinite where modes appear or
+    vanish: ``worst`` of models that answered, ``first`` of those that were tried first, in whose
+    place finer ones answered.
+    """
 
     wanted: bool = True
     worst: float = 0.0
+    first: float = 0.0

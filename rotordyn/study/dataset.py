@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -45,7 +45,7 @@ def gathered(
     if not study.results or not good:
         return whole
     kept = {k: datasets(row) for k, row in good}
-    parts = [_stacked(design, name, kept) for name in study.results]
+    parts = [_apart(_stacked(design, name, kept), design, values) for name in study.results]
     return xr.merge([whole, *parts], combine_attrs="override", join="left")
 
 
@@ -95,6 +95,17 @@ def _stacked(design: Design, name: str, kept: Mapping[int, Mapping[str, xr.Datas
 def _named(name: str, data: xr.Dataset) -> xr.Dataset:
     """Variables and dimensions by the names that they have in a study."""
     return data.rename({each: f"{name}{OF_RESULTS}{each}" for each in data.variables})
+
+
+def _apart(part: xr.Dataset, design: Design, numbers: Collection[str]) -> xr.Dataset:
+    """With the dimensions in the name of a variable that a headline number is called like."""
+    called = {name: each.dims for name, each in part.variables.items() if name in numbers}
+    ways = {
+        name: ", ".join(str(d) for d in at if d not in design.dims) for name, at in called.items()
+    }
+    return part.rename(
+        {n: f"{n} {'coordinate' if way == n else f'over {way}'}" for n, way in ways.items()}
+    )
 
 
 def _places(rows: Sequence[Any]) -> tuple[Any, list[list[int]]]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import repeat
 from typing import Any
@@ -28,6 +28,23 @@ from rotordyn.study.parameter import (
     require_each_once,
     require_whole,
 )
+
+
+def one_machine(case: Case, varied: Collection[str]) -> Case:
+    """The case without its variants and what is uncertain, of which studies take no notice.
+
+    Raises
+    ------
+    InvalidInput : it is one of several tools, none of which is meant more than the others
+    """
+    tools = [each.tool for each in case.variants.values()]
+    compared = len(tools) > 1 and tools[0] == case.tool and tools.count(case.tool) == 1
+    if compared and "tool" not in varied:
+        raise InvalidInput(
+            f"the case compares {len(tools)} tools, a study solves one machine: give the case one "
+            f"tool, or vary it (tool: [{', '.join(case.variants)}])"
+        )
+    return replace(case, variants={}, uncertain=None)
 
 
 @dataclass(frozen=True, eq=False)

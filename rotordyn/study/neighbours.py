@@ -99,8 +99,8 @@ class Neighbours:
             self.unchecked -= 1
             return answers, None
         self.unchecked = 0
-        if checks.worst <= SMALL and case.conditions.accuracy >= TIGHT:
-            most = PER_CHECK * SMALL / checks.worst if checks.worst else math.inf
+        if checks.first <= SMALL and case.conditions.accuracy >= TIGHT:
+            most = PER_CHECK * SMALL / checks.first if checks.first else math.inf
             self.unchecked = int(min(MOST, most)) - 1
         return answers, checks.worst
 

@@ -6,7 +6,6 @@ import math
 import tempfile
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,7 +20,7 @@ from rotordyn.numerics.threads import processors
 from rotordyn.quantity import suggestion
 from rotordyn.study import record
 from rotordyn.study.dataset import gathered
-from rotordyn.study.design import design
+from rotordyn.study.design import design, one_machine
 from rotordyn.study.journal import Journal
 from rotordyn.study.parameter import require_whole
 from rotordyn.study.point import Outcome, Study, solve_points
@@ -56,7 +55,7 @@ def study_of(
     if len(analyses):
         case = restricted(case, tuple(analyses))
     _require("results", results, case)
-    case = replace(case, variants={}, uncertain=None)
+    case = one_machine(case, varied)
     points = design(case, varied, sampling, samples, seed)
     if len(results) and points.count > MOST_DRAWN:
         raise InvalidInput(

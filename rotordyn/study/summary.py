@@ -8,8 +8,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-import numpy as np
-
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import number
 from rotordyn.results.text import aligned, wrapped
@@ -105,16 +103,20 @@ def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
     """Of every number its ends, and at which point they are; constant ones without a place."""
     for name, unit in names(outcomes).items():
         rows = {k: row.numbers.get(name, (math.nan,))[0] for k, row in outcomes.items()}
-        known = {k: value for k, value in rows.items() if math.isfinite(value)}
+        known = {k: value for k, value in rows.items() if not math.isnan(value)}
         if not known:
             continue
         low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
         ends = known[low], known[high]
         head = f"{name} [{unit}]" if unit else name
-        digits = max(0, 3 - math.floor(math.log10(max(abs(ends[1]), 1e-6))))
-        steady = ends[1] - ends[0] <= STEADY * np.abs(ends).max()
+        finite = [abs(end) for end in ends if math.isfinite(end)]
+        digits = max(0, 3 - math.floor(math.log10(max(*finite[-1:], 1e-6, 1e-6))))
+        steady = ends[0] == ends[1]
+        if len(finite) > 1:
+            steady = ends[1] - ends[0] <= STEADY * max(finite)
         where = ("", "") if steady else (_where(design, low), _where(design, high))
-        yield (head, *(number(end, min(digits, 6)) for end in ends), *where)
+        told = ("unbounded" if math.isinf(end) else number(end, min(digits, 6)) for end in ends)
+        yield (head, *told, *where)
 
 
 def _where(design: Design, point: int) -> str:

@@ -33,6 +33,12 @@ def band(
     ``known``: limits of every operation without any change. Where lobes are close, at low speeds, a
     change of stiffness moves several past a speed: it is looked at in steps short beside them.
     """
+    share = interval.coefficients
+    if share and not all(each.divides for each in operations):
+        factors = 1.0 - share, 1.0 + share
+        scaled = [each.times(factor) for factor in factors for each in operations]
+        known = [*known, *(limits.of(each) for each in scaled)]
+        operations, share = [*operations, *scaled], 0.0
     nominal = np.array([[limit.depth for limit in each] for each in known])
     least, most = nominal.min(axis=0), nominal.max(axis=0)
     for operation, own in zip(operations, known, strict=True):
@@ -44,7 +50,6 @@ def band(
                 depth = np.array([limit.depth for limit in part.of(operation, change)])
                 least[rows] = np.minimum(least[rows], depth)
                 most[rows] = np.maximum(most[rows], depth)
-    share = interval.coefficients
     return least / (1.0 + share), most / (1.0 - share)
 
 

@@ -6,7 +6,8 @@ So limits at some speeds are computed once more with a finer model and twice the
 they change, all are computed with that one. Between modes that are far apart doubling changes
 nothing: at the fastest speed and that of the deepest cut, of few speeds at all that are looked at,
 they are computed with the finest model too, which need not go beyond ``HIGHEST``: receptances are
-not looked at there either.
+not looked at there either. Unlike other analyses, whose errors are but told, lobes ask for these
+checks of every machine of a study: a limit that lacks a mode is no approximation.
 
 Theory: docs/theory/lobes.md.
 """
@@ -37,8 +38,7 @@ LOOKED_AT = 4  # speeds, beside that of the deepest cut; of many the faster half
 
 class Converged(NamedTuple):
     """The ``scene`` that is fine enough, its ``limits`` with ``depths`` of every operation, and the
-    ``error``: the largest change of a depth over it by a finer model, NaN where none was asked
-    for."""
+    ``error``: the largest change of a depth over it by a finer model."""
 
     scene: Scene
     limits: Limits
@@ -56,14 +56,11 @@ def converged(
     frequency ``modelled`` [Hz] take part, and no chatter is above it."""
     best, finer = _at(scene, limits_of, operations), _Finer(limits_of, operations)
     for doubling in range(DOUBLINGS + 1):
-        if not scene.checks.wanted:
-            break
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
         room = math.log2(HIGHEST / (2.0 * math.pi * modelled(scene)))
         left = max(min(DOUBLINGS - doubling, math.ceil(room)), 1)
         error = _change(scene, left, finer, rows, best.depths)
         best, every = best._replace(error=error), [one for each in best.depths for one in each]
-        scene.checks.worst = max(scene.checks.worst, error / ALLOWED)
         chatter = max((one.frequency for one in every if math.isfinite(one.depth)), default=0.0)
         if (error <= ALLOWED and chatter <= modelled(scene)) or doubling == DOUBLINGS:
             break
@@ -72,6 +69,7 @@ def converged(
             best = _at(scene, limits_of, operations)
         except InvalidInput:  # as in ``_Finer.depth``, at slow speeds: what there is and its error
             break
+    scene.checks.worst = max(scene.checks.worst, best.error / ALLOWED)
     return best
 
 

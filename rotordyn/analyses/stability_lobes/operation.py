@@ -31,6 +31,19 @@ class Operation:
         edges = own.teeth, self.tangential, self.radial
         return checked(Cut(*edges, *own.ends, pitches=own.pitches))
 
+    @property
+    def divides(self) -> bool:
+        """Whether coefficients divide the limits: not beside process damping, which does not grow
+        with them, nor on helical edges, whose lag is that of the depth."""
+        return self.spec.process_damping == 0.0 and self.spec.helix == 0.0
+
+    def times(self, factor: float) -> Operation:
+        """With coefficients of cutting ``factor`` times as large."""
+        own, turning = self.spec, self.spec.turning
+        if turning is not None:
+            own = replace(own, turning=replace(turning, force=factor * turning.force))
+        return Operation(own, factor * self.tangential, factor * self.radial)
+
     def delays(self, speed: Array) -> Array:
         """From one tooth to the next [s] at speeds [rad/s] (s, gaps); of turning a revolution."""
         gaps = (2.0 * math.pi,) if self.spec.turning else self.cut.gaps

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 MOST = 8  # pockets
 PROMINENT = 0.05  # of the deepest, by which a pocket is deeper than what is around it
+ENDLESS = 2.0  # times the deepest limit: what stands for none
 KEPT = 0.8  # of the depth of a pocket, which its margin keeps
 
 
@@ -23,11 +24,13 @@ class Pockets(NamedTuple):
 
 
 def pockets(speed: Array, depth: Array) -> Pockets:
-    """Of a limit (s,) over speed (s,); where no depth is unstable there is no pocket. What lies
-    between ``low`` and ``high`` of a deeper one belongs to it."""
+    """Of a limit (s,) over speed (s,). Where no depth is unstable, and on the way there, there is
+    no pocket. What lies between ``low`` and ``high`` of a deeper one belongs to it."""
     finite = np.where(np.isfinite(depth), depth, 0.0)
-    least = PROMINENT * finite.max(initial=0.0)
-    tops = [k for k in _tops(finite) if _prominence(finite, k) >= least]
+    top = finite.max(initial=0.0)
+    finite[np.isposinf(depth)] = ENDLESS * top
+    tops = [k for k in _tops(finite) if np.isfinite(depth[k])]
+    tops = [k for k in tops if _prominence(finite, k) >= PROMINENT * top]
     found: dict[int, tuple[float, float]] = {}
     for at in sorted(tops, key=lambda k: -finite[k]):
         if not any(low <= speed[at] <= high for low, high in found.values()):

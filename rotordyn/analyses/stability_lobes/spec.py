@@ -68,7 +68,7 @@ class Interval(Description):
 
     stiffness: Annotated[Share, "of the whole machine"] = 0.0
     damping: Annotated[Share, "ratios of all modes"] = 0.0
-    coefficients: Annotated[Share, "of cutting, which divide the limits"] = 0.0
+    coefficients: Annotated[Share, "of cutting"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)

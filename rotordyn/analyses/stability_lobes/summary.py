@@ -41,13 +41,34 @@ def summary(result: StabilityLobesResult) -> list[str]:
             strict=True,
         )
     ]
-    lines = [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
+    lines = [least, *_unlimited(result), *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
     return lines + _even(result) + _at_rest(result) + _measured(result)
 
 
+def _unlimited(result: StabilityLobesResult) -> list[str]:
+    """Speeds at which every depth is stable."""
+    rows = np.flatnonzero(np.isposinf(result.depth))
+    if not rows.size:
+        return []
+    parts = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
+    ranges = [
+        f"at {_rpm(result, part[0])}"
+        if len(part) == 1
+        else f"from {number(result.cutting_speed[part[0]] * RPM.factor, 0)} to "
+        f"{_rpm(result, part[-1])}"
+        for part in parts
+    ]
+    more = f" and {len(ranges) - MOST} more ranges" if len(ranges) > MOST + 1 else ""
+    shown = ranges if not more else ranges[:MOST]
+    return [
+        f"no limit   at {rows.size} of {len(result.depth)} speeds every depth is stable: "
+        f"{', '.join(shown)}{more}"
+    ]
+
+
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, and the deepest pocket with its speed."""
-    known = result.depth[np.isfinite(result.depth)]
+    """Least limit, infinite where no depth is unstable, and the deepest pocket with its speed."""
+    known = result.depth[~np.isnan(result.depth)]
     least = float(known.min()) if known.size else np.nan
     yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
     if result.pocket_depth.size:

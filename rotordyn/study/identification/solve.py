@@ -18,6 +18,7 @@ from rotordyn.case.identification import MINIMISED
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
 from rotordyn.numerics.threads import processors
+from rotordyn.study.design import one_machine
 from rotordyn.study.identification.certainty import certainty
 from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.identification import Explained, Identification
@@ -65,7 +66,7 @@ def asked(  # noqa: PLR0913 - see identify
     """An identification held against its case; see ``identify``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a case is needed, as rotordyn.load gives it; got {shown(case)}")
-    case = replace(case, variants={}, uncertain=None)
+    case = one_machine(case, unknowns)
     _require_measurements(case, measurements)
     found = sought(case, unknowns)
     if minimise not in MINIMISED:

@@ -181,6 +181,8 @@ def local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int)
     def value(x: Array) -> float:
         worth = cost(found) if (found := at(x)).goals else np.nan
         energy.append(min(energy[-1], _energy(found, cost, scale)))
+        if np.isneginf(worth):  # a largest value without bound
+            return -BROKEN
         return worth / scale if np.isfinite(worth) else BROKEN
 
     def room(x: Array) -> Any:

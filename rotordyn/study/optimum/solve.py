@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from rotordyn.job.solving import restricted
 from rotordyn.numerics.threads import processors
 from rotordyn.quantity import suggestion
 from rotordyn.study import record
+from rotordyn.study.design import one_machine
 from rotordyn.study.optimum.front import cost_of, trade_off
 from rotordyn.study.optimum.goals import Goal, Limit
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
@@ -178,7 +179,7 @@ def problem_of(
                 f"dataset, '{each.of}.variable'"
             )
     needed = tuple(dict.fromkeys(each.analysis for each in asked))
-    case = restricted(replace(case, variants={}, uncertain=None), needed)
+    case = restricted(one_machine(case, varied), needed)
     found = tuple(parameters(case, varied))
     for one in found:
         if one.ends is None and len(one.values) < 2:

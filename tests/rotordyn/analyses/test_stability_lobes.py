@@ -520,6 +520,13 @@ def test_pockets_are_the_prominent_peaks(seed: int) -> None:
     assert pockets(np.arange(40.0), depth).place.tolist() == deepest[:MOST]
 
 
+def test_the_way_to_depths_without_limit_is_no_pocket() -> None:
+    depth = np.array([np.inf, np.inf, 9.0, 2.0, 5.0, 2.0, 8.0, np.inf, 7.0, 1.0, 3.0, 1.0])
+    found = pockets(np.arange(12.0), depth)
+    assert found.place.tolist() == [4, 10]
+    assert found.low[0] == pytest.approx(3.0 + 2.0 / 3.0)
+
+
 def test_two_tops_of_one_plateau_are_one_pocket():
     """The dip between them, 10 %, is within the margin; one of 30 % parts them."""
     speed = np.arange(7.0)

@@ -695,3 +695,59 @@ def test_the_same_study_again_begins_with_a_check(case: Case) -> None:
     for _ in range(2):
         _, found = solve.solved(study, workers=1)
         assert [found[k].error is None for k in range(2)] == [False, True]
+
+
+LOBES = """
+spindle: mfw2310
+tool: hsk63_end_mill_20
+conditions: {kinematics: outer, moment_sharing: equal}
+speeds: [0 rpm, 24000 rpm]
+analyses:
+  stability_lobes:
+    {point: tip, teeth: 3, diameter: 16 mm, workpiece: al7075, milling: down, immersion: 25 %,
+     method: zero-order, speeds: [22000 rpm]}
+"""
+
+
+def test_limits_of_a_study_know_all_modes_whatever_was_solved_before(tmp_path: Path) -> None:
+    """The modes of a slender tool are beyond those of the one before it, which was checked."""
+    (tmp_path / "lobes.yaml").write_text(LOBES)
+    case, tools = rotordyn.load(tmp_path / "lobes.yaml"), ["hsk63_end_mill_20", "hsk63_end_mill_10"]
+    found = sweep(case, {"tool": tools}, workers=1)
+    slender = rotordyn.vary(case, {"tool": rotordyn.model("tools", tools[1])})
+    alone = rotordyn.run(slender)["stability_lobes"]
+    assert found["stability_lobes: least"].values[1] == pytest.approx(1e3 * alone.depth.values[0])
+    assert float(alone.error) < 1e-3
+    assert found["stability_lobes: least"].values[1] < found["stability_lobes: least"].values[0]
+
+
+def test_what_is_kept_whole_stands_beside_numbers_of_the_same_name(tmp_path: Path) -> None:
+    (tmp_path / "lobes.yaml").write_text(LOBES)
+    case = rotordyn.load(tmp_path / "lobes.yaml")
+    spring = "spindle.sleeves.front.spring.preload"
+    found = sweep(case, {spring: ["600 N"]}, results=["stability_lobes"], workers=1)
+    assert found["stability_lobes: least"].dims == (spring,)
+    name = "stability_lobes: least over stability_lobes: cutting_speed"
+    assert found[name].dims == (spring, "stability_lobes: cutting_speed")
+
+
+def test_a_study_of_several_tools_asks_which(tmp_path: Path) -> None:
+    tools = "tools: [hsk63_end_mill_12, hsk63_end_mill_16]"
+    (tmp_path / "lobes.yaml").write_text(LOBES.replace("tool: hsk63_end_mill_20", tools))
+    case = rotordyn.load(tmp_path / "lobes.yaml")
+    spring = "spindle.sleeves.front.spring.preload"
+    said = r"compares 2 tools, .* vary it \(tool: \[hsk63_end_mill_12, hsk63_end_mill_16\]\)"
+    with pytest.raises(InvalidInput, match=said):
+        study_of(case, {spring: ["600 N"]})
+    with pytest.raises(InvalidInput, match="compares 2 tools"):
+        optimise(case, {spring: ["500 N", "600 N"]}, [Goal(highest="stability_lobes: least")])
+    assert study_of(case, {"tool": ["hsk63_end_mill_12"]}).design.count == 1
+
+
+def test_numbers_without_bound_are_the_largest(case: Case) -> None:
+    study = study_of(case, {SPRING: ["800 N", "900 N", "1000 N"]}, analyses=["preload"])
+    rows = {k: Outcome(k, {"limit": (v, "mm")}) for k, v in enumerate((2.0, math.inf, math.nan))}
+    (line,) = (row for row in summary(study, rows).splitlines() if row.startswith("limit"))
+    assert line.split() == ["limit", "[mm]", "2.000", "unbounded", "0.8", "0.9"]
+    alone = {k: Outcome(k, {"limit": (math.inf, "mm")}) for k in range(2)}
+    assert "limit [mm]  unbounded  unbounded" in summary(study, alone)
