@@ -82,6 +82,9 @@ class Spindle(Description):
     dampers: Annotated[
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
+    cutter_diameter: Annotated[float | None, HIDDEN] = field(
+        default=None, repr=False, compare=False
+    )
 
     def __post_init__(self) -> None:
         own: object = self.arrangement
@@ -247,6 +250,7 @@ class Spindle(Description):
             self,
             shaft=self.shaft.preceded_by(tool.sections),
             points={**self.points, **tool.placed(self.shaft.start)},
+            cutter_diameter=tool.cutter_diameter,
             **{name: getattr(self, name) + getattr(tool, name) for name in OF_TOOL},
         )
 
@@ -271,6 +275,7 @@ class Spindle(Description):
             self,
             shaft=shaft,
             points={name: x for name, x in self.points.items() if name not in tool.points},
+            cutter_diameter=None,
             **{name: getattr(self, name)[:k] for name, k in last.items()},
         )
 

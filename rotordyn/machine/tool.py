@@ -13,7 +13,7 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.station import all_on_the_shaft, on_the_shaft
-from rotordyn.quantity import HIDDEN, Items, Name, ToolStation
+from rotordyn.quantity import HIDDEN, Diameter, Items, Name, ToolStation
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +36,10 @@ class Tool(Description):
     joints: Annotated[
         tuple[Joint, ...], "of the tool, or between tool and spindle; x = 0 is the nose face"
     ] = ()
+    cutter_diameter: Annotated[
+        Diameter | None,
+        "over the teeth of a milling cutter, where flutes count as a thinner cylinder",
+    ] = None
 
     def _faults(self) -> Faults:
         yield from named_twice("sections", self.sections)

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Operation:
-    """``spec`` with one pair of cutting coefficients [Pa]."""
+    """``spec``, its diameter known, with one pair of cutting coefficients [Pa]."""
 
     spec: StabilityLobesSpec
     tangential: float
@@ -30,6 +30,12 @@ class Operation:
         own = self.spec
         edges = own.teeth, self.tangential, self.radial
         return checked(Cut(*edges, *own.ends, pitches=own.pitches))
+
+    @property
+    def diameter(self) -> float:
+        """Of the cutter, or of the workpiece in turning [m]."""
+        assert self.spec.diameter is not None, "the analysis takes it from the tool"
+        return self.spec.diameter
 
     @property
     def divides(self) -> bool:
@@ -66,7 +72,7 @@ class Operation:
     def process(self, speed: float) -> Process:
         """The cut at a speed [rad/s], of milling."""
         own, cut = self.spec, self.cut
-        lag = 2.0 * math.tan(own.helix) / own.diameter
+        lag = 2.0 * math.tan(own.helix) / self.diameter
         period = cut.turn / speed
         if own.process_damping == 0.0:
             return Process(cut, period, lag)
@@ -77,10 +83,10 @@ class Operation:
         """Removal rate of a depth [m³/s]."""
         own = self.spec
         if own.turning is None:
-            width = own.immersion * own.diameter
+            width = own.immersion * self.diameter
             return depth * width * own.feed_per_tooth * own.teeth * speed / (2.0 * math.pi)
         return depth * own.feed_per_tooth * self._cutting_speed(speed)
 
     def _cutting_speed(self, speed: Array) -> Array:
         """[m/s]"""
-        return 0.5 * self.spec.diameter * speed
+        return 0.5 * self.diameter * speed

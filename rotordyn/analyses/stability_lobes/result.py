@@ -23,6 +23,7 @@ class StabilityLobesResult:
     """Limits at ``cutting_speed``, each with the receptance of the machine at that speed; infinite
     where no depth is unstable.
 
+    ``waves``: periods of the chatter from one tooth to the next, over the longest pitch.
     ``at_rest``: what the receptance of the machine at rest gives instead; ``even``: what as many
     evenly spaced teeth give, NaN where the teeth are evenly spaced; ``measured``: that of the
     tool on the measured spindle, NaN where none was. ``least``, ``most``:
@@ -44,6 +45,9 @@ class StabilityLobesResult:
     )
     chatter: Array = quantity(
         "cutting_speed", unit="Hz", label="chatter frequency", absent=(STABLE,)
+    )
+    waves: Array = quantity(
+        "cutting_speed", unit="1", label="waves from tooth to tooth", absent=(STABLE,)
     )
     loss: Words = quantity("cutting_speed", unit="", label="loss of stability")
     mode_frequency: Array = quantity(

@@ -37,6 +37,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     InvalidInput : a mode without damping; no mode within the frequencies
     NoSolution : the machine has none at any of the speeds
     """
+    spec = replace(spec, diameter=spec.across(scene.spindle))
     speeds = np.array(spec.speeds) if spec.speeds else scene.speed[scene.speed > 0.0]
     running = scene.at(speeds) if spec.speeds else scene
     rows = np.flatnonzero(running.speed[running.usable] > 0.0)
@@ -62,6 +63,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
 
     place = np.searchsorted(speeds, usable)
     depth = _spread(place, len(speeds), _depths(own))
+    chatter = _spread(place, len(speeds), np.array([limit.frequency for limit in own]))
+    waves = chatter * operations[0].delays(speeds).max(axis=1)
     removal = operations[0].removal(speeds, depth)
     loss = np.full(len(speeds), NONE, dtype=object)
     loss[place] = [limit.kind for limit in own]
@@ -74,13 +77,14 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         cutting_speed=speeds,
         cutting_outcome=tuple(why[speed] for speed in speeds.tolist()),
         depth=depth,
-        chatter=_spread(place, len(speeds), np.array([limit.frequency for limit in own])),
+        chatter=chatter,
         loss=tuple(loss.tolist()),
         mode_frequency=modes[:, 0],
         mode_damping=modes[:, 1],
         removal=removal,
         at_rest=_spread(place, len(speeds), _depths(at_rest)),
         even=_spread(place, len(speeds), even),
+        waves=waves,
         measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),

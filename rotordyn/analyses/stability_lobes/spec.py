@@ -40,6 +40,7 @@ OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix")
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
+SAME = 1e-6  # of a diameter that is given twice
 ALIKE = 1e-9  # rad: pitches that differ by less are equal
 Immersion = Annotated[float, Quantity("ratio", above="0 %", at_most="100 %")]
 Helix = Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")]
@@ -77,7 +78,10 @@ class StabilityLobesSpec(Spec):
     receptance."""
 
     point: Annotated[PointName, "tip of the tool, or of the workpiece in turning"]
-    diameter: Annotated[Diameter, "of the cutter, or of the workpiece in turning"]
+    diameter: Annotated[
+        Diameter | None,
+        "of the cutter, by default `cutter_diameter` of the tool; or of the workpiece in turning",
+    ] = None
     teeth: Annotated[int, Whole(0, 100), "teeth of the cutter"] = 0
     tangential: Annotated[
         CuttingCoefficient | None, "tangential cutting coefficient Ktc; or `workpiece`"
@@ -136,6 +140,10 @@ class StabilityLobesSpec(Spec):
         if self.milling == "down":
             return math.acos(2.0 * self.immersion - 1.0), math.pi
         return 0.0, math.pi
+
+    def across(self, spindle: Spindle) -> float | None:
+        """Diameter of the cutter, or of the workpiece in turning [m]; None if nothing gives it."""
+        return self.diameter or (None if self.turning else spindle.cutter_diameter)
 
     @property
     def uneven(self) -> bool:
@@ -203,6 +211,7 @@ class StabilityLobesSpec(Spec):
             yield from ((("point",), sentence) for sentence in unnamed)
             if self.measured_spindle is not None and not unnamed:
                 yield from self._measured(self.measured_spindle, setting.spindle)
+        yield from self._of_diameter(setting.spindle)
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
         if undamped(setting.spindle):
@@ -220,6 +229,22 @@ class StabilityLobesSpec(Spec):
                 )
         if not self.speeds and setting.top <= 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
+
+    def _of_diameter(self, spindle: Spindle) -> Faults:
+        own, of_tool = self.diameter, spindle.cutter_diameter
+        if self.across(spindle) is None:
+            what = (
+                "of the workpiece"
+                if self.turning
+                else "of the cutter, or cutter_diameter of the tool"
+            )
+            yield ("diameter",), f"missing key: the diameter {what}"
+        elif own and of_tool and not self.turning and abs(own / of_tool - 1.0) > SAME:
+            yield (
+                ("diameter",),
+                f"given {{given}} beside a tool of {of_tool * 1e3:.6g} mm: leave it out, or "
+                "cutter_diameter of the tool",
+            )
 
     def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
         yield from within(("measured_spindle",), measured.faults_on(spindle))

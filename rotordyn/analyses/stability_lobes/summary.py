@@ -15,6 +15,7 @@ from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
+SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
 
@@ -25,7 +26,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
         return [f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"]
     row = int(np.nanargmin(result.depth))
     least = (
-        f"chatter    stable at every speed up to {_depth(result.depth[row])}, there limited at "
+        f"chatter    stable up to {_depth(result.depth[row])}{_speeds(result)}, limited at "
         f"{_rpm(result, row)} by the mode at "
         f"{number(result.mode_frequency[row])} Hz (chatter at {number(result.chatter[row])} Hz)"
     )
@@ -43,6 +44,11 @@ def summary(result: StabilityLobesResult) -> list[str]:
     ]
     lines = [least, *_unlimited(result), *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
     return lines + _even(result) + _at_rest(result) + _measured(result)
+
+
+def _speeds(result: StabilityLobesResult) -> str:
+    many = int((~np.isnan(result.depth)).sum())
+    return f" at all {many} speeds" if many > 1 else ""
 
 
 def _unlimited(result: StabilityLobesResult) -> list[str]:
@@ -82,9 +88,9 @@ def _even(result: StabilityLobesResult) -> list[str]:
     if np.isnan(result.even).all():
         return []
     row, ratio = _largest_difference(result.depth, result.even)
-    line = "even pitch evenly spaced teeth would be stable at every speed"
-    if np.isfinite(result.even).any():
-        line += f" up to {_depth(np.nanmin(result.even))}"
+    line = "even pitch evenly spaced teeth would be stable"
+    known = np.isfinite(result.even).any()
+    line += f" up to {_depth(np.nanmin(result.even))}" if known else " at any depth"
     if ratio > 1.0:
         line += (
             f"; the uneven ones differ most at {_rpm(result, row)}: {_depth(result.depth[row])} in "
@@ -167,6 +173,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
+    sentences += _skipped(result)
     if result.error > result.error_asked:
         sentences.append(
             f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with "
@@ -180,6 +187,26 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             "max_frequency"
         )
     return sentences
+
+
+def _skipped(result: StabilityLobesResult) -> list[str]:
+    """That lobes pass unseen between speeds, at each of which another number of waves fits between
+    two teeth."""
+    speed, chatter = result.cutting_speed, np.fmax(result.chatter[1:], result.chatter[:-1])
+    delay = result.waves / result.chatter * speed  # times speed: the longest pitch
+    if not np.isfinite(delay).any():
+        return []
+    passing = chatter * np.nanmax(delay) * np.abs(np.diff(1.0 / speed))
+    rows = np.flatnonzero(passing > SKIPPED)
+    if not rows.size:
+        return []
+    first, last = rows[0], rows[-1] + 1
+    step = (speed[first + 1] - speed[first]) * SEEN / passing[first]
+    return [
+        "stability_lobes: lobes are closer than the speeds from "
+        f"{number(speed[first] * RPM.factor, 0)} to {_rpm(result, last)}, between which limits may "
+        f"be lower: steps of {number(step * RPM.factor, 0)} rpm show them from the first on"
+    ]
 
 
 def _depth(value: float) -> str:

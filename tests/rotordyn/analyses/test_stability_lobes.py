@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ import rotordyn
 from rotordyn.analyses.stability_lobes import converged, limit_depth, solve, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
+from rotordyn.analyses.stability_lobes.spec import Interval
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -584,7 +587,7 @@ def test_uneven_teeth_stand_beside_evenly_spaced_ones(case):
     turned = lobes(case(pitch="[200 deg, 160.04 deg]"))
     np.testing.assert_allclose(turned.depth, uneven.depth, rtol=1e-9)
     results = rotordyn.run(case(pitch="[160.04 deg, 200 deg]"))
-    assert "even pitch evenly spaced teeth would be stable at every speed up to" in results.summary
+    assert "even pitch evenly spaced teeth would be stable up to" in results.summary
     upper, _, *_ = results.plot("stability_lobes").axes
     assert "with evenly spaced teeth" in [line.get_label() for line in upper.get_lines()]
 
@@ -601,3 +604,69 @@ def test_cases_are_kept_with_their_results(case):
     for given in (turned, {**named, "interval": "{damping: 20 %}"}):
         spec = case(**given).analyses["stability_lobes"]
         assert restored(json.loads(json.dumps(archived(spec)))) == spec
+
+
+def test_lobes_between_speeds_are_told() -> None:
+    """Waves from tooth to tooth are those of the chatter; a lobe passes where they change by 1."""
+    case = rotordyn.load("deep_groove_lobes")
+    spec = replace(case.analyses["stability_lobes"], max_frequency=2500.0)
+
+    def solved(*rpm: float) -> Any:
+        own = replace(spec, speeds=tuple(each * math.pi / 30.0 for each in rpm))
+        return rotordyn.run(replace(case, variants={}, analyses={"stability_lobes": own}))
+
+    sparse, dense = solved(4000.0, 5000.0, 9000.0), solved(4000.0, 4010.0, 4020.0)
+    told = [each for each in sparse.warnings if "lobes are closer" in each]
+    assert len(told) == 1
+    result = sparse["stability_lobes"]
+    between = result.chatter.values / (2.0 * np.array([4000.0, 5000.0, 9000.0]) / 60.0)
+    np.testing.assert_allclose(result.waves.values, between, rtol=1e-12)
+    assert "from 4000 to 9000 rpm" in told[0]
+    most = max(result.chatter.values[:2]) * 30.0  # waves times speed
+    step = 1000.0 * 0.125 / (most * (1.0 / 4000.0 - 1.0 / 5000.0))
+    assert f"steps of {step:.1f} rpm" in told[0]
+    assert not [each for each in dense.warnings if "lobes are closer" in each]
+    assert "at all 3 speeds" in sparse.summary
+
+
+def test_the_cutter_of_a_tool_has_its_diameter() -> None:
+    case = rotordyn.load("mfw2310_tools")
+    spec = replace(case.analyses["stability_lobes"], speeds=(2000.0,))
+    asked = {"stability_lobes": spec}
+    for name in ("hsk63_end_mill_10", "hsk63_end_mill_20"):
+        one = replace(case.variants[name], analyses=asked)
+        found = rotordyn.run(one)["stability_lobes"]
+        size = {"hsk63_end_mill_10": 0.010, "hsk63_end_mill_20": 0.020}[name]
+        rate = found.depth.values * size * 1e-4 * 3 * 2000.0 / (2.0 * math.pi)
+        np.testing.assert_allclose(found.removal.values, rate, rtol=1e-12)
+    with pytest.raises(InvalidInput, match=r"diameter: given 0.016 m beside a tool of 20 mm"):
+        replace(one, analyses={"stability_lobes": replace(spec, diameter=0.016)})
+    bare = rotordyn.load("mfw2310_lobes")
+    lobes = replace(bare.analyses["stability_lobes"], diameter=None)
+    with pytest.raises(InvalidInput, match=r"missing key: the diameter of the cutter, or cutter_d"):
+        replace(bare, variants={}, analyses={"stability_lobes": lobes})
+
+
+@pytest.mark.parametrize("way", ["turning", "milling"])
+def test_coefficients_off_beside_process_damping_are_solved(way: str) -> None:
+    """The band is that of the two machines whose coefficients are off; neither divides a limit."""
+    case = rotordyn.load("deep_groove_turning" if way == "turning" else "deep_groove_lobes")
+    given = case.analyses["stability_lobes"]
+    common = {"process_damping": 1e5, "speeds": (100.0, 300.0), "max_frequency": 2500.0}
+    spec = replace(given, interval=Interval(coefficients=0.4), **common)
+
+    def limits(factor: float, interval: Interval) -> Any:
+        if spec.turning is not None:
+            one = {"turning": replace(spec.turning, force=factor * spec.turning.force)}
+        else:
+            one = {"tangential": factor * spec.tangential, "radial": factor * spec.radial}
+        own = replace(spec, interval=interval, **one)
+        return rotordyn.run(replace(case, variants={}, analyses={"stability_lobes": own}))[
+            "stability_lobes"
+        ]
+
+    band = limits(1.0, spec.interval)
+    low, high = (limits(factor, Interval()).depth.values for factor in (1.4, 0.6))
+    np.testing.assert_allclose(band.least.values, low, rtol=1e-6)
+    np.testing.assert_allclose(band.most.values, high, rtol=1e-6)
+    assert band.least.values[0] < band.depth.values[0] / 1.4

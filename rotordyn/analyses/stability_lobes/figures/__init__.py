@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -23,7 +24,8 @@ code = partial(Code, __name__)
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     if len(result.cutting_speed) > 1:
-        spec = case.analyses["stability_lobes"]
+        asked = case.analyses["stability_lobes"]
+        spec = replace(asked, diameter=asked.across(case.spindle))
         yield "stability_lobes", partial(code("lobes:lobes_figure"), result, spec)
 
 
