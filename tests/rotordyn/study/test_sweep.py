@@ -704,7 +704,7 @@ conditions: {kinematics: outer, moment_sharing: equal}
 speeds: [0 rpm, 24000 rpm]
 analyses:
   stability_lobes:
-    {point: tip, teeth: 3, diameter: 16 mm, workpiece: al7075, milling: down, immersion: 25 %,
+    {point: tip, teeth: 3, workpiece: al7075, milling: down, immersion: 25 %,
      method: zero-order, speeds: [22000 rpm]}
 """
 
