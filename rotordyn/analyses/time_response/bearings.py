@@ -92,16 +92,18 @@ class Bearings:
         linear = np.einsum("skij,stkj->stki", self.tangent, moved.reshape(shape))
         return np.asarray(self.load[:, None] + linear + force.reshape(shape))
 
-    def balls_at(self, moved: Array) -> tuple[Array, Array]:
+    def balls_at(self, moved: Array) -> tuple[Array, Array, Flags]:
         """With rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure [Pa],
-        infinite where contacts are crushed beyond any state, and count of the balls that the inner
-        race does not load (s, seats, k)."""
+        infinite where contacts are crushed beyond any state, count of the balls that the inner
+        race does not load, and whether it loads none (s, seats, k)."""
         pressure, idle = np.zeros((2, *moved.shape[:3]))
+        unloaded = np.zeros(moved.shape[:3], dtype=bool)
         for seats, state in self.states:
             there = self.displacement[:, seats, None] + moved[:, seats]
             found = solved(state.operation.at(there))
             largest = np.maximum(found.inner_pressure, found.outer_pressure)
             crushed = found.outcome == "overloaded"
             pressure[:, seats] = np.where(crushed, np.inf, largest.max(axis=-1))
-            idle[:, seats] = (found.inner_load <= 0.0).sum(axis=-1)
-        return pressure, idle
+            off = found.inner_load <= 0.0
+            idle[:, seats], unloaded[:, seats] = off.sum(axis=-1), off.all(axis=-1)
+        return pressure, idle, unloaded

@@ -7,11 +7,11 @@ import numpy as np
 from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.march import Path
 from rotordyn.analyses.time_response.spec import DIRECTIONS
-from rotordyn.arrays import Array, Indices
+from rotordyn.arrays import Array, Flags
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.scene.scene import Scene
 
-LOOKED_AT = 8  # highest peaks of the load at which contact pressures are computed
+TOGETHER = 4096  # states of bearings that are solved at once, for memory
 
 
 def longest(vectors: Array, time: Array) -> tuple[Array, Array]:
@@ -40,32 +40,37 @@ def loads_and_peaks(
     shape = (*path.points.shape[:2], len(seats))
     if bearings is None:
         none = np.zeros((shape[0], 0))
-        names = ("peak_load", "peak_time", "peak_pressure", "pressure_time", "peak_idle")
+        names = ["peak_load", "peak_time", "peak_pressure", "pressure_time"]
+        names += ["peak_idle", "unloaded_time"]
         return {"bearing_load": np.zeros((*shape, 3)), **dict.fromkeys(names, none)}
     load = bearings.loads(path.rings, path.force)
     thrust = np.array([seat.thrust for seat in seats])
     turn = np.where(thrust[:, None] < 0, HALF_TURN_ABOUT_Y, 1.0)[:, : len(DIRECTIONS)]
     along = load[..., : len(DIRECTIONS)] * turn
     when_largest, size = longest(along, time)
-    looked = _peaks(np.nan_to_num(load / bearings.lever.reshape(-1, 5)))
-    moved = np.take_along_axis(path.rings.reshape(*shape, 5), looked[..., None], axis=1)
-    pressure, idle = bearings.balls_at(np.nan_to_num(moved.swapaxes(1, 2)))
-    highest = pressure.argmax(axis=2)[..., None]
-    when = np.take_along_axis(looked.swapaxes(1, 2), highest, axis=2)[..., 0]
+    pressure, idle, unloaded = _balls(path.rings.reshape(*shape, 5), bearings)
     return {
         "bearing_load": along,
         "peak_load": size,
         "peak_time": when_largest,
-        "peak_pressure": pressure.max(axis=2),
-        "pressure_time": time[when],
-        "peak_idle": idle.max(axis=2),
+        "peak_pressure": pressure.max(axis=1),
+        "pressure_time": time[pressure.argmax(axis=1)],
+        "peak_idle": idle.max(axis=1),
+        "unloaded_time": unloaded.sum(axis=1) * (time[1] - time[0]),
     }
 
 
-def _peaks(load: Array) -> Indices:
-    """Instants (s, k, seats) of the highest peaks of loads (s, t, seats, 5), moments as forces at
-    the pitch circle."""
-    size = np.linalg.norm(load, axis=-1)
-    beside = np.pad(size, ((0, 0), (1, 1), (0, 0)), constant_values=-1.0)
-    peak = np.where((size >= beside[:, :-2]) & (size >= beside[:, 2:]), size, -1.0)
-    return np.argsort(-peak, axis=1, kind="stable")[:, :LOOKED_AT]
+def _balls(moved: Array, bearings: Bearings) -> tuple[Array, Array, Flags]:
+    """Of rings displaced by ``moved`` (s, t, seats, 5): largest contact pressures [Pa], counts of
+    balls without inner load, and where no ball has any (s, t, seats); zero past the end."""
+    states, instants, seats, _ = moved.shape
+    there = np.isfinite(moved).all(axis=-1)
+    share = max(1, TOGETHER // max(1, states * seats))
+    pressure, idle = np.zeros((2, *there.shape))
+    unloaded = np.zeros(there.shape, dtype=bool)
+    for first in range(0, instants, share):
+        some = slice(first, first + share)
+        found = bearings.balls_at(np.nan_to_num(moved[:, some].swapaxes(1, 2)))
+        pressure[:, some], idle[:, some], unloaded[:, some] = (x.swapaxes(1, 2) for x in found)
+    pressure = np.nan_to_num(pressure, posinf=np.inf)  # one without a state is no largest
+    return np.where(there, pressure, 0.0), np.where(there, idle, 0.0), there & unloaded

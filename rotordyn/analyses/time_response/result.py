@@ -23,7 +23,7 @@ class TimeResponseResult:
     ``bearing_load``: of the shaft on the inner ring, preload included and damping not, in the
     directions of the spindle. ``largest``: greatest magnitude of the displacement,
     ``late_largest`` of the last quarter of the time, after what the beginning stirs up.
-    ``peak_pressure`` and ``peak_idle``: largest of the instants at which the load peaks.
+    ``unloaded_time``: how long altogether no ball of a bearing is loaded by the inner race.
     ``gap``: of end stops, below zero where one is pressed together, or, if stops stay as they are
     in the preload state, where an open one would close; ``stop_gap``: the least of it;
     ``stop_force``: the largest force of one that closes. ``holding``: largest force over what holds
@@ -81,6 +81,9 @@ class TimeResponseResult:
         *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
     )
     peak_idle: Array = quantity(*BEARING, unit="", label="most balls without inner load")
+    unloaded_time: Array = quantity(
+        *BEARING, unit="s", label="time with no ball loaded", printed=MILLISECOND
+    )
     gap: Array = quantity(
         "speed", "time", "sleeve", unit="m", label="gap of the end stop", absent=(OPEN, ENDED)
     )

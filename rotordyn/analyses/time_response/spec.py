@@ -186,6 +186,13 @@ class TimeResponseSpec(Spec):
                 "a loss factor is defined for steady vibration and has no response over time: give "
                 "damping.rotor, or damping of bearings and supports, instead",
             )
+        if spindle.dampers:
+            yield (
+                (),
+                "squeeze films have coefficients for a steady orbit of a given radius and no "
+                "response over time: leave spindle.dampers out, or give supports with damping in "
+                "their place",
+            )
         yield from self._of_stops(spindle)
         if not misnamed(spindle):
             yield from self._places(spindle)

@@ -105,6 +105,14 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             )
         elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
             yield sentence
+        off = np.nan_to_num(result.unloaded_time[:, k])
+        row = int(off.argmax())
+        if off[row] > 0.0:
+            yield (
+                f"time_response: all balls of bearing {name} come off its inner race at "
+                f"{_rpm(result, row)}, for {off[row] * MILLISECOND.factor:.3g} ms altogether: "
+                "raise the preload, or lower the forces"
+            )
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
