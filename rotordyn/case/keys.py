@@ -224,8 +224,8 @@ class Printed:
     unloading: Annotated[
         tuple[LightLoad, ...], "axial force that unloads one of the pair at each preload"
     ] = ()
-    dynamic_rating: Annotated[LightLoad | None, "C of one bearing"] = None
-    static_rating: Annotated[LightLoad | None, "C0 of one bearing"] = None
+    dynamic_rating: Annotated[LightLoad | None, "C of one bearing; axial above 45°"] = None
+    static_rating: Annotated[LightLoad | None, "C0 of one bearing; axial above 45°"] = None
 
 
 @dataclass
