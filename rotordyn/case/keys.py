@@ -117,9 +117,9 @@ class Variant:
     override: Annotated[Overrides, "added to the overrides of the case"] = field(
         default_factory=dict
     )
-    conditions: Annotated[Conditions, "added to the conditions of the case"] = field(
-        default_factory=Conditions
-    )
+    conditions: Annotated[
+        Conditions, "added to the conditions of the case, key by key at any depth"
+    ] = field(default_factory=Conditions)
     references: Annotated[tuple[Reference, ...], "added to the references of the case"] = ()
 
 
