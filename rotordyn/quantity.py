@@ -112,6 +112,12 @@ class Quantity(Limit):
             return self.infinite or f"{value} {self.coherent_unit}".rstrip()
         return f"{value:.6g} {self.coherent_unit}".rstrip()
 
+    def as_bounds(self, value: float) -> str:
+        """``value`` [SI] in the unit in which the range is written, to be read by people."""
+        bound = self.at_least or self.above or self.at_most or self.below
+        unit = units.unit_of(bound) if bound and math.isfinite(value) else ""
+        return f"{units.in_unit(value, unit):.6g} {unit}" if unit else self.written(value)
+
     def read(self, given: object) -> float:
         """The value [SI] of text such as ``"25 mm"``, or of a number where the kind has no unit.
 

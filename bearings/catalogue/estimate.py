@@ -19,7 +19,7 @@ from bearings.catalogue.printed import Catalogue, Value
 from bearings.catalogue.races import Insides, contact_stiffness, static_rating
 from bearings.errors import InvalidBearing, shown
 from bearings.kinds.angular_contact import AngularContactBallBearing
-from bearings.life.rating import radial_rating
+from bearings.life.rating import rating
 from bearings.materials import SILICON_NITRIDE, STEEL
 
 FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")
@@ -103,7 +103,7 @@ class EstimatedBearing(AngularContactBallBearing):
         if printed is None or (given.static_rating is None and given.ball_diameter is None):
             return ""
         others = likeliest(replace(given, dynamic_rating=None))
-        expected = float(radial_rating(others._inside))
+        expected = float(rating(others._inside))
         if not _PAIR[0] < printed / expected < _PAIR[1]:
             return ""
         return (
@@ -169,7 +169,7 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
     preloads : of a pair back to back, the maker's classes, shape (n,) [N]
     rigidities : axial, of the pair at each preload, shape (n,) [N/m]; None where not printed
     unloading : axial force that unloads one of the pair at each preload, shape (n,) [N]; likewise
-    dynamic_rating, static_rating : C, C0 of one bearing [N]
+    dynamic_rating, static_rating : C, C0 of one bearing [N]: radial, above 45° axial
     ball_diameter, balls, pitch_diameter, inner_conformity, outer_conformity : as far as printed
 
     Raises
@@ -243,7 +243,7 @@ def _computed(x: Insides, given: Catalogue) -> Array:
     rows: list[Any] = []
     for value in given.values:
         if value.kind == "dynamic":
-            rows.append(radial_rating(x))
+            rows.append(rating(x))
         elif value.kind == "static":
             rows.append(static_rating(x, given.ball_material, given.ring_material))
         else:

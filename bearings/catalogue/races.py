@@ -14,7 +14,7 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.contact.hertz import curvature_difference, dimensionless
-from bearings.life.rating import STATIC_PRESSURE
+from bearings.life.rating import STATIC_PRESSURE, STEEPEST_RADIAL
 from bearings.materials import Material
 
 if TYPE_CHECKING:
@@ -66,7 +66,8 @@ def contact_stiffness(x: Insides, ball: Material, ring: Material) -> Array:
 
 
 def static_rating(x: Insides, ball: Material, ring: Material) -> Array:
-    """C0 of one row [N]: its most loaded ball, 5 Fr/(Z cos α), at 4200 MPa on the worse race.
+    """C0 of one row [N]: its most loaded ball at 4200 MPa on the worse race, 5 Fr/(Z cos α) of a
+    radial load or, above 45°, Fa/(Z sin α) of an axial one.
 
     This is ISO 76 with the contact instead of its table f0 [M]; hybrid: the same pressure.
     """
@@ -76,7 +77,9 @@ def static_rating(x: Insides, ball: Material, ring: Material) -> Array:
         total, _, area = _race(x, side)
         unit = 1.5 / (math.pi * area * (1.5 * compliance / total) ** (2.0 / 3.0))
         loads.append((STATIC_PRESSURE / unit) ** 3)
-    return np.minimum(*loads) * x.balls * math.cos(x.contact_angle) / 5.0
+    angle = x.contact_angle
+    steep = angle > STEEPEST_RADIAL + 1e-9
+    return np.minimum(*loads) * x.balls * (math.sin(angle) if steep else math.cos(angle) / 5.0)
 
 
 def _race(x: Insides, side: float) -> tuple[Array, Array, Array]:

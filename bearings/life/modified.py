@@ -84,6 +84,8 @@ def fatigue_load_limit(static_rating: float, pitch_diameter: float) -> float:
 def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: ArrayLike) -> Array:
     """a_ISO of a radial ball bearing, at most 50; NaN below κ = 0.1, where it is not defined.
 
+    It is not that of thrust bearings, those of contact angles above 45°, which have another one.
+
     Parameters
     ----------
     kappa : viscosity ratio, above 4 it counts as 4

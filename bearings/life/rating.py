@@ -58,11 +58,21 @@ def geometry_factor(bearing: BallBearing | Grooves) -> float:
     if not is_thrust(grooves):
         factor: float = _radial_factor(gamma, *conformities)
         return factor
-    both: float = (
-        _race_factor(gamma, conformities[0]) * (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
-    )
-    size = (grooves.ball_diameter / grooves.pitch_diameter) ** 0.3
-    return _THRUST * (1.0 - math.sin(alpha) / 3.0) * size * both
+    size = grooves.ball_diameter / grooves.pitch_diameter
+    return float(_thrust_factor(gamma, *conformities, size, alpha))
+
+
+def rating(x: Any) -> Any:
+    """C [N] of many insides, of radial bearings or, above 45°, of thrust bearings.
+
+    ``x`` has what ``radial_rating`` takes and ``pitch_diameter`` [m]; one contact angle.
+    """
+    if x.contact_angle <= STEEPEST_RADIAL + 1e-9:
+        return radial_rating(x)
+    size = x.ball_diameter / x.pitch_diameter
+    factor = _thrust_factor(x.gamma, x.inner_conformity, x.outer_conformity, size, x.contact_angle)
+    balls = x.balls ** (2.0 / 3.0)
+    return _MATERIAL * factor * math.sin(x.contact_angle) * balls * _size_factor(x.ball_diameter)
 
 
 def radial_rating(x: Any) -> Any:
@@ -80,6 +90,13 @@ def _radial_factor(gamma: Any, inner: Any, outer: Any) -> Any:
     """fc up to 45°."""
     both = (1.0 + (RADIAL_FACTOR * _strength_ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
     return 0.41 * _RADIAL * _race_factor(gamma, inner) * gamma**0.3 * both
+
+
+def _thrust_factor(gamma: Any, inner: Any, outer: Any, size: Any, angle: float) -> Any:
+    """fc above 45°; ``size``: D/dm."""
+    both = (1.0 + _strength_ratio(gamma, inner, outer) ** EXPONENT) ** -0.3
+    sine = 1.0 - math.sin(angle) / 3.0
+    return _THRUST * sine * size**0.3 * _race_factor(gamma, inner) * both
 
 
 def _strength_ratio(gamma: Any, inner: Any, outer: Any) -> Any:

@@ -7,6 +7,7 @@ from dataclasses import is_dataclass
 from typing import Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
+from bearings.materials import Material
 from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.case.case import ByName
 from rotordyn.case.keys import Range
@@ -51,6 +52,8 @@ def default(field: Field) -> str:
     """The default as one would write it, or ``required``."""
     if field.default is REQUIRED:
         return "required"
+    if isinstance(field.default, Material):
+        return f"`{field.default.name.replace(' ', '_')}`"
     value = default_of(field)
     if value is None:
         return "its defaults" if is_dataclass(field.default) else "–"

@@ -23,6 +23,9 @@ from rotordyn.units import shown
 
 MOST_COMBINATIONS = 1024
 STEP = "± 0.5 %"  # of sensitivities: 1 % in all, as in the thesis
+FINEST = 1e-9  # of the way between both ends: how finely the last machine is looked for
+OFF_BOUND = 0.1  # of the way to a bound that is itself not allowed, as of grooves of 0.5 D
+NARROWEST = 1e-3  # of the way: what is left is no tolerance
 STATIC, MOMENTLESS = "static", ("frozen", "centrifugal")
 
 
@@ -43,12 +46,16 @@ class Hypothesis:
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What is uncertain of a case; of sensitivities the ``steps`` of differences, and ranges."""
+    """What is uncertain of a case; of sensitivities the ``steps`` of differences, and ranges.
+
+    ``narrowed``: sentences on what is usual and leaves what is allowed.
+    """
 
     hypotheses: tuple[Hypothesis, ...]
     tolerances: tuple[Tolerance, ...]
     steps: tuple[Tolerance, ...] = ()
     ranges: tuple[Tolerance, ...] = ()
+    narrowed: tuple[str, ...] = ()
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -79,20 +86,70 @@ def asked_of(case: Case) -> Asked:
         raise InvalidInput(f"{'.'.join(map(str, way))}: {sentence}")
     given, case = case.uncertain or Uncertain(as_usual=True), certain(case)
     hypotheses = dict(given.hypotheses)
-    tolerances = dict(given.tolerances)
+    tolerances = [tolerance(case, path, text) for path, text in given.tolerances.items()]
+    narrowed: list[str] = []
     if given.as_usual:
         known = {_full(name) for name in hypotheses}
         hypotheses |= {path: each for path, each in HYPOTHESES.items() if path not in known}
-        held = {place for path in tolerances for place in _places(case, path)}
+        held = {place for path in given.tolerances for place in _places(case, path)}
         for entry in usual_of(case):
-            if not held & _places(case, entry.path) and not _refusal(case, entry.path, entry.text):
-                tolerances[entry.path] = entry.text
+            if not held & _places(case, entry.path):
+                found = _usual(case, entry.path, entry.text)
+                tolerances += [found] if isinstance(found, Tolerance) else []
+                narrowed += [_left(found, entry.path, entry.text)]
     choices = (_hypothesis(case, name, values) for name, values in hypotheses.items())
     return Asked(
         tuple(each for each in choices if len(each.values) > 1 and _matters(case, each.path)),
-        tuple(tolerance(case, path, text) for path, text in tolerances.items()),
+        tuple(tolerances),
         *_differences(case, given.sensitivities),
+        tuple(filter(None, narrowed)),
     )
+
+
+def _usual(case: Case, path: str, text: str) -> Tolerance | str:
+    """What is usual at a path, as far from the value of the case as is allowed; why there is no
+    such machine at all."""
+    try:
+        found = tolerance(case, path, text, beyond=True)
+    except InvalidInput as refusal:
+        return str(refusal)
+    if all(_made(case, found, end) for end in (0.0, 1.0)):
+        return found
+    low, high = (_farthest(case, found, end) for end in (0.0, 1.0))
+    if found.levels or high - low < NARROWEST:
+        return _refusal(case, path, text)
+    return found.within(low, high, f"{text}, as far as allowed")
+
+
+def _made(case: Case, found: Tolerance, share: float) -> bool:
+    """Whether there may be a machine at a share of the way."""
+    try:
+        vary(case, found.at(share))
+    except InvalidInput:
+        return False
+    return True
+
+
+def _farthest(case: Case, found: Tolerance, end: float) -> float:
+    """Share of the way towards an end up to which there are machines."""
+    if _made(case, found, end):
+        return end
+    inside, outside = found.nominal, end
+    while abs(outside - inside) > FINEST:
+        middle = (inside + outside) / 2.0
+        inside, outside = (middle, outside) if _made(case, found, middle) else (inside, middle)
+    bound = found.quantity.below if end else found.quantity.above
+    return inside + (OFF_BOUND * (found.nominal - inside) if bound else 0.0)
+
+
+def _left(found: Tolerance | str, path: str, text: str) -> str:
+    """A sentence on what is not as usual; empty where it is."""
+    if isinstance(found, str):
+        return f"{path} {text} is left out: {found.removeprefix(f'{path}: ')}"
+    if found.text == text:
+        return ""
+    ends = ", ".join(dict.fromkeys(map(found.shown, found.ends)))
+    return f"{path} {text} leaves what is allowed: taken from {ends}"
 
 
 def within_case(case: Case, sensitivities: Mapping[str, str | None]) -> Asked:

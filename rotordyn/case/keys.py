@@ -117,9 +117,9 @@ class Variant:
     override: Annotated[Overrides, "added to the overrides of the case"] = field(
         default_factory=dict
     )
-    conditions: Annotated[Conditions, "added to the conditions of the case"] = field(
-        default_factory=Conditions
-    )
+    conditions: Annotated[
+        Conditions, "added to the conditions of the case, key by key at any depth"
+    ] = field(default_factory=Conditions)
     references: Annotated[tuple[Reference, ...], "added to the references of the case"] = ()
 
 
@@ -224,8 +224,8 @@ class Printed:
     unloading: Annotated[
         tuple[LightLoad, ...], "axial force that unloads one of the pair at each preload"
     ] = ()
-    dynamic_rating: Annotated[LightLoad | None, "C of one bearing"] = None
-    static_rating: Annotated[LightLoad | None, "C0 of one bearing"] = None
+    dynamic_rating: Annotated[LightLoad | None, "C of one bearing; axial above 45°"] = None
+    static_rating: Annotated[LightLoad | None, "C0 of one bearing; axial above 45°"] = None
 
 
 @dataclass

@@ -112,6 +112,15 @@ def merged(base: Node | None, more: Node | None) -> Node | None:
     return more
 
 
+def overlaid(base: Node | None, more: Node) -> Node:
+    """``more`` laid over ``base``: mappings key by key at any depth, all else as a whole."""
+    if base is None or not (isinstance(base.value, dict) and isinstance(more.value, dict)):
+        return more
+    kept = {key: value for key, value in base.value.items() if key not in more.value}
+    laid = {key: overlaid(base.child(key), value) for key, value in more.value.items()}
+    return replace(base, value={**kept, **laid})
+
+
 def joined(path: str, key: Key) -> str:
     """``path`` extended by a key, or by the place of an item of a list, counted from 1 as in paths
     that are varied."""

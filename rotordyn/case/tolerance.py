@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rotordyn import units
@@ -29,7 +29,9 @@ TIMES = re.compile(rf"factor\s+({NUMBER})")
 WORDS = re.compile(r"([A-Za-z]\w*)\s*\.\.\s*([A-Za-z]\w*)")
 FORMS = "allowed: '± 5 %', '± 2 um', '+3/-2 deg', '24..28 deg', 'factor 2', 'least..most'"
 DIFFERENCE = {"temperature": "temperature difference"}
+NUMBER_AS_SUCH = Quantity("number")
 LEAST = 1e-12  # of the value: narrower is no tolerance
+SEARCHED = 1e-6  # of the way between both ends: an end that near to a bound is the bound
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +40,8 @@ class Tolerance:
 
     ``path`` and ``text`` as written. ``ends``: by each path that it moves, lowest, nominal and
     highest value (a row of numbers where the value is one). ``nominal``: share of the way from the
-    lowest to the highest at which the case stands; ``log``: along ratios. ``unit``: SI.
+    lowest to the highest at which the case stands; ``log``: along ratios. ``unit``: SI;
+    ``quantity``: what it is, with its range.
     """
 
     path: str
@@ -47,10 +50,21 @@ class Tolerance:
     nominal: float = 0.5
     log: bool = False
     unit: str = ""
+    quantity: Quantity = NUMBER_AS_SUCH
 
     def at(self, share: float) -> dict[str, Any]:
         """Values by path, as ``vary`` takes them, at a share of the way from lowest to highest."""
         return {path: self._between(*each, share) for path, each in self.ends.items()}
+
+    def within(self, low: float, high: float, text: str) -> Tolerance:
+        """From one share of its way to another, between which the case stands."""
+        ends = {}
+        for path, (least, nominal, most) in self.ends.items():
+            at = [self._between(least, nominal, most, share) for share in (low, high)]
+            if isinstance(least, float):  # where the search for the last machine met a bound
+                at = [_on_bound(end, self.quantity, SEARCHED * (most - least)) for end in at]
+            ends[path] = (at[0], nominal, at[1])
+        return replace(self, text=text, ends=ends, nominal=(self.nominal - low) / (high - low))
 
     def _between(self, low: Any, nominal: Any, high: Any, share: float) -> Any:
         if isinstance(low, str):  # each of the three words as often
@@ -65,6 +79,13 @@ class Tolerance:
         if self.log:
             return low * (high / low) ** share
         return low + share * (high - low)
+
+    def shown(self, path: str) -> str:
+        """Lowest to highest value at a path that it moves, in the unit of its range."""
+        low, _, high = self.ends[path]
+        pairs = zip(low, high, strict=True) if isinstance(low, tuple) else [(low, high)]
+        ends = [[self.quantity.as_bounds(end) for end in pair] for pair in pairs]
+        return ", ".join(f"{first.split()[0]} to {last}" for first, last in ends)
 
     @property
     def _first(self) -> list[Any]:
@@ -93,8 +114,8 @@ class Tolerance:
         return math.nan if isinstance(nominal, str) else float(nominal)
 
 
-def tolerance(case: Case, path: str, text: str) -> Tolerance:
-    """A tolerance of the value at a dotted path of ``case``.
+def tolerance(case: Case, path: str, text: str, *, beyond: bool = False) -> Tolerance:
+    """A tolerance of the value at a dotted path of ``case``; ``beyond``: it may leave the range.
 
     Raises
     ------
@@ -102,12 +123,12 @@ def tolerance(case: Case, path: str, text: str) -> Tolerance:
         or leaves its range, or is of no width; one sentence that does not repeat the path
     """
     found = _found(case, path)
-    ends, share, log, unit = {}, 0.5, False, ""
+    ends, share, log, unit, quantity = {}, 0.5, False, "", None
     for place, value, annotation in found:
-        ends[place], share, log = _ends(value, annotation, text)
+        ends[place], share, log = _ends(value, annotation, text, beyond)
         quantity = quantity_of(annotation)
         unit = "" if quantity is None or isinstance(value, str) else quantity.coherent_unit
-    return Tolerance(path, text, ends, share, log, unit)
+    return Tolerance(path, text, ends, share, log, unit, quantity or NUMBER_AS_SUCH)
 
 
 def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
@@ -124,15 +145,17 @@ def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
     raise InvalidInput("leads nowhere in this case")
 
 
-def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any], float, bool]:
+def _ends(
+    value: Any, annotation: Any, text: str, beyond: bool
+) -> tuple[tuple[Any, Any, Any], float, bool]:
     """Lowest, nominal and highest value, the share of the nominal one, whether along ratios."""
     if isinstance(value, tuple) and value and all(isinstance(each, float) for each in value):
-        rows = [_ends(each, annotation, text) for each in value]
+        rows = [_ends(each, annotation, text, beyond) for each in value]
         columns = tuple(zip(*(row[0] for row in rows), strict=True))
         return (columns[0], columns[1], columns[2]), rows[0][1], rows[0][2]
     if isinstance(value, str) and found_in(annotation, Choice) is not None:
         return _words(value, annotation, text), 0.5, False
-    low, high, log = _limits(value, annotation, text)
+    low, high, log = _limits(value, annotation, text, beyond)
     if isinstance(value, int):
         if low != round(low) or high != round(high):
             raise InvalidInput(f"'{text}': whole numbers are needed, such as ± 1")
@@ -141,27 +164,35 @@ def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any],
     return (low, value, high), way, log
 
 
-def _limits(value: Any, annotation: Any, text: str) -> tuple[float, float, bool]:
+def _limits(value: Any, annotation: Any, text: str, beyond: bool) -> tuple[float, float, bool]:
     """Lowest and highest number, held against the value and its range."""
     if isinstance(value, bool) or not isinstance(value, float | int):
         what = "is not given in this case" if value is None else f"is no number: {shown(value)}"
         raise InvalidInput(f"{what}; a tolerance needs one")
     if not math.isfinite(value):
         raise InvalidInput("is infinite in this case; a tolerance needs a number")
-    quantity = quantity_of(annotation) or Quantity("number")
+    quantity = quantity_of(annotation) or NUMBER_AS_SUCH
     low, high, log = _numbers(float(value), quantity, text.strip().replace("\u2212", "-"))
     if low > high:
         raise InvalidInput(f"the lower end comes first: given '{text}'")
     if not low < high or high - low <= LEAST * max(abs(low), abs(high)):
         hint = ", a share of 0 is 0: give it with a unit" if value == 0 and "%" in text else ""
         raise InvalidInput(f"a tolerance without width: given '{text}'{hint}")
-    for end in (low, high):
-        if why := quantity.refusal(end):
+    low, high = _on_bound(low, quantity), _on_bound(high, quantity)
+    for end in () if beyond else (low, high):
+        if why := quantity.refusal(end, quantity.as_bounds(end)):
             raise InvalidInput(f"'{text}' leads out of what is allowed: {why}")
     if not low <= value <= high:
-        written = quantity.written(value)
+        written = quantity.as_bounds(value)
         raise InvalidInput(f"'{text}' does not hold the value of the case, {written}")
     return low, high, log
+
+
+def _on_bound(end: float, quantity: Quantity, apart: float = 0.0) -> float:
+    """The bound itself where sums such as 57° + 3° meet it but for rounding, or a search."""
+    bounds = [quantity.low] * bool(quantity.at_least) + [quantity.high] * bool(quantity.at_most)
+    near = (b for b in bounds if abs(end - b) <= max(LEAST * max(abs(b), abs(end)), apart))
+    return next(near, end)
 
 
 def _words(value: str, annotation: Any, text: str) -> tuple[str, str, str]:

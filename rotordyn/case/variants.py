@@ -7,9 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import Node, merged
+from rotordyn.case.node import Node, merged, overlaid
 
-_MERGED = ("override", "conditions", "references")
+_MERGED = ("override", "references")
 
 
 def tools_compared(root: Node, faults: Faults) -> Node:
@@ -61,8 +61,8 @@ def _cut(holder: Node, machine: str, faults: Faults) -> None:
 def variant_trees(root: Node) -> dict[str, Node]:
     """By name, the tree that each entry of ``compare`` makes of the case in ``root``.
 
-    Machine and title are replaced; overrides and conditions are merged key by key; references are
-    added. Every node keeps its place in the file.
+    Machine and title are replaced; overrides are merged path by path, conditions key by key at any
+    depth; references are added. Every node keeps its place in the file.
     """
     return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
 
@@ -71,5 +71,8 @@ def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     del tree.value["compare"]
     for key, value in changes.entries().items():
-        tree.value[key] = merged(tree.child(key), value) if key in _MERGED else value
+        if key == "conditions":
+            tree.value[key] = overlaid(tree.child(key), value)
+        else:
+            tree.value[key] = merged(tree.child(key), value) if key in _MERGED else value
     return tree

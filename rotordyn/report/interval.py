@@ -94,6 +94,8 @@ def interval_doubts(held: Interval) -> Iterator[str]:
             f"{held.number[worst]} is {held.interaction[worst]:.0%} of its range from the sum of "
             "their effects; samples tell"
         )
+    if held.narrowed:
+        yield f"note       {held.narrowed}"
     if held.lost:
         yield f"note       left out, without a solution: {shortened(held.lost, 300)}"
 

@@ -50,6 +50,7 @@ def _machine(spindle: Spindle) -> list[str]:
         lines.append(f"bearings   [mm] {rows}{_signs(spindle)}")
         if pairs:
             lines[-1] += f"; {pairs}"
+        lines[-1] += f"; balls of {_balls(spindle)}"
     lines += [_sleeve(sleeve) for sleeve in spindle.sleeves]
     return lines if spindle.drawbar is None else [*lines, _drawbar(spindle.drawbar)]
 
@@ -62,6 +63,16 @@ def _which(seat: BearingSeat) -> str:
     if seat.bearing.both_ways:
         return named
     return f"{named} {'+' if seat.thrust > 0 else '−'}"
+
+
+def _balls(spindle: Spindle) -> str:
+    """The material of the balls, by bearings where it differs among them."""
+    groups: dict[str, list[str]] = {}
+    for seat in spindle.seats:
+        groups.setdefault(seat.bearing.ball_material.name, []).append(seat.name)
+    if len(groups) == 1:
+        return next(iter(groups))
+    return ", ".join(unbroken(f"{name} in {', '.join(seats)}") for name, seats in groups.items())
 
 
 def _signs(spindle: Spindle) -> str:

@@ -64,6 +64,7 @@ class Interval:
     curve_hypotheses: Array = quantity("point", "end", unit="", label="over hypotheses")
     curve_tolerances: Array = quantity("point", "end", unit="", label="95 % of tolerances")
     runs: int = quantity(unit="", label="machines solved")
+    narrowed: str = quantity(unit="", label="what is usual and leaves what is allowed")
     lost: str = quantity(unit="", label="why some of them have no solution")
 
     def spread(self) -> Array:

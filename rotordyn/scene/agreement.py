@@ -41,6 +41,7 @@ def setting_faults(setting: Setting) -> Faults:
     yield from _warm(setting)
     yield from _tables(spindle, setting.speeds)
     yield from _on_housings(spindle, conditions)
+    yield from _parted(spindle, conditions)
     if spindle.seats:
         yield from _sideways(setting)
 
@@ -263,6 +264,23 @@ def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
                 ("spindle", "housings", index, *_along(housing)),
                 f"housing {housing.name} moves along x, and the static state {what} is that on "
                 "ground: leave x out",
+            )
+
+
+def _parted(spindle: Spindle, conditions: Conditions) -> Faults:
+    """The preload state is that of one shaft: no joint gives way along between what holds it."""
+    if not spindle.seats or conditions.rotor == "rigid":
+        return
+    supports = (s for s in spindle.supports if s.ends == (SPINDLE, GROUND))
+    held = [seat.x for seat in spindle.seats]
+    held += [support.x for support in supports if support.along or "x" in support.rigid]
+    for index, joint in enumerate(spindle.joints):
+        if math.isfinite(joint.axial) and min(held) <= joint.x < max(held):
+            yield (
+                ("spindle", "joints", index, "axial"),
+                f"joint {joint.name} gives way along x between bearings, or supports that hold the "
+                "shaft along, and the preload state is that of a shaft rigid along its axis: leave "
+                "axial out, or move the joint in front of all of them",
             )
 
 

@@ -246,6 +246,7 @@ def _joined(
         curve_hypotheses=_moved(y, log, _ends(moved[:, points])),
         curve_tolerances=_moved(y, log, toleranced.usual[points]),
         runs=machines.solved,
+        narrowed="; ".join(asked.narrowed),
         lost="; ".join(dict.fromkeys(machines.lost)),
     )
 

@@ -24,7 +24,7 @@ from bearings import (
 )
 from bearings.catalogue.races import Insides, contact_stiffness, static_rating
 from bearings.geometry import geometry
-from bearings.life.rating import radial_rating
+from bearings.life.rating import radial_rating, rating
 
 ROOT = Path(__file__).resolve().parents[2]
 RINGS: dict[str, Any] = dict(bore=0.07, outside_diameter=0.11, width=0.02)
@@ -138,6 +138,40 @@ def test_ratings_are_those_of_one_bearing(bearing: Any) -> None:
     assert radial_rating(x)[0] == pytest.approx(life.dynamic_rating(bearing), rel=1e-12)
     found = static_rating(x, bearing.ball_material, STEEL)[0]
     assert found == pytest.approx(life.static_rating(bearing), rel=1e-5)
+
+
+@pytest.mark.parametrize("degrees", [45.0, 50.0, 60.0])
+@pytest.mark.parametrize("given", [("dynamic",), ("static",), ("dynamic", "static")])
+def test_steep_bearings_given_their_own_ratings_come_back(
+    degrees: float, given: tuple[str, ...]
+) -> None:
+    """Above 45° ratings are of axial load; a ball screw bearing of 30 x 62 mm."""
+    bearing = AngularContactBallBearing(
+        ball_diameter=7.9375e-3,
+        balls=17,
+        pitch_diameter=0.046,
+        contact_angle=math.radians(degrees),
+        inner_conformity=0.53,
+        outer_conformity=0.53,
+        ball_material=STEEL,
+    )
+    x = insides(bearing)
+    ratings = {"dynamic": life.dynamic_rating(bearing), "static": life.static_rating(bearing)}
+    assert rating(x)[0] == pytest.approx(ratings["dynamic"], rel=1e-12)
+    assert static_rating(x, STEEL, STEEL)[0] == pytest.approx(ratings["static"], rel=1e-5)
+    found = estimate(
+        bore=0.03,
+        outside_diameter=0.062,
+        contact_angle=bearing.contact_angle,
+        hybrid=False,
+        ball_diameter=bearing.ball_diameter,
+        balls=bearing.balls,
+        **{f"{name}_rating": ratings[name] for name in given},
+    )
+    assert life.dynamic_rating(found) == pytest.approx(ratings["dynamic"], rel=0.02)
+    assert life.static_rating(found) == pytest.approx(ratings["static"], rel=0.05)
+    assert found.inner_conformity == pytest.approx(0.53, abs=0.003)
+    assert found.doubt == ""
 
 
 def test_ratings_of_published_rows() -> None:

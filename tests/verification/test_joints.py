@@ -257,6 +257,22 @@ def test_joints_that_are_none(given: dict[str, float], words: str) -> None:
         Joint("j", 0.0, **given)
 
 
+def test_joints_that_give_way_along_stand_in_front_of_all_bearings() -> None:
+    """Preload states take the shaft as rigid along its axis, unless it carries nothing there."""
+    soft = {"radial": 8e8, "axial": 5e6}
+    whole = case()
+    front, *_, rear = sorted(seat.x for seat in whole.spindle.seats)
+    for x, taken in ((0.0, True), (front, False), (rear, True), ((front + rear) / 2.0, False)):
+        changes: dict[str, object] = {"spindle.joints": (Joint("j", x, **soft),)}
+        if taken:
+            rotordyn.vary(whole, changes)
+            continue
+        with pytest.raises(InvalidInput, match="joint j gives way along x between bearings"):
+            rotordyn.vary(whole, changes)
+        rotordyn.vary(whole, changes | {"conditions.rotor": "rigid"})
+        rotordyn.vary(whole, changes | {"spindle.joints": (Joint("j", x, radial=8e8),)})
+
+
 def test_joints_lie_within_the_shaft() -> None:
     with pytest.raises(InvalidInput, match=r"joins no two parts: given 0.27 m"):
         replace(STEPPED, joints=(replace(PARTED, x=0.27),))

@@ -9,7 +9,7 @@ import numpy as np
 
 from rotordyn.analyses.life.figures import headline_curves
 from rotordyn.analyses.life.result import HOUR, LifeResult
-from rotordyn.analyses.life.summary import hours
+from rotordyn.analyses.life.summary import hours, unmodified
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.described import Shown
@@ -48,5 +48,7 @@ def _table(variant: Shown, *, named: bool) -> Iterator[Table]:
         rows.append(row)
     at = f"{result.speed[last] * RPM.factor:.0f} rpm"
     note = f"Life, friction, heat and film at {at}; friction and heat are orders of magnitude."
+    if lubricated and unmodified(result).any():
+        note += " Above a contact angle of 45° the factor of the modified life is not known."
     title = f"{variant.title}: bearings" if named else "Bearings"
     yield Table(title, heads, rows, note if lubricated else f"Life at {at}.", section=BEARINGS)

@@ -21,6 +21,7 @@ NO_OIL = Absence("without a lubricant")
 AT_REST = Absence("at rest", beside="speed")
 NO_LOAD = Absence("without load", beside="equivalent_load")
 THIN = Absence("where κ is below 0.1, as at rest", beside="life_factor")
+STEEP = Absence("of contact angles above 45°", by=("bearing",))
 NO_SPECTRUM = Absence("without a load spectrum")
 STILL = Absence("where no step turns it under load", by=("bearing",))
 NO_TEMPERATURE = Absence("where the conditions have none")
@@ -31,18 +32,19 @@ class LifeResult:
     """Life, static safety, heat, films and defect frequencies over speed.
 
     ``revolutions``: reference life L10r of ISO/TS 16281; ``life``: the same as time, infinite at
-    rest; ``modified_life``: L_nm with the lubricant and the reliability. ``limiting``: the contact
-    that fails first. ``groove_rating``: C from the grooves; ``dynamic_rating``: the one used.
-    ``rating_factor``: of temperature, on ``dynamic_rating``, below 1 above 150 °C. ``set_life``:
-    until the first bearing fails. ``spectrum_life``, ``spectrum_set_life``, ``spectrum_safety``:
-    under the load spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
-    ``shoulder_margin``: least angle from the end of a contact ellipse to the shoulder, NaN where no
-    shoulder diameter is known; ``lost_load``: share of a ball's load that the shoulder takes away.
-    ``viscosity_ratio`` κ, ``film``: least thickness, 0 without load, ``film_ratio`` Λ, and heat are
-    NaN without a lubricant. Temperatures are NaN where the conditions have none; where they follow
-    from the heat of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect
-    frequencies over that of the spindle; ``ball``: turns of a ball, whose defect strikes twice.
-    ``ring_stress``: largest stress of the fitted inner ring after Tresca, NaN without a fit.
+    rest; ``modified_life``: L_nm with the lubricant and the reliability, NaN above 45°.
+    ``limiting``: the contact that fails first. ``groove_rating``: C from the grooves;
+    ``dynamic_rating``: the one used. ``rating_factor``: of temperature, on ``dynamic_rating``,
+    below 1 above 150 °C. ``set_life``: until the first bearing fails. ``spectrum_life``,
+    ``spectrum_set_life``, ``spectrum_safety``: under the load spectrum, NaN without one.
+    ``static_safety``: (4.2 GPa over the peak pressure)³. ``shoulder_margin``: least angle from the
+    end of a contact ellipse to the shoulder, NaN where no shoulder diameter is known;
+    ``lost_load``: share of a ball's load that the shoulder takes away. ``viscosity_ratio`` κ,
+    ``film``: least thickness, 0 without load, ``film_ratio`` Λ, and heat are NaN without a
+    lubricant. Temperatures are NaN where the conditions have none; where they follow from the heat
+    of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect frequencies over
+    that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``:
+    largest stress of the fitted inner ring after Tresca, NaN without a fit.
     ``reliability``, ``target``: as the case asks.
     """
 
@@ -60,10 +62,10 @@ class LifeResult:
         unit="s",
         label="modified life",
         printed=HOURS,
-        absent=(NO_OIL, THIN),
+        absent=(NO_OIL, THIN, STEEP),
         infinite=(NO_LOAD,),
     )
-    life_factor: Array = quantity(*BY, unit="1", label="factor a_ISO", absent=(NO_OIL, THIN))
+    life_factor: Array = quantity(*BY, unit="1", label="factor a_ISO", absent=(NO_OIL, THIN, STEEP))
     limiting: NDArray[np.str_] = quantity(*BY, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY, unit="N", label="equivalent load")
     static_safety: Array = quantity(*BY, unit="1", label="static safety S0", infinite=(NO_LOAD,))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import bearings
+from bearings.life.rating import is_thrust
 from bearings.ring.state import BearingState
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
@@ -179,6 +180,8 @@ def _oiled(
     static = bearings.life.static_rating(state.operation.grooves)
     limit = bearings.life.fatigue_load_limit(static, pitch)
     factor = bearings.life.life_factor(kappa, lubricant.contamination, limit, lived.equivalent_load)
+    if is_thrust(state.operation.grooves):
+        factor = np.full_like(factor, np.nan)
     return {
         "inner_heat": lost.inner,
         "outer_heat": lost.outer,

@@ -38,11 +38,13 @@ def summary(result: LifeResult) -> list[str]:
             f"S0 from {number(float(result.spectrum_safety.min()))}"
         )
     if math.isfinite(result.viscosity):
+        steep = ", ".join(result.bearing[k] for k in np.flatnonzero(unmodified(result)))
         grade = f"{100.0 * result.reliability:g} %"
         lines.append(
             f"modified   life of {grade} [h] {_each(result, result.modified_life / HOUR, hours)}; "
             f"κ {_range(result.viscosity_ratio[_last(result)], 2)}, film "
             f"{_range(result.film[_last(result)] * 1e9, 0)} nm"
+            + (f"; of {steep} none: a_ISO is not known above 45°" if steep else "")
         )
         lines.append(
             f"heat       [W] {_over_speed(result, result.heat)} (order of magnitude; sliding in "
@@ -67,6 +69,13 @@ def summary(result: LifeResult) -> list[str]:
     ]
     lines.append(f"defects    × speed at {rpm:.0f} rpm: {', '.join(map(unbroken, orders))}")
     return lines
+
+
+def unmodified(result: LifeResult) -> NDArray[np.bool_]:
+    """Of which bearings a_ISO is not known, as of thrust bearings, whatever κ is (bearings,)."""
+    thick = result.viscosity_ratio >= LEAST_KAPPA
+    known = thick & np.isfinite(result.equivalent_load)
+    return np.asarray(known.any(axis=0) & np.isnan(result.life_factor).all(axis=0))
 
 
 def hours(value: float) -> str:

@@ -15,6 +15,7 @@ from bearings import STEEL, Lubricant, film, heat, life
 from rotordyn.analyses import LifeSpec, LoadStep, Lubrication
 from rotordyn.analyses.life.spec import RELIABILITIES
 from rotordyn.analyses.life.summary import numbers, summary, warnings
+from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.together import dynamic_preload
@@ -79,6 +80,24 @@ def test_values_of_a_single_bearing(seat: int) -> None:
     limit = life.fatigue_load_limit(life.static_rating(bearing), bearing.pitch_diameter)
     factor = life.life_factor(kappa, 0.5, limit, lived.equivalent_load)
     assert ours.modified_life[1, seat] == pytest.approx(float(factor) * hours, rel=1e-6)
+
+
+def test_steep_bearings_have_no_modified_life() -> None:
+    """ISO 281 has another a_ISO for thrust bearings, those of more than 45°."""
+    spindle = grinding()
+    for steep in ("a", "*"):
+        one = vary(spindle, {f"bearings.{steep}.model.contact_angle": "50 deg"})
+        found = of_grinding(LifeSpec(OIL), one)
+        thrust = np.array([steep == "*" or name == steep for name in found.bearing])
+        assert np.isnan(found.modified_life[:, thrust]).all()
+        assert np.isfinite(found.modified_life[:, ~thrust]).all()
+        assert np.isfinite(found.life).all()
+        assert (found.viscosity_ratio > 0.1).all()
+        names = ", ".join(np.array(found.bearing)[thrust])
+        assert f"; of {names} none: a_ISO is not known above 45°" in "\n".join(summary(found))
+        assert not list(unexplained(found))
+    flat = vary(spindle, {"bearings.*.model.contact_angle": "45 deg"})
+    assert "above 45°" not in "\n".join(summary(of_grinding(LifeSpec(OIL), flat)))
 
 
 def test_set_and_rest() -> None:

@@ -12,6 +12,7 @@ import rotordyn
 from rotordyn.case.library import models_root
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve_variants
+from rotordyn.machine.sleeve import Spring
 
 CASE = """\
 title: whole
@@ -91,6 +92,36 @@ def test_a_variant_adds_overrides_and_conditions_and_replaces_machines(tmp_path:
     assert second.speeds == case.speeds
     assert second.analyses == case.analyses
     assert not second.variants
+
+
+def test_conditions_of_a_variant_are_laid_over_those_of_the_case(tmp_path: Path) -> None:
+    """Key by key at any depth; lists and values of overrides are whole."""
+    text = CASE.format(
+        compare="  warmer: {conditions: {temperatures: {shaft: 35 degC, bearings: {a: {inner_ring: "
+        "41 degC}}}}}\n"
+        "  cold: {conditions: {temperatures: null}}\n"
+        "  other: {override: {sleeves.front.spring: {preload: 500 N, stiffness: rigid}}}\n"
+    ).replace(
+        "  kinematics: outer\n",
+        "  kinematics: outer\n"
+        "  temperatures: {shaft: 30 degC, housing: 31 degC, bearings: {a: {inner_ring: 38 degC, "
+        "outer_ring: 32 degC}}}\n",
+    )
+    (tmp_path / "compared.yaml").write_text(text, encoding="utf-8")
+    case = rotordyn.load(tmp_path / "compared.yaml")
+    warmer, cold = (case.variants[name].conditions for name in ("warmer", "cold"))
+    base = case.conditions.temperatures
+    assert base is not None
+    assert warmer.temperatures is not None
+    assert warmer.kinematics == "outer"
+    assert (warmer.temperatures.shaft, base.shaft) == (35.0, 30.0)
+    assert warmer.temperatures.housing == base.housing
+    assert warmer.temperatures.bearings["a"].inner_ring == 41.0
+    assert warmer.temperatures.bearings["a"].outer_ring == base.bearings["a"].outer_ring
+    assert cold.temperatures is None
+    spindle = case.variants["other"].spindle
+    assert spindle is not None
+    assert spindle.sleeves[0].spring == Spring(500.0)
 
 
 def test_only_references_of_the_conditions_in_force_are_compared(tmp_path: Path) -> None:

@@ -8,7 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from bearings import STEEL, AngularContactBallBearing
+from docs.generate.accepted import default
+from rotordyn.case.keys import keys_of
 from rotordyn.case.read import load
+from rotordyn.case.vary import vary
 from rotordyn.cli.screen import HEIGHT, on_screen
 from rotordyn.job.side_by_side import write_comparison
 from rotordyn.machine.drawbar import Drawbar
@@ -81,6 +85,20 @@ def test_a_kind_is_named_where_it_is_not_the_usual_one_and_thrust_where_it_is_on
     assert "a − at 42.0, b − at 62.0, rear deep groove at 302.0 (−: a push towards −x" in said
     assert "in O" not in said
     assert "in X" not in said
+
+
+def test_the_material_of_balls_is_named():
+    """Angular-contact bearings have balls of silicon nitride unless they say otherwise."""
+    case = load("grinding_spindle")
+    assert "balls of silicon nitride\n" in summary(case, {})
+    other = vary(case, {"spindle.bearings.c.model.ball_material": STEEL})
+    said = " ".join(summary(other, {}).split()).replace("\N{NO-BREAK SPACE}", " ")
+    assert "balls of silicon nitride in a, b, d, bearing steel in c" in said
+
+
+def test_the_reference_of_keys_names_default_materials():
+    field = next(f for f in keys_of(AngularContactBallBearing) if f.name == "ball_material")
+    assert default(field) == "`silicon_nitride`"
 
 
 def test_where_a_line_leaves_the_band_is_told(case, results):

@@ -1,0 +1,72 @@
+"""What is uncertain of a case where values near the ends of their ranges are."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import rotordyn
+from rotordyn.case.asked import Asked, asked_of
+from rotordyn.case.case import Case
+from rotordyn.case.tolerance import Tolerance, tolerance
+from rotordyn.errors import InvalidInput
+
+ANGLE = "spindle.bearings.*.model.contact_angle"
+CONFORMITY = "spindle.bearings.*.model.inner_conformity"
+TRAVEL = "spindle.sleeves.rear.stop_travel"
+
+
+def _case(**changes: object) -> Case:
+    paths = {path.replace("__", "."): value for path, value in changes.items()}
+    return rotordyn.vary(
+        rotordyn.load("grinding_spindle"), {f"spindle.{p}": v for p, v in paths.items()}
+    )
+
+
+def _of(asked: Asked, path: str) -> Tolerance:
+    return next(each for each in asked.tolerances if each.path == path)
+
+
+def test_what_is_usual_ends_where_values_are_allowed_and_says_so() -> None:
+    """One bearing of 58°, which may have up to 60°: all go so far of the way."""
+    asked = asked_of(_case(bearings__a__model__contact_angle="58 deg"))
+    low, high = (_of(asked, ANGLE).at(share) for share in (0.0, 1.0))
+    steep, flat = (f"spindle.bearings.{name}.model.contact_angle" for name in "ab")
+    assert math.degrees(low[steep]) == pytest.approx(56.0)
+    assert high[steep] == math.radians(60.0)
+    assert math.degrees(high[flat]) == pytest.approx(27.0)  # of 25° + 3°
+    assert _of(asked, ANGLE).nominal == pytest.approx(0.5)
+    (said,) = asked.narrowed
+    assert said.startswith(f"{ANGLE} +3/-2 deg leaves what is allowed: taken from 56 to 60 deg")
+
+
+def test_a_bound_that_is_not_allowed_itself_is_not_met() -> None:
+    """Grooves of half a ball diameter are none."""
+    asked = asked_of(_case(bearings__a__model__inner_conformity=0.505))
+    low = _of(asked, CONFORMITY).at(0.0)["spindle.bearings.a.model.inner_conformity"]
+    assert low == pytest.approx(0.5005)
+    assert len(asked.narrowed) == 1
+
+
+def test_travel_of_a_stop_ends_at_zero() -> None:
+    asked = asked_of(_case(sleeves__rear__stop_travel="4 um"))
+    ends = [_of(asked, TRAVEL).at(share)[TRAVEL] for share in (0.0, 1.0)]
+    assert ends == [0.0, pytest.approx(9e-6)]
+    assert asked.narrowed == (f"{TRAVEL} ± 5 um leaves what is allowed: taken from 0 to 9 um",)
+
+
+def test_a_sum_that_meets_a_bound_is_allowed() -> None:
+    """57° + 3° is 60° but for rounding."""
+    case = _case(**{"bearings__*__model__contact_angle": "57 deg"})
+    high = tolerance(case, ANGLE, "+3/-2 deg").at(1.0)
+    assert set(high.values()) == {math.radians(60.0)}
+    assert asked_of(case).narrowed == ()
+
+
+def test_what_leaves_the_range_is_told_in_the_unit_of_the_range() -> None:
+    case = _case(**{"bearings__*__model__contact_angle": "58 deg"})
+    with pytest.raises(InvalidInput) as refused:
+        tolerance(case, ANGLE, "± 3 deg")
+    assert "given 61 deg; allowed: from 0 deg up to 60 deg" in str(refused.value)
+    assert "did you mean" not in str(refused.value)
