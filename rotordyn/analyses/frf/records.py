@@ -327,6 +327,25 @@ def _record(
 ) -> Record:
     if len(frequency) != len(values):
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
+    if coherence and len(coherence) != len(frequency):
+        raise InvalidInput(f"{len(coherence)} values of coherence at {len(frequency)} frequencies")
+    if frequency[:1] == [0.0]:  # the line of the mean, with which records of analysers begin
+        frequency, values, coherence = frequency[1:], values[1:], coherence[1:]
+    _refuse_frequencies(frequency)
+    if not any(values):
+        raise InvalidInput(NO_RESPONSE)
+    if not all(map(cmath.isfinite, values)):
+        raise InvalidInput("a value is not a finite number")
+    if why := out_of_range(frequency, values, response_unit(pair, quantity)):
+        raise InvalidInput(why)
+    for value in coherence:
+        if not 0.0 <= value <= 1.0:
+            raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
+    return Record(quantity, tuple(frequency), tuple(values), tuple(coherence))
+
+
+def _refuse_frequencies(frequency: Sequence[float]) -> None:
+    """Refuse fewer than two [Hz], those out of range, and any that do not ascend."""
     if len(frequency) < 2:
         raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
     for refusal in filter(None, map(FREQUENCY.refusal, frequency)):
@@ -335,20 +354,3 @@ def _record(
         if here <= before:
             how = "repeated" if here == before else "not in ascending order"
             raise InvalidInput(f"frequency {place}: {how}: given {here:.6g} after {before:.6g}")
-    if not any(values):
-        raise InvalidInput(NO_RESPONSE)
-    if not all(map(cmath.isfinite, values)):
-        raise InvalidInput("a value is not a finite number")
-    if why := out_of_range(frequency, values, response_unit(pair, quantity)):
-        raise InvalidInput(why)
-    return Record(quantity, tuple(frequency), tuple(values), _coherence(coherence, frequency))
-
-
-def _coherence(values: Sequence[float], frequency: Sequence[float]) -> tuple[float, ...]:
-    """Values of γ², none or one at every frequency."""
-    if values and len(values) != len(frequency):
-        raise InvalidInput(f"{len(values)} values of coherence at {len(frequency)} frequencies")
-    for value in values:
-        if not 0.0 <= value <= 1.0:
-            raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
-    return tuple(values)

@@ -117,6 +117,21 @@ def test_amplitude_and_phase_with_units(
     np.testing.assert_allclose(record.values, [2j * scale, -3.0 * scale], atol=1e-15 * scale)
 
 
+@pytest.mark.parametrize("end", ["uff", "csv"])
+def test_a_first_line_at_0_hz_is_left_out(tmp_path: Path, end: str) -> None:
+    """Records of analysers begin with the mean, of which no mobility or inertance is known."""
+    path = tmp_path / f"tap.{end}"
+    if end == "uff":
+        uff(path, x=np.array([0.0, 10.0, 20.0]), data=np.array([np.nan, 2.0, 3.0j]))
+    else:
+        head = "frequency [Hz],real [1/kg],imag [1/kg],coherence"
+        path.write_text(f"{head}\n0,7,0,0\n10,2,0,0.9\n20,0,3,1\n")
+    record = read_record(path, PAIR, None)
+    assert record.frequency == (10.0, 20.0)
+    assert record.values == (2.0, 3.0j)
+    assert record.coherence == (() if end == "uff" else (0.9, 1.0))
+
+
 def test_remarks_in_a_table_are_passed_over(tmp_path: Path) -> None:
     path = tmp_path / "tap.csv"
     path.write_text(
@@ -279,6 +294,8 @@ TABLES = {
     "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "csv: too few frequencies: given 1; allo",
     "frequency [Hz],amplitude [m/N],phase [deg]\n": "csv: too few frequencies: given 0;",
     "frequency [Hz],real [m/N],imag [m/N]\n-2,2,2\n2,2,2\n": "csv: frequency out of range: given",
+    "frequency [Hz],real [m/N],imag [m/N]\n0,2,2\n0,2,2\n1,2,2\n": "csv: frequency out of range",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,2\n0,2,2\n": "csv: frequency out of range: given 0",
     "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
     "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
     "frequency [Hz],real [m/N],imag [m/N]\n2,0,0\n4,0,0\n": "csv: no response: given zero at every",
