@@ -183,7 +183,8 @@ class Named(Limit):
         shown = given or errors.shown(value)
         if self.dotted:
             return f"no name of a point: given {shown}; allowed: POINT, or ROTOR.POINT"
-        return f"not a name: given {shown}; allowed: a letter, then letters, digits, _, -"
+        allowed = "a letter or _, then up to 199 letters, digits, spaces, _ and -"
+        return f"not a name: given {shown}; allowed: {allowed}"
 
 
 @dataclass(frozen=True)

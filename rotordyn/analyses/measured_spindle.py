@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated
 
 from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, as_quantity
@@ -19,6 +20,9 @@ from rotordyn.quantity import Items, LossFactor, Whole
 
 NOSE = 0.0  # station of the nose face [m]
 PLANES = ("y", "z")
+# Of the distance of two frequencies: over it a peak as narrow as that distance changes by 2e-3,
+# which is below the noise of a measurement; frequencies rounded to six digits differ by as much.
+SAME = 1e-3
 NEEDED = (
     "the responses at two points in one direction, front / front, front / behind and "
     "behind / behind, of which the front one is at the tip of the blank, or at the nose"
@@ -69,6 +73,7 @@ class MeasuredSpindle(Description):
         yield from crossed
         if crossed or any(len(one.frequency) < 2 for one in self.responses):
             return
+        yield from self._at_rest()
         unlike = [*self._samples()]
         yield from unlike
         if not unlike:
@@ -87,10 +92,19 @@ class MeasuredSpindle(Description):
                     f"'{one.pair}'; allowed: both in y, or both in z",
                 )
 
+    def _at_rest(self) -> Faults:
+        for index, one in enumerate(self.responses):
+            if one.speed:
+                yield (
+                    ("responses", index, "speed"),
+                    "coupling takes what was measured at rest: given {given}; leave speed out, or "
+                    "measure at rest",
+                )
+
     def _samples(self) -> Faults:
         first = self.responses[0].frequency
         for index, one in enumerate(self.responses):
-            if one.frequency != first:
+            if not _alike(one.frequency, first):
                 yield (
                     ("responses", index),
                     "measured at other frequencies than the first response: allowed: the same",
@@ -177,6 +191,14 @@ class MeasuredSpindle(Description):
     def stations(self, spindle: Spindle) -> dict[str, float]:
         """Where the named points are [m]."""
         return dict(spindle.points if self.blank is None else self.blank.placed(NOSE))
+
+
+def _alike(frequency: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether they are the same but for rounding; ascending [Hz]."""
+    if len(frequency) != len(other):
+        return False
+    least = min(after - before for before, after in pairwise(other))
+    return all(abs(a - b) <= SAME * least for a, b in zip(frequency, other, strict=True))
 
 
 def _fault(one: MeasuredResponse) -> str | None:

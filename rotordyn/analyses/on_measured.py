@@ -40,6 +40,7 @@ CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
 MOST_MODES = 24  # tried where the number is not given
 IN_VAIN = 4  # modes added without a better fit, after which no more are tried
+FEW = 0.5  # of a misfit: more modes that leave less were missing
 BETTER = 0.95  # of the misfit: a mode that lowers it by less fits noise
 
 
@@ -71,20 +72,22 @@ class OnMeasured:
     @cached_property
     def fits(self) -> dict[str, ModalFit]:
         """Modes fitted to the three responses of every plane, front, across and behind."""
-        return {way: self._fit(way) for way in self.measured.planes}
+        return {way: self._fit(way, self.measured.modes) for way in self.measured.planes}
 
     def tip(self, way: str, omega: Array) -> Complex:
         """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N].
 
         Raises
         ------
-        InvalidInput : a blank that hides the spindle behind the noise of its responses
+        InvalidInput : a blank that hides the spindle behind the noise of its responses, or too few
+            modes to tell
         """
         fit = self.fits[way]
         try:
             return self._tip(fit(omega), *self._parts(omega), noise=fit.misfit)
         except InvalidInput as error:
-            raise InvalidInput(f"measured_spindle: {error}") from None
+            why = self._too_few_modes(way) or str(error)
+            raise InvalidInput(f"measured_spindle: {why}") from None
 
     def error(self, way: str, omega: Array) -> Array:
         """Standard deviation of ``tip`` from the noise of the measurement (f,) [m/N].
@@ -102,13 +105,24 @@ class OnMeasured:
             variance += np.abs((self._tip(changed, *parts) - known) / STEP) ** 2
         return np.asarray(fit.misfit * np.sqrt(variance))
 
-    def _fit(self, way: str) -> ModalFit:
-        """Modes of a plane."""
+    def _too_few_modes(self, way: str) -> str:
+        """Why the misfit of a plane is no noise; empty where more modes do not halve it."""
+        fit, best = self.fits[way], self._fit(way, None)
+        if best.misfit > FEW * fit.misfit:
+            return ""
+        return (
+            f"modes: given {self.measured.modes}, which leave a misfit of {fit.misfit:.2%} to the "
+            f"responses ({len(best.fit.pole)} leave {best.misfit:.2%}): raise modes, or leave it "
+            "out"
+        )
+
+    def _fit(self, way: str, modes: int | None) -> ModalFit:
+        """So many modes of a plane, or as many as its noise leaves."""
         named = self.measured.of_plane(way)
         front, behind = self._front, self._behind
         across = min(front, behind), max(front, behind)
         wanted = named[front, front], named[across], named[behind, behind]
-        return _fitted(wanted, self.measured.modes)
+        return _fitted(wanted, modes)
 
     def _parts(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
         """Blank with the flexibility of its joint to the nose, tool with that of its own; the same

@@ -41,10 +41,11 @@ class Memo:
 @dataclass
 class Clock:
     """Seconds of every stage without those of stages inside it, and who ``asked`` for it first
-    ("": the case)."""
+    ("": the case). ``reached``: stages of any machine that it times, taken from the memo or not."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     asked: dict[str, str] = field(default_factory=dict)
+    reached: set[str] = field(default_factory=set)
     _running: list[tuple[str, float]] = field(default_factory=list)
 
     def timed(self, name: str, work: Callable[[], T]) -> T:
@@ -82,6 +83,7 @@ class stage(property):  # noqa: N801
 
         def get(staged: Staged) -> Any:
             if name not in staged.solved:
+                staged.clock.reached.add(name)
                 staged.solved[name] = own(staged, _value(staged))
             return staged.solved[name]
 
@@ -130,10 +132,10 @@ class Staged:
 
     @property
     def skipped(self) -> tuple[str, ...]:
-        """Stages that no analysis asked for."""
+        """Stages that no analysis asked for, at any speeds."""
         return tuple(
             name
             for kind in reversed(type(self).__mro__)
             for name, value in vars(kind).items()
-            if isinstance(value, stage) and name not in self.solved
+            if isinstance(value, stage) and name not in self.clock.reached
         )

@@ -9,22 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
+from rotordyn.case.named_models import MODELS
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, kinds_of, shown
-from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
 RESOLVED = 1e-14  # relative distance of numbers that 15 digits tell apart
 LONGEST = 60  # characters of a row as a coordinate
-MODELS: Mapping[type, Any] = {BallBearing: "bearings", Tool: "tools"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +194,8 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
 
 def kind_of_model(case: Case, path: str) -> Any:
     """The kind of model that a name at ``path`` means; None where names are just words."""
-    forms = {kind for _, declared in found_at(case, path) for kind in kinds_of(declared)}
+    at = found_at(case, path, absent=True)
+    forms = {kind for _, declared in at for kind in kinds_of(declared)}
     return next((name for kind, name in MODELS.items() if kind in forms), None)
 
 

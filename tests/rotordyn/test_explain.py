@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +12,14 @@ import pytest
 
 import rotordyn
 from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.cli import main
 from rotordyn.job.solving import solve, solve_variants
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"
 SPEEDS = [0.0, 400.0 * np.pi, 800.0 * np.pi]  # up to 24 000 rpm
+LOBES = "stability_lobes"
 BODY = {"mesh", "rotor"}
 
 
@@ -97,6 +99,20 @@ def test_the_plan_names_stages_what_was_spared_and_what_did_not_run(
     assert "one of 25 is solved" in text
     assert "half the unknowns" in text
     assert "figures: none are asked for" in text
+
+
+def test_a_stage_run_at_other_speeds_alone_is_not_called_skipped() -> None:
+    """Lobes ask for the machine at the speeds of the cutter; a second variant finds it known."""
+    asked = {"point": "nose_face", "diameter": 0.016, "teeth": 3, "tangential": 7e8, "radial": 2e8}
+    spec = StabilityLobesSpec(**asked, method="zero-order", speeds=(2000.0,))
+    case = rotordyn.vary(few_speeds("mfw2310_preload_springs"), {"analyses": {LOBES: spec}})
+    two = list(case.variants)[:2]
+    answers = solve_variants(replace(case, variants={n: case.variants[n] for n in two})).answers
+    first, second = answers.values()
+    assert {"mesh", "rotor", "subsystems", "tangents"} <= set(first.seconds)
+    assert "rotor" not in second.seconds
+    for each in (first, second):
+        assert not {*each.seconds, "mesh", "rotor"} & set(each.skipped)
 
 
 def test_no_figures_leaves_numbers_alone(tmp_path: Path) -> None:

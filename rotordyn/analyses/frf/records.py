@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import csv
+import io
 import math
 import re
 import warnings
@@ -32,6 +33,8 @@ _WORDS = {
     "phase": "phase",
     "coherence": "coherence",
 }
+# Units as analysers write them in capitals; none of these means another unit.
+_CAPITALS = {unit.upper(): unit for unit in ("m", "mm", "um", "s", "g", "rad", "kN", "in", "lbf")}
 _SAME = ("rsp_node", "rsp_dir", "ref_node", "ref_dir", "z_axis_value")
 _FORMS = "frequency with real and imaginary, or with amplitude and phase"
 
@@ -76,7 +79,7 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     if data_set.get("func_type") != _FRF or data_set.get("ord_data_type") not in _COMPLEX:
         raise InvalidInput("the record is no complex frequency response function")
     frequency, values = [float(f) for f in data_set["x"]], [complex(v) for v in data_set["data"]]
-    if _label(data_set, "abscissa") not in ("", "Hz"):
+    if _label(data_set, "abscissa").upper() not in ("", "HZ"):
         raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
     quantity, scale = _uff_unit(data_set, pair)
     scale *= _sign(data_set, pair)
@@ -115,13 +118,14 @@ def _sign(data_set: dict[str, Any], pair: str) -> float:
 
 def _speed(data_set: dict[str, Any]) -> float | None:
     """Of the spindle [rad/s], whichever way it turns, where that is what the third axis says in a
-    unit that is known; rpm by its kind, without a unit. At 0 it may be unknown."""
+    unit that is known, Hz among them; rpm by its kind, without a unit. At 0 it may be unknown."""
     if data_set.get("z_axis_spec_data_type") != _ROTATION:
         return None
     try:
         unit = _label(data_set, "z_axis")
         unit = "rpm" if unit.lower() in ("", "rpm") else unit
-        scale = _plain(unit, "rpm", "speed", "rpm, rad/s")
+        turns = unit.upper() == "HZ"
+        scale = math.tau if turns else _plain(unit, "rpm", "speed", "rpm, rad/s")
     except InvalidInput:
         return None
     return abs(float(data_set["z_axis_value"])) * scale or None
@@ -164,9 +168,6 @@ def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
     motion, load = _label(data_set, "ordinate"), _label(data_set, "orddenom")
     if code in _MOTIONS and not (motion or load):
         return _MOTIONS[code], _of_file(data_set, pair)
-    if code == 12 and (gravity := re.match(r"gn?\s*(/.*)?$", motion)):
-        quantity, scale = _unit(_response(f"m/s^2{gravity[1] or ''}", load, code, pair), pair)
-        return quantity, scale * STANDARD_GRAVITY
     quantity, scale = _unit(_response(motion, load, code, pair), pair)
     if code in _MOTIONS and quantity != _MOTIONS[code]:
         raise InvalidInput(
@@ -196,15 +197,21 @@ def _of_file(data_set: dict[str, Any], pair: str) -> float:
 
 
 def _unit(text: str, pair: str) -> tuple[str, float]:
-    """Quantity and factor to SI of a unit such as ``(mm/s)/N`` or ``rad/(N·m)``."""
+    """Quantity and factor to SI of a unit such as ``(mm/s)/N`` or ``rad/(N·m)``; g over a force is
+    the standard acceleration of gravity."""
+    spelled = _flat(
+        re.sub(r"\b[A-Z]+(?![a-z])", lambda word: _CAPITALS.get(word[0], word[0]), text)
+    )
+    accelerated = re.sub(r"^\s*gn?\s*(?=/)", "m/s^2", spelled)
     try:
-        unit = parse_unit(_flat(text))
+        unit = parse_unit(accelerated)
     except InvalidInput:
         unit = None
+    factor = 1.0 if accelerated == spelled else STANDARD_GRAVITY
     for quantity in QUANTITIES:
         wanted = parse_unit(_flat(response_unit(pair, quantity)))
         if unit is not None and unit.dimension == wanted.dimension:
-            return quantity, unit.scale
+            return quantity, unit.scale * factor
     allowed = ", ".join(response_unit(pair, quantity) for quantity in QUANTITIES)
     raise InvalidInput(f"not a unit of {pair}: given {shown(text)}; allowed: {allowed}")
 
@@ -218,15 +225,10 @@ def _flat(text: str) -> str:
 
 
 def _from_table(path: Path, pair: str) -> Record:
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if _holds(row)]
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise InvalidInput(f"not a table in UTF-8: {error}") from None
-    if not rows:
-        raise InvalidInput("the file is empty")
-    columns = _columns(rows[0], pair)
-    numbers = _numbers(rows)
+    rows = _rows(path)
+    columns = _columns(rows[0].cells, pair)
+    _refuse_widths(rows)
+    numbers = rows[1:]
     frequency = _scaled(numbers, columns["frequency"], _hertz(columns["frequency"][1]))
     first, second = (("real", "imaginary"), ("amplitude", "phase"))["amplitude" in columns]
     known = columns.get("coherence")
@@ -246,9 +248,36 @@ def _from_table(path: Path, pair: str) -> Record:
     return _record(pair, quantity, frequency, values, coherence)
 
 
+class _Row(NamedTuple):
+    """What stands in a line of the file."""
+
+    line: int
+    cells: Sequence[str]
+
+
+def _rows(path: Path) -> list[_Row]:
+    """The header and what follows it, between commas, semicolons or tabs."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            text = file.read()
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=_separator(text))
+        rows = [_Row(reader.line_num, row) for row in reader if _holds(row)]
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InvalidInput(f"not a table in UTF-8: {error}") from None
+    if not rows:
+        raise InvalidInput("the file is empty")
+    return rows
+
+
+def _separator(text: str) -> str:
+    """That of the header, the first line that holds anything."""
+    header = next((line for line in text.splitlines() if _holds([line])), "")
+    return max(",;\t", key=header.count)
+
+
 def _holds(row: Sequence[str]) -> bool:
-    """False for an empty line and for a remark, which begins with #."""
-    return any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+    """False for an empty line, a remark, which begins with #, and a ``sep=;`` of spreadsheets."""
+    return any(cell.strip() for cell in row) and not row[0].lstrip().startswith(("#", "sep="))
 
 
 def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
@@ -275,14 +304,25 @@ def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
     return chosen
 
 
-def _numbers(rows: Sequence[Sequence[str]]) -> list[list[float]]:
-    """The table as numbers; columns that are none of ours may hold anything."""
-    width, table = len(rows[0]), []
-    for number, row in enumerate(rows[1:], start=2):
-        if len(row) != width:
-            raise InvalidInput(f"row {number} has {len(row)} values where the header has {width}")
-        table.append([_number(cell) for cell in row])
-    return table
+def _refuse_widths(rows: Sequence[_Row]) -> None:
+    width = len(rows[0].cells)
+    for line, cells in rows[1:]:
+        if len(cells) != width:
+            raise InvalidInput(f"line {line} has {len(cells)} values where the header has {width}")
+
+
+def _scaled(rows: Sequence[_Row], column: tuple[int, str], scale: float) -> list[float]:
+    """A column in SI; those that are none of ours may hold anything."""
+    place, values = column[0], []
+    for line, cells in rows:
+        value = _number(cells[place]) * scale
+        if not math.isfinite(value):
+            raise InvalidInput(
+                f"line {line}, column {place + 1}: not a finite number: given "
+                f"{shown(cells[place].strip())}; allowed: such as 0.00125 or 1.25e-3"
+            )
+        values.append(value)
+    return values
 
 
 def _number(cell: str) -> float:
@@ -290,14 +330,6 @@ def _number(cell: str) -> float:
         return float(cell)
     except ValueError:
         return math.nan
-
-
-def _scaled(table: Sequence[Sequence[float]], column: tuple[int, str], scale: float) -> list[float]:
-    values = [row[column[0]] * scale for row in table]
-    for number, value in enumerate(values, start=2):
-        if not math.isfinite(value):
-            raise InvalidInput(f"row {number}, column {column[0] + 1}: not a finite number")
-    return values
 
 
 def _hertz(unit: str) -> float:
@@ -327,6 +359,25 @@ def _record(
 ) -> Record:
     if len(frequency) != len(values):
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
+    if coherence and len(coherence) != len(frequency):
+        raise InvalidInput(f"{len(coherence)} values of coherence at {len(frequency)} frequencies")
+    if frequency[:1] == [0.0]:  # the line of the mean, with which records of analysers begin
+        frequency, values, coherence = frequency[1:], values[1:], coherence[1:]
+    _refuse_frequencies(frequency)
+    if not any(values):
+        raise InvalidInput(NO_RESPONSE)
+    if not all(map(cmath.isfinite, values)):
+        raise InvalidInput("a value is not a finite number")
+    if why := out_of_range(frequency, values, response_unit(pair, quantity)):
+        raise InvalidInput(why)
+    for value in coherence:
+        if not 0.0 <= value <= 1.0:
+            raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
+    return Record(quantity, tuple(frequency), tuple(values), tuple(coherence))
+
+
+def _refuse_frequencies(frequency: Sequence[float]) -> None:
+    """Refuse fewer than two [Hz], those out of range, and any that do not ascend."""
     if len(frequency) < 2:
         raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
     for refusal in filter(None, map(FREQUENCY.refusal, frequency)):
@@ -335,20 +386,3 @@ def _record(
         if here <= before:
             how = "repeated" if here == before else "not in ascending order"
             raise InvalidInput(f"frequency {place}: {how}: given {here:.6g} after {before:.6g}")
-    if not any(values):
-        raise InvalidInput(NO_RESPONSE)
-    if not all(map(cmath.isfinite, values)):
-        raise InvalidInput("a value is not a finite number")
-    if why := out_of_range(frequency, values, response_unit(pair, quantity)):
-        raise InvalidInput(why)
-    return Record(quantity, tuple(frequency), tuple(values), _coherence(coherence, frequency))
-
-
-def _coherence(values: Sequence[float], frequency: Sequence[float]) -> tuple[float, ...]:
-    """Values of γ², none or one at every frequency."""
-    if values and len(values) != len(frequency):
-        raise InvalidInput(f"{len(values)} values of coherence at {len(frequency)} frequencies")
-    for value in values:
-        if not 0.0 <= value <= 1.0:
-            raise InvalidInput(f"coherence: given {value:g}; allowed: from 0 to 1")
-    return tuple(values)

@@ -232,6 +232,10 @@ def test_it_is_kept_with_its_results(tested):
         (measured(blank="blank: blank_7, "), "unknown model: given 'blank_7'"),
         (measured("none.csv"), "no such file"),
         (
+            measured("noisy.csv", "y").replace("tip.y, file", "tip.y, speed: 600 rpm, file", 1),
+            "responses.1.speed: .* measured at rest: given '600 rpm'; leave speed out",
+        ),
+        (
             measured("noisy.csv", "y").split(", {response: inner")[0] + "]}",
             "front / front, front / behind and behind / behind",
         ),
@@ -255,6 +259,23 @@ def test_a_faulty_table_is_told_without_what_follows_from_it(tested, kept, sente
         case(tested, frf(measured("few.csv", "y")))
     assert "other frequencies" not in str(found.value)
     assert "nothing" not in str(found.value)
+
+
+@pytest.mark.parametrize(("off", "taken"), [(1e-7, True), (1e-4, False)])
+def test_frequencies_may_differ_by_their_last_digits(tested, off, taken):
+    """The second response in kHz and rounded; not by more than a thousandth of their distance."""
+    head, *rows = (tested / "noisy.csv").read_text(encoding="utf-8").splitlines()
+    cells = [row.split(",") for row in rows]
+    other = [",".join([f"{float(row[0]) * (1.0 + off) / 1e3:.9g}", *row[1:]]) for row in cells]
+    text = "\n".join([head.replace("[Hz]", "[kHz]"), *other])
+    (tested / "other.csv").write_text(text + "\n", encoding="utf-8")
+    first, *others = measured("noisy.csv", "y").split("noisy.csv")
+    given = f"{first}noisy.csv{others[0]}other.csv{'noisy.csv'.join(others[1:])}"
+    if taken:
+        case(tested, frf(given))
+    else:
+        with pytest.raises(RotordynError, match=r"responses\.2: measured at other frequencies"):
+            case(tested, frf(given))
 
 
 @pytest.mark.parametrize(
@@ -323,6 +344,13 @@ def test_responses_that_are_not_reciprocal_are_refused(tested):
                 case(tested, frf(given))
         else:
             case(tested, frf(given))
+
+
+def test_too_few_modes_are_not_blamed_on_the_blank(tested):
+    given = measured("noisy.csv", "y", more="modes: 1, ")
+    sentence = r"^measured_spindle: modes: given 1, which .*raise modes, or leave it out"
+    with pytest.raises(InvalidInput, match=sentence):
+        rotordyn.run(case(tested, frf(given)))
 
 
 def test_a_blank_as_stiff_as_the_spindle_is_refused(tested):

@@ -709,6 +709,27 @@ analyses:
 """
 
 
+@pytest.mark.parametrize(
+    ("path", "kind", "names"),
+    [
+        ("analyses.stability_lobes.workpiece", "workpieces", ("al7075", "steel_1045")),
+        ("spindle.bearings.*.model.ball_material", "materials", ("silicon_nitride", "tool_steel")),
+        ("spindle.shaft.sections.*.material", "materials", ("steel_rotor", "tool_steel")),
+    ],
+)
+def test_names_of_workpieces_and_materials_are_values(
+    tmp_path: Path, path: str, kind: Any, names: tuple[str, str]
+) -> None:
+    """The second by its file, from the folder of the study."""
+    (tmp_path / "lobes.yaml").write_text(LOBES)
+    (tmp_path / "mine.yaml").write_text((models_root() / kind / f"{names[1]}.yaml").read_text())
+    vary = f"vary:\n  {path}: [{names[0]}, ./mine.yaml]\n"
+    (tmp_path / "study.yaml").write_text(f"case: lobes.yaml\n{vary}")
+    found = read_study(tmp_path / "study.yaml").design.parameters[0]
+    assert found.values == tuple(rotordyn.model(kind, name) for name in names)
+    assert found.labels[0] == names[0]
+
+
 def test_limits_of_a_study_know_all_modes_whatever_was_solved_before(tmp_path: Path) -> None:
     """The modes of a slender tool are beyond those of the one before it, which was checked."""
     (tmp_path / "lobes.yaml").write_text(LOBES)

@@ -104,6 +104,9 @@ def _slice(result: FrequencyResponse, rpm: float) -> tuple[np.ndarray, np.ndarra
         ("m/s^2/N", "inertance", 1.0),
         ("(m/s²)/N", "inertance", 1.0),
         ("1/kg", "inertance", 1.0),
+        ("g/N", "inertance", 9.80665),
+        ("gn/kN", "inertance", 9.80665e-3),
+        ("MM/S/N", "mobility", 1e-3),
     ],
 )
 def test_amplitude_and_phase_with_units(
@@ -117,12 +120,40 @@ def test_amplitude_and_phase_with_units(
     np.testing.assert_allclose(record.values, [2j * scale, -3.0 * scale], atol=1e-15 * scale)
 
 
+@pytest.mark.parametrize("end", ["uff", "csv"])
+def test_a_first_line_at_0_hz_is_left_out(tmp_path: Path, end: str) -> None:
+    """Records of analysers begin with the mean, of which no mobility or inertance is known."""
+    path = tmp_path / f"tap.{end}"
+    if end == "uff":
+        uff(path, x=np.array([0.0, 10.0, 20.0]), data=np.array([np.nan, 2.0, 3.0j]))
+    else:
+        head = "frequency [Hz],real [1/kg],imag [1/kg],coherence"
+        path.write_text(f"{head}\n0,7,0,0\n10,2,0,0.9\n20,0,3,1\n")
+    record = read_record(path, PAIR, None)
+    assert record.frequency == (10.0, 20.0)
+    assert record.values == (2.0, 3.0j)
+    assert record.coherence == (() if end == "uff" else (0.9, 1.0))
+
+
 def test_remarks_in_a_table_are_passed_over(tmp_path: Path) -> None:
     path = tmp_path / "tap.csv"
     path.write_text(
         "# a hammer, and a day\n\nfrequency [Hz],real [m/N],imag [m/N]\n#\n1,2,3\n2,2,3\n"
     )
     assert read_record(path, PAIR, None).values == (2.0 + 3.0j, 2.0 + 3.0j)
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("told", [False, True])
+def test_columns_between_commas_semicolons_or_tabs(
+    tmp_path: Path, separator: str, told: bool
+) -> None:
+    """Spreadsheets may tell theirs in a line before the header."""
+    path = tmp_path / "tap.csv"
+    lines = ["frequency [Hz],real [m/N],imag [m/N]", "10,2.5,3", "20,0.5,3"]
+    text = "\n".join(lines).replace(",", separator)
+    path.write_text(f"sep={separator}\n{text}\n" if told else f"{text}\n")
+    assert read_record(path, PAIR, None).values == (2.5 + 3.0j, 0.5 + 3.0j)
 
 
 def test_rotations_have_units_of_their_own(tmp_path: Path) -> None:
@@ -153,6 +184,9 @@ def uff(path: Path, **changes: object) -> Path:
         ({}, "inertance", 1.0),
         ({"ordinate_axis_units_lab": "g"}, "inertance", 9.80665),
         ({"ordinate_axis_units_lab": "mm/s^2"}, "inertance", 1e-3),
+        ({"ordinate_axis_units_lab": "M/S**2"}, "inertance", 1.0),
+        ({"ordinate_axis_units_lab": "MM/S2", "abscissa_axis_units_lab": "HZ"}, "inertance", 1e-3),
+        ({"ordinate_axis_units_lab": "g", "ordinate_spec_data_type": 0}, "inertance", 9.80665),
         ({"ordinate_axis_units_lab": "NONE"}, "inertance", 1.0),
         ({"ordinate_axis_units_lab": "mm/s", "ordinate_spec_data_type": 11}, "mobility", 1e-3),
         ({"ordinate_axis_units_lab": "um", "ordinate_spec_data_type": 0}, "receptance", 1e-6),
@@ -257,6 +291,13 @@ def test_the_speed_of_a_record_is_that_of_the_response(tmp_path: Path, way: floa
     assert known.speed == 0.0
 
 
+@pytest.mark.parametrize("unit", ["Hz", "[HZ]"])
+def test_a_speed_in_turns_per_second_counts(tmp_path: Path, unit: str) -> None:
+    turning = TURNING | {"z_axis_value": 10.0, "z_axis_axis_units_lab": unit}
+    path = uff(tmp_path / "tap.uff", **turning)
+    assert read_record(path, PAIR, None).speed == pytest.approx(20.0 * np.pi)
+
+
 @pytest.mark.parametrize("unit", ["RPM", "[rpm]", "NONE"])
 def test_a_speed_by_its_kind_is_in_rpm_however_that_is_written(tmp_path: Path, unit: str) -> None:
     """Kind 19 is rpm by the format itself."""
@@ -266,8 +307,10 @@ def test_a_speed_by_its_kind_is_in_rpm_however_that_is_written(tmp_path: Path, u
 
 TABLES = {
     "frequency [Hz],real [m/N]\n1,2\n": "columns missing: given 'frequency .*; allowed: frequency",
-    "frequency [Hz],real [m/N],imag [m/N]\n1,2,3\n2,2\n": "row 3 has 2 values where the header has",
-    "frequency [Hz],real [m/N],imag [m/N]\n1,2,x\n2,2,2\n": "row 2, column 3: not a finite number",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,3\n2,2\n": "line 3 has 2 values where the header",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,x\n2,2,2\n": "line 2, column 3: not a finite num",
+    "# a\n\nfrequency [Hz],real [m/N],imag [m/N]\n1,2,2\n2,nan,2\n": "line 5, column 2: not a",
+    "frequency [Hz];real [m/N];imag [m/N]\n1;2;2\n2;0,5;2\n": "line 3, column 2: .*given '0,5';",
     "frequency [Hz],real,imag [m/N]\n1,2,3\n": r"column 'real' has no unit: write it as 'real \[",
     "frequency [rpm],real [m/N],imag [m/N]\n1,2,3\n": "not a unit of frequency: given 'rpm'",
     "frequency [Hz],real [N/m],imag [m/N]\n1,2,3\n": "not a unit of .*: given 'N/m'; allowed: m/N,",
@@ -279,6 +322,8 @@ TABLES = {
     "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "csv: too few frequencies: given 1; allo",
     "frequency [Hz],amplitude [m/N],phase [deg]\n": "csv: too few frequencies: given 0;",
     "frequency [Hz],real [m/N],imag [m/N]\n-2,2,2\n2,2,2\n": "csv: frequency out of range: given",
+    "frequency [Hz],real [m/N],imag [m/N]\n0,2,2\n0,2,2\n1,2,2\n": "csv: frequency out of range",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,2\n0,2,2\n": "csv: frequency out of range: given 0",
     "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
     "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
     "frequency [Hz],real [m/N],imag [m/N]\n2,0,0\n4,0,0\n": "csv: no response: given zero at every",
