@@ -30,6 +30,8 @@ from rotordyn.case.library import models_root
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job import restricted
+from rotordyn.scene.checks import Checks
+from rotordyn.scene.refinement import solve_accurately
 from rotordyn.study import deliver, neighbours, point, processes, solve, workers
 from rotordyn.study.journal import Journal
 from rotordyn.study.point import Outcome
@@ -683,11 +685,44 @@ def test_every_machine_of_a_tight_accuracy_is_checked(
     """A small error of the first stands for others of any usual accuracy."""
 
     def solved(*_: Any, checks: Any, **__: Any) -> None:
-        checks.worst = 1e-3
+        checks.worst = checks.first = 1e-3
 
     monkeypatch.setattr(neighbours, "solve", solved)
     held, asked = neighbours.Neighbours(), rotordyn.vary(case, {"conditions.accuracy": accuracy})
     assert sum(held.solve(asked)[1] is not None for _ in range(4)) == checked
+
+
+def test_what_a_first_model_lacked_is_looked_for_in_the_next_machine(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It begins with that model; the error told is that of the finer one, which answered."""
+
+    def solved(*_: Any, checks: Any, **__: Any) -> None:
+        checks.first, checks.worst = 5.0, 1e-3
+
+    monkeypatch.setattr(neighbours, "solve", solved)
+    held = neighbours.Neighbours()
+    assert [held.solve(case)[1] for _ in range(3)] == [1e-3] * 3
+
+
+@pytest.mark.parametrize(
+    ("found", "first", "worst", "answers"),
+    [((0.1,), 0.1, 0.1, 0), ((5.0, 0.5), 5.0, 0.5, 1), ((5.0, 2.0), 5.0, 2.0, 2)],
+)
+def test_the_error_is_that_of_the_model_that_answers(
+    found: tuple[float, ...], first: float, worst: float, answers: int
+) -> None:
+    errors = dict(enumerate(found))
+
+    def scene(number: int) -> Any:
+        conditions = SimpleNamespace(accuracy=0.1, element_length=None)
+        one = SimpleNamespace(checks=checks, conditions=conditions, number=number)
+        one.refined = scene(number + 1) if number < 2 else None
+        return one
+
+    checks = Checks()
+    _, solution = solve_accurately(scene(0), lambda one: one.number, errors.__getitem__)
+    assert (checks.first, checks.worst, solution) == (first, worst, answers)
 
 
 def test_the_same_study_again_begins_with_a_check(case: Case) -> None:
