@@ -31,6 +31,7 @@ DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
 POINTS = ("o", "s", "^", "D", "v", "P", "X")
 FONT_SIZE = 8.0
+STEADY = 1e-4  # of a value: an ordinate that spans less is widened to it
 HEAD_SIDE, HEAD_LINE, HEAD_COLOUR = 4.0, 3.4, "#555555"  # of the title at the top [mm]
 EMPTY = 0.25  # of an axis from zero, before its values begin
 LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
@@ -287,10 +288,21 @@ def round_ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def finish(figure: Figure) -> Figure:
-    """The figure with what is known only when all is drawn: marks on lone points."""
+    """The figure with what is known only when all is drawn: marks on lone points, room about what
+    hardly changes."""
     for axes in figure.axes:
         mark_lone_points(axes)
+        _open(axes)
     return figure
+
+
+def _open(axes: Axes) -> None:
+    """A wider ordinate where its ends are nearly alike, as of a constant with its rounding."""
+    low, high = axes.get_ylim()
+    size = max(abs(low), abs(high))
+    if axes.get_yscale() == "linear" and axes.lines and abs(high - low) < STEADY * size:
+        middle = 0.5 * (low + high)
+        axes.set_ylim(middle - STEADY * size, middle + STEADY * size)
 
 
 def head(figure: Figure, words: str) -> Figure:

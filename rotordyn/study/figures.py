@@ -221,7 +221,11 @@ def _scattered(axes: Axes, study: Study, each: Shown) -> None:
 
 
 def word_ticks(axes: Axes, of: Parameter) -> None:
-    """Name the ticks of a parameter without numbers."""
+    """Name the ticks of a parameter without numbers; those of whole numbers are whole."""
+    if of.numeric and len(of.values) and isinstance(of.values[0], int):
+        from matplotlib.ticker import MaxNLocator
+
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     if not of.numeric:
         words = dict.fromkeys(of.labels)
         axes.set_xticks(range(len(words)), [shortened(str(w), 14) for w in words])

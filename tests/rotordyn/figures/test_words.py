@@ -17,6 +17,7 @@ from rotordyn.analyses.thermal_preload.figures.over_difference import load_figur
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
 from rotordyn.analyses.unbalance.figures import headline_curves
 from rotordyn.figures.interval import bands_figure
+from rotordyn.figures.style import add_axes, finish, new_figure
 from rotordyn.results.described import Shown
 from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
@@ -155,3 +156,17 @@ def test_comparisons_have_a_panel_for_every_run(runs, panels):
     assert not {each.series for each in drawn} - {""}
     np.testing.assert_allclose(drawn[0].x, np.linspace(0.0, 1000.0, 5) * 30.0 / math.pi)
     np.testing.assert_allclose(drawn[0].y, 1.0)
+
+
+def test_a_constant_with_its_rounding_is_a_level_line():
+    figure = new_figure()
+    for k, values in enumerate(([85.39944, 85.39940], [1.0, 2.0], [1e-9, 1.00005e-9])):
+        axes = add_axes(figure, (20.0, 10.0 + 30.0 * k, 60.0, 20.0))
+        axes.plot([0.0, 1.0], values)
+        axes.margins(y=0.0)
+        axes.get_ylim()
+    finish(figure)
+    steady, changing, small = (axes.get_ylim() for axes in figure.axes)
+    assert steady == pytest.approx((85.39942 * (1 - 1e-4), 85.39942 * (1 + 1e-4)), abs=1e-6)
+    assert changing == (1.0, 2.0)
+    assert small == pytest.approx((1.000025e-9 - 1e-13, 1.000025e-9 + 1e-13), rel=1e-6)
