@@ -19,6 +19,7 @@ ANALYSIS = in_folder(
     __name__,
     "accuracy",
     "warnings",
+    "page",
     machine="spindle",
     place=25,
     spec=StabilityLobesSpec,
