@@ -110,7 +110,7 @@ class Analysis:
     - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
       (``results.described.Shown``), laid over those of the others;
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
-      under ``heading``.
+      under ``heading``; ``over``: the speeds of the result that they are about.
 
     An HTML page shows of it, in a section named ``title`` (by default its name):
 
@@ -151,6 +151,7 @@ class Analysis:
     accuracy: Callable[[Any], Iterable[str]] = _nothing
     warnings: Callable[[Any], Iterable[str]] = _nothing
     heading: str = ""
+    over: str = "speed"
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
     lean: Callable[[Any], Any] = _same
     speeds: Callable[[Any], Iterable[float]] = _nothing

@@ -28,6 +28,7 @@ ANALYSIS = in_folder(
     ports=lambda spec: (spec.point,),
     tables=LAYOUTS,
     heading="stable depth of cut, least and largest",
+    over="cutting_speed",
 )
 
 _MODULES = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}
