@@ -98,7 +98,7 @@ class Analysis:
       the case; ``costs``: of figures that take long, drawn first where the number is higher;
     - ``tables``, and ``further_tables(result)``: those that no layout gives;
     - ``files(folder, case, result)``: further files, pairs of name and function that writes;
-      one that lacks a package of others is left out with a note;
+      one that lacks a package of others, or raises ``LeftOut``, is left out with a note;
     - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
       (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
       may stand, None for the system's place of such files;
