@@ -79,6 +79,10 @@ class TooCostly(RotordynError):
     """What is asked takes more time or memory than a run may."""
 
 
+class LeftOut(Exception):
+    """Why a file is not written: a note says so, and the run goes on."""
+
+
 class NoSolution(RotordynError):
     """No speed asked for has a physical solution."""
 

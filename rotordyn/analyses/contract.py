@@ -98,7 +98,7 @@ class Analysis:
       the case; ``costs``: of figures that take long, drawn first where the number is higher;
     - ``tables``, and ``further_tables(result)``: those that no layout gives;
     - ``files(folder, case, result)``: further files, pairs of name and function that writes;
-      one that lacks a package of others is left out with a note;
+      one that lacks a package of others, or raises ``LeftOut``, is left out with a note;
     - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
       (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
       may stand, None for the system's place of such files;
@@ -110,7 +110,7 @@ class Analysis:
     - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
       (``results.described.Shown``), laid over those of the others;
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
-      under ``heading``.
+      under ``heading``; ``over``: the speeds of the result that they are about.
 
     An HTML page shows of it, in a section named ``title`` (by default its name):
 
@@ -151,6 +151,7 @@ class Analysis:
     accuracy: Callable[[Any], Iterable[str]] = _nothing
     warnings: Callable[[Any], Iterable[str]] = _nothing
     heading: str = ""
+    over: str = "speed"
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
     lean: Callable[[Any], Any] = _same
     speeds: Callable[[Any], Iterable[float]] = _nothing

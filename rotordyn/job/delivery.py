@@ -15,7 +15,7 @@ from rotordyn.allowance import Stop, require_figures
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
-from rotordyn.errors import TooCostly, not_installed
+from rotordyn.errors import LeftOut, TooCostly, not_installed
 from rotordyn.figures.draw import Omitted, Pictures
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.pages import REPORT
@@ -152,15 +152,18 @@ def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
 
 
 def _attempted(name: str, write: Callable[[], object]) -> Omitted:
-    """Write ``name`` unless a package of others that this takes is not installed."""
+    """Write ``name`` unless it has nothing to hold, or lacks a package of others."""
+    why: str | None
     try:
         write()
+        return Omitted()
     except ModuleNotFoundError as error:
         why = not_installed(error.name)
         if why is None:
             raise
-        return Omitted({name: why}, (f"{name} left out: {why}",))
-    return Omitted()
+    except LeftOut as reason:
+        why = str(reason)
+    return Omitted({name: why}, (f"{name} left out: {why}",))
 
 
 def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) -> str:

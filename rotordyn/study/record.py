@@ -2,20 +2,24 @@
 
 A line for every point of a sweep, trial of an optimum or search of an identification, in the order
 in which they were solved. The first line is the signature of the study. A line that was cut short
-by a kill stands last and is cut away. Floats are read back bit for bit.
+by a kill stands last and is cut away. Floats are read back bit for bit; those that are not finite,
+of which JSON knows none, are words.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 from rotordyn.errors import InvalidInput
 from rotordyn.whole import locked
+
+WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
 
 
 @contextmanager
@@ -68,7 +72,7 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
             path.write_bytes(begin)
             return []
         whole = raw[: raw.rfind(b"\n") + 1]
-        first, *lines = [json.loads(line) for line in whole.splitlines()]
+        first, *lines = [_numbers(json.loads(line)) for line in whole.splitlines()]
         if first != head:
             raise InvalidInput(
                 f"{path.parent}: holds the {what} of another {kind}: choose another folder, or "
@@ -97,9 +101,27 @@ def add(path: Path, line: Mapping[str, Any]) -> None:
     """
     try:
         with path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(line) + "\n")
+            file.write(json.dumps(_words(line), allow_nan=False) + "\n")
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _words(value: Any) -> Any:
+    """A value of a line with words for what is no finite number."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else ("Infinity" if value > 0.0 else "-Infinity")
+    return _within(value, _words)
+
+
+def _numbers(value: Any) -> Any:
+    """The same read back; lines of earlier versions have no such words."""
+    return WORDS.get(value, value) if isinstance(value, str) else _within(value, _numbers)
+
+
+def _within(value: Any, each: Callable[[Any], Any]) -> Any:
+    if isinstance(value, Mapping):
+        return {key: each(inner) for key, inner in value.items()}
+    return [each(inner) for inner in value] if isinstance(value, list | tuple) else value
 
 
 def withdraw(path: Path) -> None:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.contract import File
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.errors import LeftOut
 from rotordyn.plain import plain
 from rotordyn.results.declaration import declared
 from rotordyn.results.described import Described
@@ -59,7 +60,12 @@ def files(folder: Path, case: Described, result: FrequencyResponse) -> Iterator[
     """``frf.uff`` with the named points of the machine as nodes."""
     places = {} if case.spindle is None else case.spindle.places
     path = folder / "frf.uff"
-    yield path.name, partial(write_uff, path, result, case=case.name, places=places)
+    write = partial(write_uff, path, result, case=case.name, places=places)
+    yield path.name, _no_record if len(result.frequency) == 1 else write
+
+
+def _no_record() -> None:
+    raise LeftOut("one frequency, where a record takes two or more: ask for more frequencies")
 
 
 def write_uff(

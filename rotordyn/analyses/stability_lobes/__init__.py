@@ -19,6 +19,7 @@ ANALYSIS = in_folder(
     __name__,
     "accuracy",
     "warnings",
+    "page",
     machine="spindle",
     place=25,
     spec=StabilityLobesSpec,
@@ -27,6 +28,7 @@ ANALYSIS = in_folder(
     ports=lambda spec: (spec.point,),
     tables=LAYOUTS,
     heading="stable depth of cut, least and largest",
+    over="cutting_speed",
 )
 
 _MODULES = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}

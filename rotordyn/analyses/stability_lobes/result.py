@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.display import MILLIMETRE, Shown
+from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, Shown
 from rotordyn.results.kinds import Array, Words
 
 REMOVAL = Shown("cm³/min", 60e6)
@@ -27,9 +27,10 @@ class StabilityLobesResult:
     ``at_rest``: what the receptance of the machine at rest gives instead; ``even``: what as many
     evenly spaced teeth give, NaN where the teeth are evenly spaced; ``measured``: that of the
     tool on the measured spindle, NaN where none was. ``least``, ``most``:
-    over the intervals of the case and all sources of the cutting coefficients. ``pocket``: maxima
-    of the depth over speed, the deepest first. ``error``: largest change of a limit at some speeds
-    by a model of twice the frequencies, over the limit.
+    over the intervals of the case and all sources of the cutting coefficients. ``source``: those of
+    a workpiece, that of the limits first; none where the case gives coefficients itself.
+    ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
+    limit at some speeds by a model of twice the frequencies, over the limit.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -106,6 +107,14 @@ class StabilityLobesResult:
         printed=MILLIMETRE,
         infinite=(ANY_DEPTH,),
     )
+    workpiece: str = quantity(unit="", label="material of the workpiece")
+    source: NDArray[np.int_] = coordinate("source", unit="", label="source of the coefficients")
+    tangential: Array = quantity(
+        "source", unit="Pa", label="tangential cutting coefficient", printed=MEGAPASCAL
+    )
+    radial: Array = quantity(
+        "source", unit="Pa", label="radial cutting coefficient", printed=MEGAPASCAL
+    )
     pocket: NDArray[np.int_] = coordinate("pocket", unit="", label="pocket")
     pocket_speed: Array = quantity("pocket", unit="rad/s", label="speed of the cutter")
     pocket_depth: Array = quantity(
@@ -123,3 +132,8 @@ class StabilityLobesResult:
         absent=(Absence("where no finer model is asked for"),),
     )
     error_asked: float = quantity(unit="1", label="largest change asked for")
+
+
+def banded(result: StabilityLobesResult) -> bool:
+    """Whether the case asks for a band, by intervals or by several sources."""
+    return not np.allclose(result.least, result.most, rtol=1e-12, equal_nan=True)

@@ -71,6 +71,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     nearest = [_nearest(limits.tip.poles[r], o.frequency) for r, o in zip(rows, own, strict=True)]
     modes = _spread(place, len(speeds), np.array(nearest))
     deepest = pockets(speeds, depth)
+    of_file = () if spec.workpiece is None else spec.pairs
+    coefficients = np.reshape(np.array(of_file, dtype=float), (len(of_file), 2))
     return StabilityLobesResult(
         speed=scene.speed,
         outcome=scene.outcome,
@@ -88,6 +90,10 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),
+        workpiece="" if spec.workpiece is None else spec.workpiece.name,
+        source=np.arange(1, len(of_file) + 1),
+        tangential=coefficients[:, 0],
+        radial=coefficients[:, 1],
         pocket=np.arange(1, len(deepest.place) + 1),
         pocket_speed=speeds[deepest.place],
         pocket_depth=depth[deepest.place],

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
+from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD
 from rotordyn.results.described import Described
-from rotordyn.results.display import MILLIMETRE, RPM, number, rounded_up
+from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
@@ -23,7 +23,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     """The least limit with its chatter, and the deepest pockets."""
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
-        return [f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"]
+        none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
+        return [*_material(result), none, *_band(result)]
     row = int(np.nanargmin(result.depth))
     least = (
         f"chatter    stable up to {_depth(result.depth[row])}{_speeds(result)}, limited at "
@@ -42,13 +43,41 @@ def summary(result: StabilityLobesResult) -> list[str]:
             strict=True,
         )
     ]
-    lines = [least, *_unlimited(result), *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
+    lines = [*_material(result), least, *_band(result), *_unlimited(result)]
+    if pockets:
+        lines.append(f"pockets    {'; '.join(pockets)}")
     return lines + _even(result) + _at_rest(result) + _measured(result)
 
 
+<<<<<<< HEAD
 def _speeds(result: StabilityLobesResult) -> str:
     many = int((~np.isnan(result.depth)).sum())
     return f" at all {many} speeds" if many > 1 else ""
+=======
+def _material(result: StabilityLobesResult) -> list[str]:
+    """Cutting coefficients of a workpiece: those of the limits, then those of the band."""
+    if not result.source.size:
+        return []
+    pairs = zip(result.tangential, result.radial, strict=True)
+    own, *others = (
+        unbroken(" and ".join(number(each * MEGAPASCAL.factor, 0) for each in pair))
+        for pair in pairs
+    )
+    also = f"; by other sources {', '.join(others)}" if others else ""
+    name = result.workpiece or "workpiece"
+    return [f"material   {name}, Ktc and Krc [MPa]: {own}{also}"]
+
+
+def _band(result: StabilityLobesResult) -> list[str]:
+    """The least limit over intervals and sources."""
+    if not banded(result) or not np.isfinite(result.least).any():
+        return []
+    row = int(np.nanargmin(result.least))
+    return [
+        f"band       over intervals and sources stable up to {_depth(result.least[row])}, limited "
+        f"at {_rpm(result, row)}"
+    ]
+>>>>>>> f3
 
 
 def _unlimited(result: StabilityLobesResult) -> list[str]:

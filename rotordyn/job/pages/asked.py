@@ -51,6 +51,7 @@ def numbers_table(parts: Sequence[Part], name: str) -> Table | None:
     title = f"{heading[:1].upper()}{heading[1:]}"
     if len(rows) > 1:
         return Table(title, ("variant", *heads), rows)
-    speed = next(part.results[name].speed for part in parts if name in part.results)
+    result = next(part.results[name] for part in parts if name in part.results)
+    speed = getattr(result, analysis(name).over)
     ends = from_to(speed * RPM.factor, 0)
     return Table(title, ("", f"{ends} rpm"), list(zip(heads, rows[0][1:], strict=True)))

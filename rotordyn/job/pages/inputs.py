@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any
 
+from bearings.bearing import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.varied import usual_unit
 from rotordyn.description import quantity_of
@@ -15,7 +16,7 @@ from rotordyn.page.blocks import Block, Printed, Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
 
-APART = ("name", "title", "references", "note", "spindle", "bearing", "speeds", "variants")
+APART = ("name", "title", "references", "note")
 LONGEST = 90  # of a value in a table
 Row = tuple[str, str, str]
 
@@ -65,7 +66,8 @@ def _given(value: Any) -> Iterator[tuple[Any, Any]]:
     kind: Any = type(value)
     for field in declared(kind):
         held = getattr(value, field.name) if field.name else field.default
-        if field.name and field.name not in APART and held != field.default:
+        shown = field.name not in APART and not isinstance(held, BallBearing)  # in their own table
+        if field.name and shown and held != field.default:
             yield field, held
 
 
@@ -110,6 +112,6 @@ def _number(value: float, annotation: Any) -> str:
         return "infinite"
     if quantity is None:
         return f"{value:.6g}"
-    unit = usual_unit(quantity, [value])
+    unit = RPM.unit if quantity.kind == "speed" else usual_unit(quantity, [value])
     scale = parse_unit(unit).scale if unit else 1.0
     return f"{value / scale:.6g} {unit}".rstrip()

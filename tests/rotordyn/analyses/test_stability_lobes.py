@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,13 @@ from scipy.signal import find_peaks
 import rotordyn
 from rotordyn.analyses.stability_lobes import converged, limit_depth, solve, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
+from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
+from rotordyn.results.described import Shown
 from rotordyn.scene.scene import Scene
 
 ASKED = {
@@ -482,6 +485,37 @@ def test_sources_of_a_workpiece_span_a_band(case):
     np.testing.assert_allclose(result.depth.values, each[0], rtol=1e-9)
     np.testing.assert_allclose(result.least.values, each.min(axis=0), rtol=1e-9)
     np.testing.assert_allclose(result.most.values, each.max(axis=0), rtol=1e-9)
+
+
+def test_the_summary_tells_the_coefficients_of_a_workpiece_and_the_least_of_the_band(case):
+    named = {"tangential": "null", "radial": "null", "workpiece": "al7075", "speeds": SWEPT}
+    results = rotordyn.run(case(**named, method="zero-order"))
+    found = results["stability_lobes"]
+    said = " ".join(results.summary.split())
+    assert "aluminium 7075, Ktc and Krc [MPa]: 767 and 169; by other sources 600 and 181," in said
+    row = int(found.least.values.argmin())
+    least, rpm = 1e3 * float(found.least[row]), float(found.cutting_speed[row]) * 30.0 / math.pi
+    sure = (
+        f"band over intervals and sources stable at every speed up to {least:.3g} mm, there limit"
+    )
+    assert f"{sure}ed at {rpm:.0f} rpm" in said
+    plain = rotordyn.run(case(speeds=SWEPT, method="zero-order")).summary
+    assert "Ktc" not in plain
+    assert "\nband" not in plain
+
+
+def test_a_page_shows_the_band_of_one_machine():
+    rpm, depth = np.linspace(6e3, 18e3, 9), np.linspace(2e-3, 3e-3, 9)
+    result = SimpleNamespace(cutting_speed=rpm * math.pi / 30.0, depth=depth, least=0.5 * depth)
+    result.most = 2.0 * depth
+    one = Shown("one", result, (), None)
+    (chart,) = page(None, [one])
+    drawn = {trace["name"]: trace["y"] for trace in chart.traces if trace.get("showlegend", True)}
+    assert drawn["depth of cut"] == pytest.approx(1e3 * depth)
+    assert drawn["least of the band"] == pytest.approx(0.5e3 * depth)
+    assert drawn["largest of the band"] == pytest.approx(2e3 * depth)
+    (both,) = page(None, [one, one._replace(title="other")])
+    assert "least of the band" not in str(both.traces)
 
 
 @pytest.mark.parametrize(

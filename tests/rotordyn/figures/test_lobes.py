@@ -85,6 +85,20 @@ def test_of_few_speeds_depths_above_the_frame_are_triangles_at_its_edge():
     assert "deeper than drawn" not in [t.get_text() for t in drawn]
 
 
+@pytest.mark.parametrize("count", [41, 161])
+def test_the_band_is_drawn_at_few_speeds_and_at_many(count):
+    result = _result(count)
+    words = "band of intervals and sources"
+    assert words not in lobes_figure(result, SPEC).axes[0].get_legend_handles_labels()[1]
+    result.least, result.most = 0.8 * result.depth, 1.2 * result.depth
+    upper = lobes_figure(result, SPEC).axes[0]
+    (band,) = (each for each in upper.collections if each.get_label() == words)
+    reach = np.concatenate([path.vertices for path in band.get_paths()])[:, 1]
+    assert reach.min() == pytest.approx(1e3 * result.least.min())
+    assert reach.max() == pytest.approx(1e3 * result.most.max())
+    assert count > 100 or len(band.get_paths()) == count
+
+
 def test_lines_leave_the_frame():
     result = _result(161)
     result.depth[[50, 60]] = 0.5, np.inf

@@ -23,6 +23,7 @@ from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.job.pages.asked import numbers_table
 from rotordyn.job.pages.inputs import input_blocks
 from rotordyn.job.pages.machine import machine_blocks
 from rotordyn.machine.inertia import rotor_inertia
@@ -147,6 +148,20 @@ def test_the_machine_of_variants_says_whose_it_is_and_has_the_mass_of_each() -> 
     assert len(rotors.rows) == 1
     said = next(iter(input_blocks([heavy, case]))).sentences[0]
     assert said.endswith("Machine and conditions are those of heavy.")
+
+
+def test_speeds_of_the_cutter_are_among_the_inputs_and_head_the_limits(tmp_path: Path) -> None:
+    (tmp_path / "lobes.yaml").write_text(
+        "spindle: deep_groove_rear\nconditions: {kinematics: hybrid, moment_sharing: equal}\n"
+        "speeds: [0 rpm, 9000 rpm]\nanalyses:\n  stability_lobes: {point: nose, teeth: 2, "
+        "diameter: 40 mm, tangential: 600 MPa, radial: 200 MPa, method: zero-order, "
+        "max_frequency: 2500 Hz, speeds: [7000 rpm, 8000 rpm]}\n"
+    )
+    case = rotordyn.load(tmp_path / "lobes.yaml")
+    (asked,) = (t for t in input_blocks([case]) if t.title == "Analysis stability lobes")
+    assert ("speeds", "7000 rpm, 8000 rpm") in [row[:2] for row in asked.rows]
+    part = rotordyn.run(case).parts[""]
+    assert numbers_table([part], "stability_lobes").head == ("", "7000 → 8000 rpm")
 
 
 def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:

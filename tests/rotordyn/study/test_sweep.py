@@ -229,6 +229,21 @@ def test_a_study_goes_on_where_it_was_stopped(case: Case, whole: Any, tmp_path: 
     assert sorted(points) == [0, 1, 2, 3]
 
 
+def test_numbers_that_are_not_finite_are_strict_json(case: Case, tmp_path: Path) -> None:
+    """And lines of before, in the words of Python, are read still."""
+    study, folder = study_of(case, {SPRING: ["800 N"]}, analyses=["preload"]), tmp_path / "s"
+    numbers = {"a": (math.inf, "N"), "b": (-math.inf, "N"), "c": (math.nan, "N"), "d": (0.1, "")}
+    Journal(folder, study).begin()
+    Journal(folder, study).add(Outcome(0, numbers, error=math.inf))
+    text = (folder / "points.jsonl").read_text()
+    for line in text.splitlines():
+        json.loads(line, parse_constant=pytest.fail)
+    before = text.replace('"NaN"', "NaN").replace('"-Inf', "-Inf").replace('inity"', "inity")
+    for written in (text, before.replace('"Inf', "Inf")):
+        (folder / "points.jsonl").write_text(written)
+        assert repr(Journal(folder, study).begin()[0]) == repr(Outcome(0, numbers, error=math.inf))
+
+
 def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
     _study(case, workers=1, folder=tmp_path / "s")
     with pytest.raises(InvalidInput, match="the points of another study"):

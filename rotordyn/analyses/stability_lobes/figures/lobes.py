@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS
 from rotordyn.analyses.stability_lobes.pockets import KEPT
-from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
+from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, StabilityLobesSpec
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
@@ -58,8 +58,9 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
     tested, even = result.measured * MILLIMETRE.factor, result.even * MILLIMETRE.factor
     top = _height([depth, rest, tested, even])
+    if banded(result):
+        _band(upper, result, rpm, top, lines=lines)
     if lines:
-        _band(upper, result, rpm, top)
         drawn = _clipped(depth, top)
         upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
     upper.set_ylim(0.0, top)
@@ -119,12 +120,14 @@ def _clipped(depth: Array, top: float) -> Array:
     return np.clip(depth, 0.0, 2.0 * top)
 
 
-def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float) -> None:
-    """Limits over the intervals of the case, where it gives any."""
-    if np.allclose(result.least, result.most, rtol=1e-12, equal_nan=True):
-        return
+def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float, *, lines: bool) -> None:
+    """Limits over the intervals of the case and the sources, as lines at single speeds."""
     low, high = (_clipped(each * MILLIMETRE.factor, top) for each in (result.least, result.most))
-    axes.fill_between(rpm, low, high, color=GREY, alpha=0.25, lw=0.0, label="band of the intervals")
+    look: dict[str, Any] = {"color": GREY, "label": "band of intervals and sources"}
+    if lines:
+        axes.fill_between(rpm, low, high, alpha=0.25, lw=0.0, **look)
+    else:
+        axes.vlines(rpm, low, high, alpha=0.4, lw=2.5, **look)
 
 
 def _marked(result: StabilityLobesResult) -> list[int]:

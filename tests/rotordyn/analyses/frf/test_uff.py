@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 import pyuff
 
+import rotordyn
 from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.result import InertanceResult, MobilityResult
 from rotordyn.analyses.frf.uff import write_uff
+from rotordyn.job import deliver
 from rotordyn.machine.rotor import Place
 from tests.rotordyn.figures import samples
 
@@ -129,6 +131,18 @@ def test_units_are_si_and_points_are_nodes_on_the_axis(tmp_path, results):
     np.testing.assert_allclose(nodes["x"], [place.x for place in PLACES.values()], rtol=1e-15)
     assert not np.any([nodes["y"], nodes["z"]])
     assert record["rsp_node"] in nodes["node_nums"]
+
+
+def test_a_single_frequency_leaves_no_record_and_a_note(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text(
+        "spindle: friswell_two_discs\nspeeds: [0 rpm]\nanalyses:\n  frf:\n    frequencies: [9 Hz]\n"
+        "    pairs: [{response: left_disc.y, excitation: left_disc.y}]\n    slices: [0 rpm]\n"
+    )
+    deliver(rotordyn.load(path), tmp_path / "out", figures=False)
+    assert not (tmp_path / "out" / "frf.uff").exists()
+    (note,) = rotordyn.open(tmp_path / "out").notes
+    assert note.startswith("frf.uff left out: one frequency, where a record takes two or more")
 
 
 def test_our_own_reader_takes_it_back(tmp_path, results):

@@ -1,0 +1,31 @@
+"""What a page shows of it: the depth of cut over speed, of one machine with its band."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from rotordyn.analyses.stability_lobes.figures import headline_curves
+from rotordyn.analyses.stability_lobes.result import banded
+from rotordyn.page.blocks import Block
+from rotordyn.page.curves import curve_charts
+from rotordyn.page.declared import declared_blocks
+from rotordyn.results.described import Shown
+from rotordyn.results.display import MILLIMETRE
+from rotordyn.results.headline import Curve
+
+
+def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
+    """The chart of the limits; of a single speed, what is declared."""
+    curves = _with_band if len(variants) == 1 else headline_curves
+    yield from list(curve_charts(curves, spec, variants)) or declared_blocks(variants)
+
+
+def _with_band(spec: Any, variant: Shown) -> Iterator[Curve]:
+    """Headline curves, and both ends of the band where there is one."""
+    result = variant.result
+    for curve in headline_curves(spec, variant):
+        yield curve
+        if banded(result):
+            for words, depth in (("least", result.least), ("largest", result.most)):
+                yield curve._replace(y=depth * MILLIMETRE.factor, series=f"{words} of the band")
