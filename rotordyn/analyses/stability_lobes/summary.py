@@ -49,11 +49,11 @@ def summary(result: StabilityLobesResult) -> list[str]:
     return lines + _even(result) + _at_rest(result) + _measured(result)
 
 
-<<<<<<< HEAD
 def _speeds(result: StabilityLobesResult) -> str:
     many = int((~np.isnan(result.depth)).sum())
     return f" at all {many} speeds" if many > 1 else ""
-=======
+
+
 def _material(result: StabilityLobesResult) -> list[str]:
     """Cutting coefficients of a workpiece: those of the limits, then those of the band."""
     if not result.source.size:
@@ -77,7 +77,6 @@ def _band(result: StabilityLobesResult) -> list[str]:
         f"band       over intervals and sources stable up to {_depth(result.least[row])}, limited "
         f"at {_rpm(result, row)}"
     ]
->>>>>>> f3
 
 
 def _unlimited(result: StabilityLobesResult) -> list[str]:
