@@ -52,12 +52,12 @@ class Group(NamedTuple):
 
 
 def groups_of(sets: Sequence[Sequence[Curve]]) -> list[Group]:
-    """The curves of every variant by panel, label and title, in the order in which these come."""
-    layers: dict[tuple[str, str, str], list[Layer]] = {}
-    behind: dict[tuple[str, str, str], list[Curve]] = {}
+    """The curves of every variant by panel, label, title and abscissa, in the order of these."""
+    layers: dict[tuple[str, ...], list[Layer]] = {}
+    behind: dict[tuple[str, ...], list[Curve]] = {}
     for place, curves in enumerate(sets):
         for curve in curves:
-            key = curve.panel, curve.label, curve.title
+            key = curve.panel, curve.label, curve.title, curve.along
             if not curve.backdrop:
                 layers.setdefault(key, []).append(Layer(place, curve))
             elif place == 0:

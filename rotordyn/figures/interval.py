@@ -127,10 +127,11 @@ def slopes_figure(held: Interval) -> Figure:
 
 def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
     """Headline curves of a figure, each in the band of what is uncertain."""
-    panels: dict[tuple[str, str, str], list[tuple[str, Curve]]] = {}
+    panels: dict[tuple[str, ...], list[tuple[str, Curve]]] = {}
     for key, curve in curves.items():
         if key in held.curve:
-            panels.setdefault((curve.panel, curve.label, curve.title), []).append((key, curve))
+            where = curve.panel, curve.label, curve.title, curve.along
+            panels.setdefault(where, []).append((key, curve))
     columns = 1 if len(panels) == 1 or any(c.log for c in curves.values()) else 2
     rows = max(math.ceil(len(panels) / columns), 1)
     figure = new_figure(168.0, 16.0 + rows * (96.0 if len(panels) == 1 else 68.0))

@@ -14,6 +14,7 @@ import pytest
 import rotordyn
 from bearings import Material
 from rotordyn.analyses import Conditions, FrfSpec, PointLoad, Port, SectionForcesSpec
+from rotordyn.analyses.registry import analysis
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.static_sag.figures.line import line_figure
 from rotordyn.analyses.static_sag.result import StaticSagResult
@@ -228,6 +229,26 @@ def test_a_spindle_on_ball_bearings() -> None:
     assert (sag.sag[:, :, 0].values < 0.0).all()
 
 
+def test_numbers_and_curves_say_at_which_speed_they_are() -> None:
+    case = rotordyn.load(CASES / "grinding_spindle_sag.yaml")
+    assert case.spindle is not None
+    asked = {"static_sag": StaticSagSpec("nose"), "section_forces": SectionForcesSpec(gravity="-y")}
+    speeds = (0.0, 500.0, 1200.0)
+    answered = answer_spindle(case.spindle, Conditions(), speeds, asked, lambda name: None).results
+    rpm = [0.0, 1200.0 * 30.0 / math.pi]
+    for name, curve_at in (("section_forces", rpm[1]), ("static_sag", rpm[0])):
+        shown = Shown("", answered[name], (), case.spindle)
+        found = [*analysis(name).numbers(answered[name], case)]
+        assert [each.speed for each in found[:2]] == pytest.approx(rpm)
+        for curve in analysis(name).curves(None, shown):
+            assert curve.along == f"station [mm] at {curve_at:.0f} rpm"
+    sag: Any = answered["static_sag"]
+    slow, fast = (each.value for each in numbers(sag, case) if each.name == "sag")
+    assert slow == pytest.approx(1e6 * np.hypot(*sag.sag[0, 0]))
+    assert fast == pytest.approx(1e6 * np.hypot(*sag.sag[-1, 0]))
+    assert "by weight at 0 rpm [µm]" in summary(sag)[0]
+
+
 def test_words_and_figure() -> None:
     spindle, rings = beam(*SUPPORTS["rigid"]), (RingRunout("a", 4e-6),)
     bare, turned = solved(spindle), solved(spindle, gauges=(0.0, 0.3), ring_runouts=rings)
@@ -235,8 +256,9 @@ def test_words_and_figure() -> None:
     said = " ".join(summary(turned)).replace("\u00a0", " ")
     assert "y 5.71 z 5.71, y 7.43 z 7.43 300 mm in front" in said
     assert "the sag does not turn" in said
-    assert [n.heading for n in numbers(turned, None)] == ["sag [µm]", "slope [µrad]", "runout [µm]"]  # type: ignore[arg-type]
-    assert [n.heading for n in numbers(bare, None)] == ["sag [µm]", "slope [µrad]"]  # type: ignore[arg-type]
+    heads = ["sag at 0 rpm [µm]", "slope at 0 rpm [µrad]", "runout at 0 rpm [µm]"]
+    assert [n.heading for n in numbers(turned, None)] == heads  # type: ignore[arg-type]
+    assert [n.heading for n in numbers(bare, None)] == heads[:2]  # type: ignore[arg-type]
     assert warnings(turned) == []
     late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"))
     given, slow = warnings(late)

@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
-from rotordyn.results.headline import Number
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 from rotordyn.scene.linearity import beyond_tangents
 
@@ -40,11 +40,13 @@ def summary(result: SectionForcesResult) -> list[str]:
 
 
 def numbers(result: SectionForcesResult, _: Described) -> Iterator[Number]:
-    """Largest amounts of each section force at the last speed with a solution."""
-    row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
+    """Largest amounts of each section force at the first and the last speed."""
+    rows = np.flatnonzero(np.isfinite(result.torque).all(axis=1))
     for unit, fields in (("N", FORCES), ("N m", MOMENTS)):
         for name, field in fields.items():
-            yield Number(name, unit, _peak(result, row, field)[0])
+            peaks = np.full(len(result.speed), np.nan)
+            peaks[rows] = [_peak(result, int(row), field)[0] for row in rows]
+            yield from ends(result, name, unit, peaks)
 
 
 def _extremes(result: SectionForcesResult, row: int, fields: dict[str, str]) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.static_sag.result import MICRORADIAN, StaticSagResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MICROMETRE, RPM, number
-from rotordyn.results.headline import Number
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
@@ -21,7 +21,8 @@ def summary(result: StaticSagResult) -> list[str]:
     row = _slowest(result)
     slope = _both(result, result.slope[row] * MICRORADIAN.factor)
     sag = ", ".join(_at_gauges(result, row, result.sag))
-    lines = [f"sag        of {result.point} by weight [µm] {sag}; slope [µrad] {slope}"]
+    at = f" at {result.speed[row] * RPM.factor:.0f} rpm" if len(result.speed) > 1 else ""
+    lines = [f"sag        of {result.point} by weight{at} [µm] {sag}; slope [µrad] {slope}"]
     if result.ring:
         runout = ", ".join(_at_gauges(result, row, result.runout))
         highest = ", ".join(_at_gauges(result, row, result.highest_runout))
@@ -34,16 +35,16 @@ def summary(result: StaticSagResult) -> list[str]:
 
 
 def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
-    """The amount of sag and runout at the first gauge, and of the slope."""
-    row = _slowest(result)
+    """The amount of sag and runout at the first gauge, and of the slope, at the first and the last
+    speed."""
     for name, values, printed in (
-        ("sag", result.sag[row, 0], MICROMETRE),
-        ("slope", result.slope[row], MICRORADIAN),
+        ("sag", result.sag[:, 0], MICROMETRE),
+        ("slope", result.slope, MICRORADIAN),
     ):
-        yield Number(name, printed.unit, float(np.hypot(*values)) * printed.factor, digits=2)
+        yield from ends(result, name, printed.unit, np.hypot(*values.T) * printed.factor, digits=2)
     if result.ring:
-        runout = float(result.runout[row, 0].max()) * MICROMETRE.factor
-        yield Number("runout", MICROMETRE.unit, runout, digits=2)
+        runout = result.runout[:, 0].max(axis=1) * MICROMETRE.factor
+        yield from ends(result, "runout", MICROMETRE.unit, runout, digits=2)
 
 
 def warnings(result: StaticSagResult) -> list[str]:

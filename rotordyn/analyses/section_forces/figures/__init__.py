@@ -15,6 +15,7 @@ from rotordyn.analyses.section_forces.figures.diagrams import (
 )
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
+from rotordyn.results.display import RPM
 from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
@@ -30,8 +31,10 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     """The six diagrams, deflections and von Mises stress at the last speed with a solution."""
     result = variant.result
     row, places = speeds_shown(result)[-1].row, stations_of(result, variant.spindle)
+    rpm = float(result.speed[row]) * RPM.factor
     figures = dict.fromkeys(FORCES, "section_forces")
     figures |= dict.fromkeys((*LINES[0], "von_mises_stress"), "elastic_line")
     for name, figure in figures.items():
         at_speeds = [*curves_of(result, name, along="cut", figure=figure)]
-        yield at_speeds[row]._replace(places=places)
+        curve = at_speeds[row]
+        yield curve._replace(places=places, along=f"{curve.along} at {rpm:.0f} rpm")

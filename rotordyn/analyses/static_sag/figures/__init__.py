@@ -11,7 +11,7 @@ import numpy as np
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
-from rotordyn.results.display import MICROMETRE, MILLIMETRE
+from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
 from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
@@ -29,6 +29,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     """Deflection at the slowest speed with a solution, in the directions that sag."""
     result = variant.result
     row = int(np.flatnonzero(np.isfinite(result.slope).all(axis=1))[0])
+    rpm = float(result.speed[row]) * RPM.factor
     held = variant.spindle.connections if variant.spindle else ()
     places = sorted((each.x * MILLIMETRE.factor, each.name) for each in held)
     count = len(result.direction)
@@ -38,4 +39,4 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     most = float(np.nanmax(np.abs(result.deflection[row])))
     for curve in at_speeds[row * count : (row + 1) * count]:
         if np.abs(curve.y).max() > SEEN * most * MICROMETRE.factor:
-            yield curve._replace(places=places)
+            yield curve._replace(places=places, along=f"{curve.along} at {rpm:.0f} rpm")
