@@ -70,7 +70,8 @@ class Interval:
         """Largest relative width of either range of every number (numbers,)."""
         size = np.abs(np.where(np.isnan(self.nominal), self.hypotheses[:, 1], self.nominal))
         size = np.where(size == 0.0, 1.0, size)
-        widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
+        with np.errstate(invalid="ignore"):  # both ends of what has no limit are infinite
+            widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
         return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
 
     def varying(self) -> list[int]:

@@ -357,6 +357,31 @@ def test_critical_speed_without_damping() -> None:
     assert np.isnan(result.displacement[1]).all()
 
 
+def test_orbits_and_forces_have_no_limit_there_and_curves_break() -> None:
+    """Beside it y and the force of both supports are those of a mass on springs."""
+    spindle = on_two(block(K, K), block(0.0, 0.0))
+    mass = rotor_inertia(spindle).mass
+    critical = math.sqrt(K / mass)
+    speeds = [0.8 * critical, 1.1 * critical]
+    result = solved(spindle, speeds, Unbalance("disc", U), conditions=RIGID)
+    assert np.isinf(result.peak_amplitude).all()
+    assert result.force_unbounded == pytest.approx([critical, critical])
+    text = " ".join(unbalance_lines(result)).replace("\u00a0", " ")
+    rpm = critical * 30.0 / math.pi
+    assert text.count(f"unbounded at {rpm:.0f} rpm, nothing damps") == 3
+    size, force = result.fine_major_axis[:, 0], result.fine_force_amplitude
+    broken = np.isnan(size)
+    assert broken.any()
+    assert (np.abs(result.fine_speed[broken] / critical - 1.0) < 1e-4).all()
+    assert (np.isnan(force) == broken[:, None]).all()
+    spin = result.fine_speed[~broken]
+    exact = spin**2 * U / np.abs(K - mass * spin**2)
+    np.testing.assert_allclose(size[~broken], exact, rtol=1e-6)
+    np.testing.assert_allclose(force[~broken], 0.5 * K * exact[:, None] * [1, 1], rtol=1e-6)
+    damped = solved(on_two(block(K, K), block(C, C)), speeds, Unbalance("disc", U))
+    assert np.isnan(damped.force_unbounded).all()
+
+
 def test_nothing_moves_at_rest() -> None:
     result = solved(on_two(block(K, K), block(C, C)), [0.0, 100.0], Unbalance("disc", U))
     assert not result.displacement[0].any()

@@ -41,6 +41,7 @@ from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
 UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
+BESIDE = 0.2 * NARROW  # of a speed: nearer to a pole without damping a sample is of the pole alone
 
 
 def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
@@ -81,10 +82,16 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     fine, (fine_moved, fine_pushed) = _sampled(scene, spec, ratio, critical)
     lost = np.isin(fine, scene.speed[scene.usable][~known])
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
+    endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
+    peaks, pushes = (
+        _peaks(fine, orbit(each[..., 0], each[..., 1]).major, endless)
+        for each in (fine_moved, fine_pushed)
+    )
+    for at in endless:
+        lost |= np.abs(fine - at) <= BESIDE * at
+    fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
     fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
-    endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
-    peaks = _peaks(fine, fine_orbit.major, endless)
     runs = runs_of(scene, spec, ratio)
     return UnbalanceResult(
         speed=scene.speed,
@@ -119,6 +126,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         fine_major_axis=fine_orbit.major,
         fine_minor_axis=fine_orbit.minor,
         fine_force_amplitude=fine_force,
+        force_unbounded=_first(pushes),
         film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
         film_ratio=np.array(
             [getattr(each, "eccentricity_ratio", np.nan) for each in spindle.connections]
@@ -174,6 +182,12 @@ def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
             near = np.abs(peaks[0, row] - at) <= 2.0 * NARROW * at
             peaks[0, row, near], peaks[1, row, near] = at, np.inf
     return peaks
+
+
+def _first(peaks: Array) -> Array:
+    """The first speed at which one of ``peaks`` (2, curves, n) is infinite, NaN without one."""
+    at = np.where(np.isinf(peaks[1]), peaks[0], np.inf).min(axis=1, initial=np.inf)
+    return np.where(np.isinf(at), np.nan, at)
 
 
 def _rings(scene: Scene, spec: UnbalanceSpec, speed: Array) -> Complex:

@@ -38,10 +38,19 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
     moved = [unbroken(f"{name} {word}") for name, word in _moved(result).items()]
     pushed = [
-        unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
+        unbroken(
+            f"{name} {_endless(at)}"
+            if np.isfinite(at)
+            else f"{name} {_peak(values, '.4g')} N{_at(result, values)}"
+        )
         if np.isfinite(values).any()
         else f"{name} not determined"  # a rigid rotor on more rigid supports than hold it
-        for name, values in zip(result.support, result.fine_force_amplitude.T, strict=True)
+        for name, values, at in zip(
+            result.support,
+            result.fine_force_amplitude.T,
+            result.force_unbounded.tolist(),
+            strict=True,
+        )
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
@@ -91,7 +100,11 @@ def _moved(result: UnbalanceResult) -> dict[str, str]:
 def _unbounded(result: UnbalanceResult, place: int) -> str:
     """Where nothing limits the amplitude of a point; empty where everything does."""
     at = result.peak_speed[place, np.isinf(result.peak_amplitude[place])]
-    return f"unbounded at {at[0] * RPM.factor:.0f} rpm, nothing damps" if at.size else ""
+    return _endless(float(at[0])) if at.size else ""
+
+
+def _endless(speed: float) -> str:
+    return f"unbounded at {speed * RPM.factor:.0f} rpm, nothing damps"
 
 
 def _peak(values: Array, form: str) -> str:

@@ -466,6 +466,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         fine_major_axis=ahead + behind,
         fine_minor_axis=ahead - behind,
         fine_force_amplitude=(ahead + behind) * 1e8,
+        force_unbounded=np.full(2, np.nan),
         film_orbit=np.full(moved.shape[:2], np.nan),
         film_ratio=np.full(2, np.nan),
         resonance=np.arange(0),

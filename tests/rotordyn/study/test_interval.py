@@ -143,6 +143,16 @@ def test_rounding_does_not_order_twins() -> None:
         assert moved.varying() == order
 
 
+def test_numbers_without_a_limit_at_both_ends_do_not_vary() -> None:
+    case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    first = held.varying()[0]
+    endless = np.where(np.arange(len(held.number))[:, None] == first, np.inf, held.tolerances)
+    with warnings.catch_warnings(action="error"):
+        left = replace(held, tolerances=endless, hypotheses=endless).varying()
+    assert first not in left
+
+
 def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
     asked = {"kinematics": "all", "moment_sharing": "all"}
     still = _case(("preload",), (0.0,), hypotheses=asked)
