@@ -23,6 +23,7 @@ from rotordyn.scene.scene import Scene
 
 T = TypeVar("T")
 ROUNDS = 2
+AT_REST = 1e-6  # of the largest motion: a point that moves less stands still, but for rounding
 RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 
 
@@ -60,17 +61,30 @@ def solve_accurately(
     return scene, solution
 
 
-def changes(scene: Scene, values: Callable[[Scene, Indices], Array | Complex], axis: int) -> Array:
+def changes(
+    scene: Scene,
+    values: Callable[[Scene, Indices], Array | Complex],
+    axis: int,
+    least: float = 0.0,
+) -> Array:
     """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
     all axes but ``axis``."""
     rows = few_rows(scene)
-    return relative_change(values(scene, rows), values(scene.refined, rows), axis)
+    return relative_change(values(scene, rows), values(scene.refined, rows), axis, least)
 
 
-def relative_change(coarse: Array | Complex, fine: Array | Complex, axis: int) -> Array:
-    """Largest change of values (…, n, …) over their largest size; along all axes but ``axis``."""
+def relative_change(
+    coarse: Array | Complex, fine: Array | Complex, axis: int, least: float = 0.0
+) -> Array:
+    """Largest change of values (…, n, …) over their largest size; along all axes but ``axis``.
+
+    Of values that are alike in kind, such as motions of points, those smaller than ``least`` of the
+    largest of all count as that large: what symmetry or a rigid support holds moves by rounding.
+    """
     along = tuple(k for k in range(coarse.ndim) if k != axis)
     size = np.abs(fine).max(axis=along, initial=0.0)
+    if least:
+        size = np.maximum(size, least * size.max(initial=0.0))
     with np.errstate(invalid="ignore"):  # responses without limit
         change = np.abs(fine - coarse).max(axis=along, initial=0.0)
         return np.where(size > 0.0, change / np.where(size > 0.0, size, 1.0), 0.0)

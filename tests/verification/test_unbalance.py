@@ -388,6 +388,19 @@ def test_nothing_moves_at_rest() -> None:
     assert not result.force[0].any()
 
 
+def test_a_point_that_symmetry_holds_at_rest_has_no_error() -> None:
+    """Beside a couple of two unbalances the middle moves by rounding alone."""
+    spindle = on_two(block(K, K), block(C, C))
+    couple = Unbalance(0.2, U), Unbalance(0.8, U, math.pi)
+    places = {"ahead": 0.2, "disc": 0.5}
+    spindle = replace(spindle, points=places)
+    result = solved(spindle, [100.0, 300.0], *couple, points=tuple(places), run_up=(1.0,))
+    middle, moved = result.fine_major_axis[:, 1].max(), result.fine_major_axis[:, 0].max()
+    assert middle < 1e-8 * moved
+    assert result.error.max() < 1e-5
+    assert result.run_error.max() < 1e-3
+
+
 @pytest.mark.few(2)
 @pytest.mark.parametrize("element", [0.25, 0.1, 0.05])
 @pytest.mark.parametrize("ratio", [1.0, 1.5])

@@ -25,7 +25,13 @@ from rotordyn.analyses.time_response.result import TimeResponseResult
 from rotordyn.analyses.time_response.sleeves import sleeve_margins
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.arrays import Array, Indices
-from rotordyn.scene.refinement import changes, relative_change, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import (
+    AT_REST,
+    changes,
+    relative_change,
+    response_accuracy,
+    solve_accurately,
+)
 from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
@@ -89,7 +95,7 @@ def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
         found = _path(one, spec, Equation.of(one, spec, rows), finer * count)
         return np.nan_to_num(_displacement(found.every(2 * finer)))
 
-    return _motion(path, changes(scene, moved, 2))
+    return _motion(path, changes(scene, moved, 2, AT_REST))
 
 
 def _motion(path: Path, error: Array) -> Motion:
@@ -112,7 +118,7 @@ def _nonlinear(
             _require(equation, 2 ** (halving + 1) * count, len(scene.spindle.seats))
         before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, nonlinear)
         here, there = _displacement(path.every(2)), _displacement(before)
-        error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2)
+        error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2, AT_REST)
         ended = len(path.points[0])
         if error.max() <= wanted and (path.ended == ended).all():
             break

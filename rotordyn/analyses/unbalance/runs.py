@@ -18,7 +18,7 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.results.display import RPM
-from rotordyn.scene.refinement import response_accuracy
+from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
 from rotordyn.scene.scene import Scene
 
 PARTS = (60, 120, 240, 480)  # of the way, until their number changes the motion no more
@@ -85,11 +85,14 @@ def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, float]:
     the change by twice as many parts over the peak."""
     enough = min(response_accuracy(way.scene), ACCURATE)
     before, error = way.axes(PARTS[0], time, down=down), np.inf
+    points = len(way.spec.points)
     for count in PARTS[1:]:
         axes = way.axes(count, time, down=down)
-        peak, change = axes.max(axis=0), np.abs(axes - before).max(axis=0)
-        moves = peak > 0.0
-        error = float(np.divide(change, peak, out=np.zeros_like(peak), where=moves).max())
+        changed = (
+            relative_change(np.nan_to_num(before[:, k]), np.nan_to_num(axes[:, k]), 1, AT_REST)
+            for k in (slice(points), slice(points, None))
+        )
+        error = max(float(each.max(initial=0.0)) for each in changed)
         if error <= enough:
             break
         before = axes

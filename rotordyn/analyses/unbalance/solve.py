@@ -36,7 +36,7 @@ from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.linearity import departure, ring_rows
-from rotordyn.scene.refinement import changes, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import AT_REST, changes, response_accuracy, solve_accurately
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
@@ -266,4 +266,4 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
             moved.append(displacements(one, linear, spec, steady(one, linear, spec, speed)))
         return np.nan_to_num(np.sum(moved, axis=0))
 
-    return changes(scene, values, 1)
+    return changes(scene, values, 1, AT_REST)
