@@ -1,4 +1,4 @@
-"""Forced responses of a machine that nothing damps."""
+"""Steady forced responses of a machine that nothing damps."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from rotordyn.machine.spindle import Spindle
 
 
 def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
-    """A sentence where ``analyses`` ask for forced responses without any damping."""
-    forced = [name for name in analyses if analysis(name).forced]
+    """A sentence where ``analyses`` ask for steady forced responses without any damping."""
+    records = {name: analysis(name) for name in analyses}
+    forced = [name for name, each in records.items() if each.forced and not each.over_time]
     if forced and undamped(spindle):
         yield (
             f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "

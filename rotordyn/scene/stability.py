@@ -32,6 +32,6 @@ def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
     return [
         f"unstable at {at.size} of {len(speed)} speeds, first at "
         f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "
-        f"{1.0 / worst.real:.3g} s; forced responses there are the steady solution of the linear "
-        "equations, which the machine does not reach by itself"
+        f"{1.0 / worst.real:.3g} s; steady responses there are solutions of the linear equations "
+        "that the machine does not reach by itself"
     ]

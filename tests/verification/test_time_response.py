@@ -28,6 +28,7 @@ from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unlimited import unlimited
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.seat import BearingSeat
@@ -591,6 +592,23 @@ def test_what_is_left_after_the_beginning_is_named() -> None:
     spec = replace(spec, forces=(push(500.0, pulse=1e-3),), unbalances=())
     gone = answer(seen(short(), spec, 12000.0), spec)
     assert not any("quarter" in line for line in summary(gone))
+
+
+def test_an_answer_that_ends_early_says_nothing_of_its_last_quarter() -> None:
+    spec = TimeResponseSpec(5e-3, 1000.0, ("nose",), (push(1e6),))
+    found = answer(seen(short(), spec, 0.0), spec)
+    assert found.ending[0]
+    assert found.ended[0] < spec.duration
+    assert np.isnan(found.late_largest[0, 0])
+    assert not any("quarter" in line for line in summary(found))
+
+
+def test_motion_over_time_has_a_limit_without_damping() -> None:
+    """Of steady responses alone it is said that they have none."""
+    asked: dict[str, Any] = {"time_response": TimeResponseSpec(1e-3, 1e3, ("nose",), (push(1.0),))}
+    assert [*unlimited(short(0.0), asked)] == []
+    (told,) = unlimited(short(0.0), {**asked, "unbalance": None})
+    assert told.startswith("unbalance: nothing in the machine is damped")
 
 
 @pytest.mark.few(1)

@@ -15,6 +15,7 @@ ANALYSIS = in_folder(
     spec=TimeResponseSpec,
     highest=lambda spec, _: spec.max_frequency,
     forced=True,
+    over_time=True,
     ports=lambda spec: spec.places,
     marks=Code(__name__, "forces:marked"),
     tables=LAYOUTS,

@@ -59,7 +59,10 @@ class TimeResponseResult:
     )
     largest: Array = quantity(*POINT, unit="m", label="largest displacement")
     late_largest: Array = quantity(
-        *POINT, unit="m", label="largest displacement in the last quarter of the time"
+        *POINT,
+        unit="m",
+        label="largest displacement in the last quarter of the time",
+        absent=(Absence("where the answer ends before", by=("speed",)),),
     )
     largest_time: Array = quantity(
         *POINT, unit="s", label="time of the largest displacement", printed=MILLISECOND

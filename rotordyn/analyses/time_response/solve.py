@@ -179,6 +179,8 @@ def _result(
     for row, one in enumerate(scene.usable):
         if path.ended[row] < spec.samples:
             ending[one] = ENDINGS[bool(path.unbalanced[row])]
+    late_size = longest(moved[:, late:], time[late:])[1]
+    late_size[path.ended < spec.samples] = np.nan
     loads = loads_and_peaks(scene, path, time, bearings)
     margins = sleeve_margins(scene, equation, path.sleeves, motion.sleeves, motion.coarser)
     applied = [values(each, time) for each in spec.forces]
@@ -197,7 +199,7 @@ def _result(
         displacement=scene.scattered(moved),
         linear_displacement=scene.scattered(straight),
         largest=scene.scattered(size),
-        late_largest=scene.scattered(longest(moved[:, late:], time[late:])[1]),
+        late_largest=scene.scattered(late_size),
         largest_time=scene.scattered(when),
         linear_largest=scene.scattered(longest(straight, time)[1]),
         **{name: scene.scattered(each) for name, each in loads.items()},

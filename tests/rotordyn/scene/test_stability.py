@@ -59,6 +59,7 @@ def test_swirl_against_damping_in_closed_form(share: float) -> None:
     name = found.mode[found.damping_ratio[0].argmin()]
     assert any(sentence.startswith(f"{name} is unstable at 0 rpm") for sentence in named)
     (sentence,) = answers.warnings
+    assert "steady responses there are solutions of the linear equations" in sentence
     assert sentence.startswith("unstable at 2 of 2 speeds, first at 0 rpm: the machine vibrates at")
     assert np.isfinite(found.frequency).all()
 
