@@ -18,7 +18,7 @@ from rotordyn.analyses.preload.solve import answer as preload_answer
 from rotordyn.analyses.preload.summary import summary as preload_summary
 from rotordyn.analyses.thermal_preload.figures import figures, headline_curves
 from rotordyn.analyses.thermal_preload.solve import answer
-from rotordyn.analyses.thermal_preload.summary import summary
+from rotordyn.analyses.thermal_preload.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
@@ -343,6 +343,12 @@ def test_a_difference_without_a_state_says_why() -> None:
     assert lost.tolist() == (result.state != "").tolist() == [[False, True, True]] * 2
     assert all("preload lost" in word for word in result.state[lost])
     assert sum("no state at +150 K and 1 more: " in line for line in summary(result)) == 2
+    (told,) = warnings(result)
+    assert told.startswith("thermal_preload: at +150 K (and in 3 more states) bearing ")
+    assert "preload lost" in told
+    found_at = {each.words: each.value for each in numbers(result, None)}  # type: ignore[arg-type]
+    assert found_at["difference without a state at 0 rpm"] == 150.0
+    assert found_at["load at 0 rpm"] == np.nanmax(result.axial_load[0])
 
 
 def test_temperatures_over_speed_and_of_one_bearing() -> None:
@@ -372,6 +378,10 @@ def test_preload_over_temperature_difference() -> None:
     assert result.axial_load[:, 2] == pytest.approx(direct.seat_load(), rel=1e-12)
     assert result.growth[:, 2] == pytest.approx(direct.seat_growth(), rel=1e-12)
     assert len(summary(result)) == 2
+    assert [*warnings(result)] == []
+    largest, _, *lost = (each.value for each in numbers(result, None))  # type: ignore[arg-type]
+    assert largest == result.axial_load[0].max()
+    assert np.isnan(lost).all()
     assert [name for name, _ in figures(None, result, {})] == ["thermal_preload"]  # type: ignore[arg-type]
     curves = list(headline_curves(None, Shown("", result, (), spindle())))
     assert len(curves) == 4

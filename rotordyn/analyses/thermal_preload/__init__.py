@@ -8,9 +8,11 @@ from rotordyn.analyses.thermal_preload.tables import LAYOUTS
 
 ANALYSIS = in_folder(
     __name__,
+    "warnings",
     machine="spindle",
     place=33,
     spec=ThermalPreloadSpec,
     bearings=True,
     tables=LAYOUTS,
+    heading="largest axial load over the differences of temperature",
 )

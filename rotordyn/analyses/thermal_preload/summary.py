@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
+from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
+from rotordyn.results.headline import Number, ends
+from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 
@@ -38,3 +43,35 @@ def _unsolved(result: ThermalPreloadResult, index: int) -> list[str]:
     at = f"{result.difference[places[0]]:+g} K"
     many = f" and {places.size - 1} more" if places.size > 1 else ""
     return [f"           no state at {at}{many}: {result.state[index, places[0]]}"]
+
+
+def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
+    """The largest axial load of any bearing, and the difference nearest to none without a state, at
+    the first and the last speed."""
+    largest = np.nan_to_num(result.axial_load, nan=-np.inf).max(axis=(1, 2))
+    yield from ends(result, "load", "N", np.where(np.isinf(largest), np.nan, largest), digits=0)
+    yield from ends(result, "difference without a state", "K", _lost(result))
+
+
+def warnings(result: ThermalPreloadResult) -> Iterator[str]:
+    """Differences without a state: the preload is lost, or one that is too high."""
+    lost = _lost(result)
+    rows = np.flatnonzero(np.isfinite(lost))
+    if not rows.size:
+        return
+    row = rows[np.abs(lost[rows]).argmin()]
+    why = result.state[row, np.flatnonzero(result.difference == lost[row])[0]]
+    more = int((result.state[rows] != "").sum()) - 1
+    many = f" (and in {more} more states)" if more else ""
+    yield f"thermal_preload: at {lost[row]:+g} K{many} {why}"
+
+
+def _lost(result: ThermalPreloadResult) -> Array:
+    """Of every speed that has a state by itself, the difference nearest to none without one [K];
+    NaN where all have one."""
+    lost = np.full(len(result.speed), np.nan)
+    for row, own in enumerate(result.outcome):
+        places = np.flatnonzero(result.state[row] != "")
+        if not own and places.size:
+            lost[row] = result.difference[places[np.abs(result.difference[places]).argmin()]]
+    return lost

@@ -23,7 +23,7 @@ import pytest
 
 import rotordyn
 from rotordyn import Goal, Span, optimise, sweep
-from rotordyn.analyses import ThermalPreloadSpec, Unbalance, UnbalanceSpec
+from rotordyn.analyses import FrfSpec, Port, Unbalance, UnbalanceSpec
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.case import Case
 from rotordyn.case.library import models_root
@@ -273,19 +273,20 @@ def test_a_point_without_its_results_is_no_point(case: Case, tmp_path: Path) -> 
 
 
 def test_points_without_numbers_are_solved_and_kept(case: Case, tmp_path: Path) -> None:
-    """A curve over temperature has no headline number; its results are kept whole all the same,
-    and read again where the study goes on."""
-    curves = replace(case, analyses={"thermal_preload": ThermalPreloadSpec((0.0, 5.0))})
+    """A receptance without a measured one beside it has no headline number; its results are kept
+    whole all the same, and read again where the study goes on."""
+    nose = Port("nose", "y")
+    curves = replace(case, analyses={"frf": FrfSpec((10.0, 100.0), ((nose, nose),))})
     asked = {SPRING: ["800 N", "1000 N"]}
-    study = study_of(curves, asked, results=["thermal_preload"])
+    study = study_of(curves, asked, results=["frf"])
     for _ in range(2):
         done = deliver.deliver(study, tmp_path / "s", workers=1, draw=False)
         assert (done.points, done.solved) == (2, 2)
         assert "2 points, 2 with a solution" in done.summary
-        found = sweep(curves, asked, results=["thermal_preload"], workers=1, folder=tmp_path / "s")
-        loads = found["thermal_preload: axial_load"].isel({"thermal_preload: difference": 0})
-        springs = loads.isel({"thermal_preload: speed": 0, "thermal_preload: bearing": 0})
-        assert springs.values == pytest.approx([400.0, 500.0], rel=1e-6)
+        found = sweep(curves, asked, results=["frf"], workers=1, folder=tmp_path / "s")
+        still = found["frf: receptance"].isel({"frf: frequency": 0, "frf: speed": 0})
+        soft, stiff = np.abs(still.values).ravel()
+        assert stiff < soft
 
 
 def test_unbalance_of_points_whose_error_is_not_known(case: Case) -> None:
