@@ -9,6 +9,7 @@ warm up and expand act as further growth (theory: rings).
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -194,11 +195,16 @@ def _rises(seat: BearingSeat, speed: Array, temperatures: Temperatures | None) -
 
 
 class Release(NamedTuple):
-    """A ring of a bearing that lets go: which one, of what, and from which speed on [rad/s]."""
+    """A ring of a bearing that lets go: which one, of what, and from which speed on [rad/s].
+
+    It lets go between the speeds ``held`` and ``speed``, which are one where it is exact; ``held``
+    is NaN where no speed is known at which it holds.
+    """
 
     bearing: str
     ring: str
     seat: str
+    held: float
     speed: float
 
 
@@ -207,44 +213,51 @@ def released_fits(
 ) -> list[Release]:
     """Rings that were pressed on as mounted and let go up to the highest of ``speed``.
 
-    Without tables of temperature the speed is exact, else the first of ``speed`` at which the ring
-    is loose.
+    At temperatures that do not follow the speed it is exact for inner rings, else between two of
+    ``speed``.
     """
     released = []
     for seat in spindle.seats:
         for at in _inner_release(spindle, seat, speed, temperatures):
-            released.append(Release(seat.name, "inner", "shaft", at))
+            released.append(Release(seat.name, "inner", "shaft", *at))
         for at in _outer_release(seat, speed, temperatures):
-            released.append(Release(seat.name, "outer", "housing", at))
+            released.append(Release(seat.name, "outer", "housing", *at))
     return released
 
 
 def _inner_release(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
-) -> tuple[float, ...]:
-    """Speed at which the inner ring lets go; empty where it does not."""
+) -> Iterator[tuple[float, float]]:
+    """Speeds between which the inner ring lets go; none where it does not."""
     from bearings.fit.compound import release_speed
 
     fit = inner_fit(seat)
     if fit is None:
-        return ()
+        return
     states = inner_ring(spindle, seat, speed, temperatures)
-    if len(states) == 1:
+    tabled = temperatures is not None and bool(temperatures.speeds)
+    if len(states) == 1 and not (tabled and len(speed) == 1):
         at = float(release_speed(states[0][1].bodies, [fit.interference])[0])
-        return (at,) if at <= speed.max() else ()
-    return _first_loose(states, speed)
+        if at <= speed.max():
+            yield at, at
+        return
+    yield from _first_loose(states, speed)
 
 
 def _outer_release(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None
-) -> tuple[float, ...]:
+) -> Iterator[tuple[float, float]]:
     """The same of an outer ring that is pressed into its bore."""
-    if outer_fit(seat) is None or not outer_ring(seat, np.zeros(1))[0][1].holds.all():
-        return ()
-    return _first_loose(outer_ring(seat, speed, temperatures), speed)
+    if outer_fit(seat) is not None and outer_ring(seat, np.zeros(1))[0][1].holds.all():
+        yield from _first_loose(outer_ring(seat, speed, temperatures), speed)
 
 
-def _first_loose(states: States, speed: Array) -> tuple[float, ...]:
-    """The first of the speeds at which a ring has no pressure; empty where it has at all."""
+def _first_loose(states: States, speed: Array) -> Iterator[tuple[float, float]]:
+    """The first of the speeds at which a ring has no pressure, after the one before it; none where
+    it has at all."""
     loose = [row for rows, state in states for row in rows[~state.holds[:, 0]]]
-    return (float(speed[min(loose)]),) if loose else ()
+    if loose:
+        first = min(loose)
+        at = float(speed[first])
+        before = float(speed[first - 1]) if first else at if at == 0.0 else math.nan
+        yield before, at

@@ -33,13 +33,15 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     """Of the description, of its bearings where they were solved, of motions that grow."""
     top = float(scene.bearing_speed.max())
     yield from implausible(scene.spindle, top)
-    for name, ring, on, speed in released_fits(
+    for name, ring, on, *between in released_fits(
         scene.spindle, scene.bearing_speed, scene.temperatures
     ):
+        held, speed = (f"{each * RPM.factor:.0f}" for each in between)
+        when = f"at {speed} rpm" if held == speed else f"between {held} and {speed} rpm"
         yield (
-            f"bearing {name}: the fit of its {ring} ring lets go at "
-            f"{speed * RPM.factor:.0f} rpm, from where on the ring grows without the {on}; raise "
-            "its interference"
+            f"bearing {name}: the fit of its {ring} ring lets go "
+            f"{when if held != 'nan' else f'by {speed} rpm'}, from where on the ring grows without "
+            f"the {on}; raise its interference"
         )
     yield from _yielding(scene)
     if scene.conditions.history and not scene.spindle.rubs:

@@ -274,6 +274,25 @@ def test_a_warm_ring_lets_go_earlier_and_a_cold_housing_grips() -> None:
     assert warm < plain
     loose = released_fits(machine, np.zeros(1), Temperatures(housing=60.0, outer_rings=20.0))
     assert [each.ring for each in loose] == ["outer", "outer"]
+    assert [each.held for each in loose] == [0.0, 0.0]
+
+
+def test_a_ring_that_warms_up_with_speed_lets_go_between_two_of_the_case() -> None:
+    """The ring is tight at rest, and loose at speed at any rate where it is 60 K warmer."""
+    machine = spindle()
+    warming = Temperatures(shaft=20.0, inner_rings=(20.0, 80.0), speeds=(0.0, 9000 * RPM))
+
+    def said(*rpm: float) -> list[str]:
+        own = scene(machine, list(rpm), warming)
+        return [
+            word.partition("lets go ")[2].partition(",")[0]
+            for word in own.warnings
+            if "lets go" in word
+        ]
+
+    assert said(0.0) == []
+    assert said(0.0, 100.0, 9000.0) == ["between 100 and 9000 rpm"] * 2
+    assert said(9000.0) == ["by 9000 rpm"] * 2
 
 
 # --- along the axis ------------------------------------------------------------------------------
