@@ -288,9 +288,20 @@ def test_faults(point: str, asked: dict[str, Any], why: str) -> None:
         _case(beam(*SUPPORTS["rigid"]), StaticSagSpec(point, **asked))
 
 
-def test_a_weight_that_is_given_twice_or_held_by_nothing() -> None:
-    with pytest.raises(InvalidInput, match=r"weight is given twice: given '-y' beside '.x'"):
-        _case(beam(*SUPPORTS["rigid"]), StaticSagSpec("nose"), Conditions(gravity="+x"))
+@pytest.mark.parametrize(("down", "sag"), [("-y", (-1, 0)), ("+z", (0, 1)), ("+x", (0, 0))])
+def test_by_default_the_weight_is_that_of_the_conditions(down: str, sag: tuple[int, int]) -> None:
+    ends = held("a", 0.0), LinearSupport("b", L, rigid=("y", "z"))
+    own = solved(beam(*ends), "middle")
+    found = solved(beam(*ends), "middle", Conditions(gravity=down))
+    size = -own.sag[0, 0, 0]
+    assert found.sag[0, 0] == pytest.approx(np.multiply(size, sag), abs=1e-9 * size)
+
+
+def test_a_weight_that_contradicts_the_conditions_or_is_held_by_nothing() -> None:
+    for own, acting in (("-y", "+x"), ("none", "-y"), ("-z", "-y")):
+        spec, words = StaticSagSpec("nose", gravity=own), f"given '{own}' beside '.{acting[1]}'"
+        with pytest.raises(InvalidInput, match=words):
+            _case(beam(*SUPPORTS["rigid"]), spec, Conditions(gravity=acting))
     with pytest.raises(InvalidInput, match=r"gravity: free body .*: nothing holds .*thz"):
         _case(beam(sprung("a", 0.3)), StaticSagSpec("nose"))
 

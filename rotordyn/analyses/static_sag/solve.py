@@ -31,7 +31,8 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     """
     spindle, mesh = scene.spindle, scene.mesh
     node, gauges = mesh.node_of(spindle.points[spec.point]), np.array(spec.gauges)
-    moved = at_rest(scene, mesh, *weight(spindle, mesh, spec.gravity)).moved
+    down = spec.weight_of(scene.conditions)
+    moved = at_rest(scene, mesh, *weight(spindle, mesh, down)).moved
     turned = [_turned(scene, ring.bearing, node, gauges) for ring in spec.ring_runouts]
     swing = np.zeros((len(moved), len(gauges), len(turned), 2), dtype=complex)
     for k, (ring, unit) in enumerate(zip(spec.ring_runouts, turned, strict=True)):

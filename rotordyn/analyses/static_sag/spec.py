@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Angle, Choice, Eccentricity, Items, Name, Station
+from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Setting, Spec, held_twice
 
 GRAVITY = ("-y", "+y", "-z", "+z", "none")
@@ -33,8 +34,10 @@ class StaticSagSpec(Spec):
 
     point: Annotated[Name, "the nose, or the tool point"]
     gravity: Annotated[
-        str, Choice(GRAVITY), "direction of the weight; `none` of a vertical spindle"
-    ] = "-y"
+        Annotated[str, Choice(GRAVITY)] | None,
+        "direction of the weight, `none` of a vertical spindle; by default that of the conditions, "
+        "or `-y` where they have none",
+    ] = None
     gauges: Annotated[
         tuple[Station, ...],
         Items(),
@@ -42,6 +45,13 @@ class StaticSagSpec(Spec):
         "bar; below 0 behind it",
     ] = (0.0,)
     ring_runouts: Annotated[tuple[RingRunout, ...], "of inner rings; those not named run true"] = ()
+
+    def weight_of(self, conditions: Conditions) -> str:
+        """Direction of the weight by which the shaft sags; none along its axis."""
+        given = "" if conditions.gravity == "none" else conditions.gravity
+        if self.gravity is not None or not given:
+            return self.gravity or "-y"
+        return given if given in GRAVITY else "none"
 
     def _faults(self) -> Faults:
         yield from repeated("ring_runouts", (each.bearing for each in self.ring_runouts), "bearing")
@@ -57,12 +67,12 @@ class StaticSagSpec(Spec):
         for index, ring in enumerate(self.ring_runouts):
             for sentence in unknown("bearing or support", ring.bearing, names):
                 yield ("ring_runouts", index, "bearing"), sentence
-        if not {self.gravity, conditions.gravity} & {"", "none"}:
+        own, weighed = self.gravity, conditions.gravity not in ("", "none")
+        if own is not None and weighed and own != replace(self, gravity=None).weight_of(conditions):
             yield (
                 ("gravity",),
-                f"the weight is given twice: given '{self.gravity}' beside '{conditions.gravity}' "
-                "of the conditions; allowed: one of both, the other none; the sag is that by the "
-                "weight given here, by default '-y'",
+                f"another weight than that of the conditions: given '{own}' beside "
+                f"'{conditions.gravity}'; leave it out: the sag is then by that one",
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:
@@ -74,10 +84,8 @@ class StaticSagSpec(Spec):
         if faults := [*held_twice(setting)]:
             yield from faults
             return
-        mesh = station_mesh(spindle)
+        mesh, down = station_mesh(spindle), self.weight_of(setting.conditions)
         try:
-            require_balance(
-                spindle, mesh.x, [on_nodes(*weight(spindle, mesh, self.gravity), mesh.x)]
-            )
+            require_balance(spindle, mesh.x, [on_nodes(*weight(spindle, mesh, down), mesh.x)])
         except InvalidInput as fault:
             yield ("gravity",), str(fault)
