@@ -33,8 +33,8 @@ def interval_lines(held: Interval, part: str = "") -> list[str]:
     rows = interval_ranges(held)
     if len(rows) > 1:
         lines += aligned(rows)
-    if len(rows) <= len(held.number):
-        lines.append(f"… and {len(held.number) - len(rows) + 1} more numbers: interval.csv")
+    if rest := len(held.number) - len(rows) + 1:
+        lines.append(f"… and {rest} more number{'s' * (rest > 1)}: interval.csv")
     lines += [part for sentence in interval_doubts(held) for part in wrapped(sentence)]
     return lines
 
@@ -50,7 +50,11 @@ def interval_over(held: Interval) -> str:
 
 def interval_ranges(held: Interval) -> list[tuple[str, ...]]:
     """Ranges of the numbers that vary most, in their order, below a row of headings."""
-    return [HEAD, *(_row(held, k) for k in sorted(held.apart(held.varying())[:MOST]))]
+    return [HEAD, *(_row(held, k) for k in _shown(held))]
+
+
+def _shown(held: Interval) -> list[int]:
+    return sorted(held.apart(held.varying())[:MOST])
 
 
 def _row(held: Interval, k: int) -> tuple[str, ...]:
@@ -79,9 +83,14 @@ def _source(path: str) -> str:
 
 def interval_doubts(held: Interval) -> Iterator[str]:
     """What these ranges do not hold, a sentence each below a word."""
-    if np.any(held.without) or np.any(held.without_within):
-        unmet = "a stop that is not met, a bearing that is unloaded"
+    lacking = np.flatnonzero(held.without + held.without_within)
+    unmet = "a stop that is not met, a bearing that is unloaded"
+    if np.isin(lacking, _shown(held)).any():
         yield f"{NONE}          some of these machines have no such number: {unmet}"
+    elif lacking.size:
+        more = f" and {lacking.size - 1} more of the numbers in interval.csv"
+        name = f"{held.number[lacking[0]]}{more if lacking.size > 1 else ''}"
+        yield f"note       some of these machines have no {name}: {unmet}"
     errors = held.numerical_error[np.isfinite(held.numerical_error)]
     if errors.size:
         most = rounded_up(float(errors.max()))

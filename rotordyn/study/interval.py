@@ -125,7 +125,7 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
-    without[np.isnan(value)] = 0
+    without[~np.isfinite(value)] = 0  # where it has no limit, changes are of nothing
     without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
     return Toleranced(usual, worst, ends, together, without)
 

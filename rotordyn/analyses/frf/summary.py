@@ -72,7 +72,8 @@ def _measured(result: FrequencyResponse) -> list[str]:
     """A line per measured response."""
     lines = [_line(result, row) for row in range(min(MOST, len(result.measured)))]
     rest = len(result.measured) - MOST
-    return lines + ([f"           and {rest} more measured responses"] if rest > 0 else [])
+    more = f"           and {rest} more measured response{'s' * (rest > 1)}"
+    return lines + ([more] if rest > 0 else [])
 
 
 def _line(result: FrequencyResponse, row: int) -> str:

@@ -192,9 +192,9 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
     if result.run and result.unstable.any():
         first = result.speed[result.unstable.argmax()] * RPM.factor
         yield (
-            f"unbalance: the runs pass speeds at which the machine is unstable, from {first:.0f} "
-            "rpm on: what grows by itself there is in them, and one that begins there begins in "
-            "steady motion that the machine does not reach"
+            "unbalance: the runs pass speeds at which the machine is unstable, of those of the "
+            f"case first at {first:.0f} rpm: what grows by itself there is in them, and one that "
+            "begins there begins in steady motion that the machine does not reach"
         )
 
 

@@ -22,7 +22,7 @@ from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve
 from rotordyn.job.values import values_of
-from rotordyn.report.interval import FAR
+from rotordyn.report.interval import FAR, interval_doubts, interval_lines
 from rotordyn.results.declaration import quantity
 from rotordyn.scene.checks import Checks
 from rotordyn.study import interval, quantiles
@@ -151,6 +151,46 @@ def test_numbers_without_a_limit_at_both_ends_do_not_vary() -> None:
     with warnings.catch_warnings(action="error"):
         left = replace(held, tolerances=endless, hypotheses=endless).varying()
     assert first not in left
+
+
+def test_what_some_machines_lack_is_told_where_it_stands() -> None:
+    """By a star in the row of the number, or by its name where it has no row."""
+    case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    count, varying = len(held.number), held.varying()
+    (hidden, *_), (seen, *_) = set(range(count)) - set(varying), varying
+    for k, begin, star in ((seen, "*", True), (hidden, "note       some of these", False)):
+        own = replace(held, without_within=(np.arange(count) == k).astype(int))
+        lines = interval_lines(own)
+        assert any(line.startswith(begin) for line in lines)
+        assert any(line.startswith("*") for line in lines) == star
+        assert (own.number[k] in " ".join(interval_doubts(own))) == (not star)
+    last = next(line for line in interval_lines(held) if line.startswith("…"))
+    assert last.endswith("more numbers: interval.csv")
+    few = [k for k in range(count) if k in varying[:1] or k == hidden]
+    named = {"number": tuple(held.number[k] for k in few), "unit": tuple(held.unit[k] for k in few)}
+    arrays = ("nominal", "hypotheses", "tolerances", "effect", "without", "without_within")
+    arrays += ("numerical_error", "interaction")
+    two = replace(held, **named, **{name: getattr(held, name)[few] for name in arrays})
+    assert "… and 1 more number: interval.csv" in interval_lines(two)
+
+
+def test_numbers_without_a_limit_are_lacking_in_no_machine(tmp_path: Path) -> None:
+    (tmp_path / "undamped.yaml").write_text(
+        """
+title: orbits without a limit
+spindle: friswell_two_discs
+speeds: [500 rpm, 1000 rpm]
+analyses:
+  unbalance: {points: [left_disc], unbalances: [{at: left_disc, unbalance: 1 kg mm}]}
+uncertain: {tolerances: {spindle.supports.*.stiffness.yy: ± 10 %}}
+""",
+        encoding="utf-8",
+    )
+    case = rotordyn.load(tmp_path / "undamped.yaml")
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    assert np.isinf(held.nominal[0])
+    assert not held.without_within.any()
 
 
 def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
