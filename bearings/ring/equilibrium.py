@@ -132,11 +132,13 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
     state, and the nearest is taken. Not where contacts open and close with a jump.
     """
     start = d.copy(), x.copy()
-    d, x, converged = followed(problem, d, x, reached)
-    left = np.flatnonzero(reached & ~converged & problem.law.one_branch)
+    d, x, converged, given_up = followed(problem, d, x, reached)
+    left = np.flatnonzero(reached & ~converged & ~given_up & problem.law.one_branch)
     if left.size:
         part = replace(problem.take(left), loose=True)
-        again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))
+        again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))[
+            :3
+        ]
         d[left], x[:, left], converged[left] = again
     return d, x, converged
 

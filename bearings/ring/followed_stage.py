@@ -23,28 +23,37 @@ from bearings.ring.linearised import Linear, linearise, newton_step, reduced
 from bearings.ring.problem import Problem
 
 
-def followed(problem: Problem, d: Array, x: Array, done: Flags) -> tuple[Array, Array, Flags]:
-    """Follow the states that are ``done`` at blend 0 to the full problem."""
+def followed(
+    problem: Problem, d: Array, x: Array, done: Flags
+) -> tuple[Array, Array, Flags, Flags]:
+    """Follow the states that are ``done`` at blend 0 to the full problem.
+
+    Returns (d, X), success, and whether a path was given up, which goes on in strides too short: a
+    ring that nothing holds firmly, as that of a thrust bearing across its axis, moves far.
+    """
     if problem.full == 0.0:
         d, x, good, _, _ = corrected(problem, d, x, np.zeros(len(d)))
-        return d, x, done & good
+        return d, x, done & good, np.zeros(len(d), dtype=bool)
     blend, stride = np.zeros(len(d)), np.full(len(d), tol.FIRST_BLEND)
-    freed = np.zeros(len(d), dtype=int)
+    freed, strides = np.zeros(len(d), dtype=int), np.zeros(len(d), dtype=int)
     while True:
-        todo = np.flatnonzero(done & (blend < 1.0) & (stride >= tol.SHORTEST_BLEND))
+        able = (stride >= tol.SHORTEST_BLEND) & (strides < tol.MOST_STRIDES)
+        todo = np.flatnonzero(done & (blend < 1.0) & able)
         if not todo.size:
-            stuck = np.flatnonzero(done & (blend < 1.0) & (freed < tol.MOST_FREE_MOTIONS))
+            rest = done & (blend < 1.0) & (strides < tol.MOST_STRIDES)
+            stuck = np.flatnonzero(rest & (freed < tol.MOST_FREE_MOTIONS))
             freed[stuck] += 1
             if not _free(problem, d, x, blend, stride, stuck):
                 break
             continue
+        strides[todo] += 1
         target = np.minimum(1.0, blend[todo] + stride[todo])
         new_d, new_x, good, _, used = corrected(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
         stride[won] *= np.where(used[good] <= tol.QUICK_STEPS, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
-    return d, x, done & (blend >= 1.0)
+    return d, x, done & (blend >= 1.0), done & (blend < 1.0) & (strides >= tol.MOST_STRIDES)
 
 
 def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stuck: Index) -> bool:

@@ -33,6 +33,7 @@ NEWTON_STEPS = 5  # more lead to other states across a fold
 QUICK_STEPS = 3  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 FIRST_BLEND = 0.5  # tried from the convex problem
+MOST_STRIDES = 1000  # of one path; of thousands of random thrust bearings no found state took 300
 SHORTEST_BLEND = 2.0**-17  # paths of light balls may begin steeply
 LONGEST_TURN = 0.15  # rad that the way from a ball to the middle of a groove may turn in one stride
 JUMP = 1e-5  # of the largest ball load: what the moment of a ball may change by at once

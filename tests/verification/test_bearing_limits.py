@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
-from bearings import AngularContactBallBearing
+from bearings import AngularContactBallBearing, NoEquilibrium, ThrustBallBearing
 from bearings.ball.potential import riding_radius
 from bearings.geometry import geometry
+from bearings.ring import followed_stage, tolerances
 from tests.oracles.ball_bearing import BallBearingOracle, rolling
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
 
@@ -193,3 +195,20 @@ def test_a_ball_that_rides_the_outer_race_is_pressed_in_by_hertz(force: float) -
     c = geometry(VEX70.grooves)
     pressed = riding_radius(c, force) - c.outer_centre_distance
     assert c.outer.stiffness * pressed**1.5 == pytest.approx(force, rel=1e-9)
+
+
+def test_a_refusal_takes_a_bounded_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thrust bearing under a moment: its rings move far across the axis, and steps are short."""
+    calls = 0
+    whole = followed_stage.corrected
+
+    def counted(*state: Any) -> Any:
+        nonlocal calls
+        calls += 1
+        return whole(*state)
+
+    monkeypatch.setattr(followed_stage, "corrected", counted)
+    bearing = ThrustBallBearing(ball_diameter=12.7e-3, pitch_diameter=70e-3, balls=13)
+    with pytest.raises(NoEquilibrium):
+        bearing.equilibrium(load=[800.0, 0.0, 0.0, 2.0, -3.0], speed=4000.0)
+    assert 0 < calls <= tolerances.MOST_STRIDES
