@@ -72,6 +72,26 @@ def typed(
     return hold
 
 
+def one_each(values: Any, shape: tuple[int, ...], name: str) -> Array:
+    """Values for a batch of states of a ``shape``: one each, or one for all.
+
+    Raises InvalidBearing for other shapes.
+    """
+    import numpy as np
+
+    given = np.asarray(values, float)
+    try:
+        fits = np.broadcast_shapes(given.shape, shape) == shape
+    except ValueError:
+        fits = False
+    if not fits:
+        states = f"a batch of shape {shape}" if shape else "a single state"
+        raise InvalidBearing(
+            f"{name} of shape {given.shape} does not fit {states}: give one for all, or one each"
+        )
+    return given
+
+
 def check_fields(description: Any) -> None:
     """Raise InvalidBearing for a field of a dataclass that its annotation excludes."""
     for field in fields(description):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from bearings.arguments import checked
+from bearings.arguments import checked, one_each
 from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing, shown
 from bearings.ring.motion import contact_motion
@@ -105,8 +105,10 @@ def film(
 
     Raises
     ------
-    InvalidBearing : a starvation that is 0 or less, or above 1
+    InvalidBearing : a starvation that is 0 or less, or above 1; temperatures that are not one for
+        all states, or one each
     """
+    temperature = one_each(temperature, state.outcome.shape, "temperature")
     if not 0.0 < starvation <= 1.0:
         raise InvalidBearing(f"starvation must lie above 0 up to 1, got {shown(starvation)}")
     g, grooves = state.operation.geometry, state.operation.grooves
@@ -118,7 +120,7 @@ def film(
     angle = np.nan_to_num(np.asarray(state.contact_angle))
     radius = 0.5 * g.ball_diameter * (1.0 - np.where(inner, 1, -1) * g.size_ratio * np.cos(angle))
     kappa = np.where(inner, g.inner.ellipticity, g.outer.ellipticity)
-    celsius = np.asarray(temperature, float)[..., None, None]
+    celsius = temperature[..., None, None]
     eta = lubricant.dynamic(celsius)
     speed = np.asarray(state.speed)[..., None, None]
     u = np.nan_to_num(contact_motion(state).entrainment) * speed

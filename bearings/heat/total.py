@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from bearings.arguments import checked
+from bearings.arguments import checked, one_each
 from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing, shown
 from bearings.heat.ellipse import sliding
@@ -67,8 +67,10 @@ def losses(
 
     Raises
     ------
-    InvalidBearing : an unknown model, factors that are not positive
+    InvalidBearing : an unknown model, factors that are not positive; temperatures that are not one
+        for all states, or one each
     """
+    temperature = one_each(temperature, state.outcome.shape, "temperature")
     if model not in MODELS:
         raise InvalidBearing(f"unknown model of losses {shown(model)}: {', '.join(MODELS)}")
     speed, g = np.asarray(state.speed), state.operation.geometry

@@ -118,20 +118,22 @@ def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
     """Life under a spectrum of loads, 1/Σ(q/L) along ``axis``; Palmgren and Miner.
 
     ``share`` q of every load: of REVOLUTIONS where ``life`` is in revolutions, of TIME where it is
-    in hours; they are scaled to a sum of 1.
+    in hours; they are scaled to a sum of 1. One share for each life along ``axis``, or an array
+    that broadcasts to the lives.
 
     Raises
     ------
     InvalidBearing : a share below 0, or none above; a life below 0
     """
-    lives = np.moveaxis(np.asarray(life, float), axis, -1)
-    q = np.asarray(share, float)
-    if (q < 0.0).any() or not q.sum() > 0.0:
+    lives, q = np.asarray(life, float), np.asarray(share, float)
+    q = np.moveaxis(q, axis, -1) if q.ndim == lives.ndim else q
+    q, lives = np.broadcast_arrays(q, np.moveaxis(lives, axis, -1))
+    if (q < 0.0).any() or not (q.sum(axis=-1) > 0.0).all():
         raise InvalidBearing(f"shares of a load spectrum: from 0 up, not all 0: got {shown(share)}")
     if (lives < 0.0).any():
         raise InvalidBearing(f"lives must not be negative, got {shown(life)}")
     with np.errstate(divide="ignore"):
-        return np.asarray(q.sum() / (q / lives).sum(axis=-1))
+        return np.asarray(q.sum(axis=-1) / (q / lives).sum(axis=-1))
 
 
 @checked

@@ -39,6 +39,7 @@ from rotordyn.quantity import Choice, suggestion
 D = TypeVar("D")
 LONGEST = 1000  # characters of a path
 MODELS = (Spindle, BallBearing, Tool)  # which are given whole
+NO_KEYS = ("tool", "variants")  # what paths name of a case that is no key of its file
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,7 +271,9 @@ def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field,
     if (key := called.get(change.steps[0])) is not None:
         raise change.refused(f"'{change.steps[0]}' is called '{'.'.join(key)}' here, as in files")
     inner = deeper(kind, change.steps[0])
-    _known(change, change.steps[0], [way[0] for way in ways], "key", inner)
+    named = [way[0] for way, field in ways.items() if field.keys]
+    named += [field.name for field in fields if not field.keys and field.name in NO_KEYS]
+    _known(change, change.steps[0], named, "key", inner)
     raise change.refused("leads nowhere")
 
 

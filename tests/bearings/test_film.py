@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearings import DeepGrooveBallBearing, InvalidBearing, Lubricant, Material, film
+from bearings import DeepGrooveBallBearing, InvalidBearing, Lubricant, Material, film, heat
 from bearings.geometry import geometry
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import R24_14, four_point
@@ -61,6 +61,21 @@ def test_films_of_a_state_are_those_of_its_contacts() -> None:
     assert found.least[:, 0] == pytest.approx(least, rel=1e-9)
     assert found.central[:, 0] == pytest.approx(central, rel=1e-9)
     assert (found.central > found.least).all()
+
+
+def test_temperatures_are_one_for_all_states_or_one_each() -> None:
+    one = VEX70.equilibrium(load=[600.0, 0, 0, 0, 0], speed=1e4 * RPM)
+    two = VEX70.equilibrium(load=[600.0, 0, 0, 0, 0], speed=np.array([1e4, 2e4]) * RPM)
+    for of in (film.film, heat.losses):
+        with pytest.raises(
+            InvalidBearing, match=r"temperature of shape .2,. does not fit a single"
+        ):
+            of(one, OIL, [40.0, 60.0])
+        with pytest.raises(InvalidBearing, match=r"temperature of shape .3,. does not fit a batch"):
+            of(two, OIL, [40.0, 50.0, 60.0])
+    each = film.film(two, OIL, [40.0, 60.0]).least
+    for k, celsius in enumerate((40.0, 60.0)):
+        assert (each[k] == film.film(two, OIL, celsius).least[k]).all()
 
 
 def test_stiffness_is_the_slope_of_the_load_by_the_thickness() -> None:

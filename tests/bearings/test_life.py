@@ -139,6 +139,16 @@ def test_spectra_and_sets() -> None:
     assert life.mean_life([1, 1], [2e6, 2e6]) == pytest.approx(2e6)
     assert life.mean_life([0.9, 0.1], [1e9, 1e6]) == pytest.approx(1 / (0.9e-9 + 0.1e-6))
     assert life.mean_life([1.0, 0.0], [np.inf, 1.0]) == np.inf
+    rows = np.array([[1e6, 3e6], [2e6, 2e6]])
+    for share in (1.0, 7.0, [1.0, 1.0], [[2.0, 2.0], [5.0, 5.0]], [[3.0], [4.0]]):
+        found = life.mean_life(share, rows, axis=1)
+        assert found == pytest.approx([1.5e6, 2e6])  # of equal shares, whatever their size
+    assert life.mean_life([[0.25, 0.75], [1.0, 0.0]], rows, axis=1) == pytest.approx([2e6, 2e6])
+    assert life.mean_life([0.25, 0.75], rows) == pytest.approx(
+        [1.6e6, 1 / (0.25 / 3e6 + 0.75 / 2e6)]
+    )
+    with pytest.raises(InvalidBearing, match="shares"):
+        life.mean_life([[1.0, 1.0], [0.0, 0.0]], rows, axis=1)
     assert life.set_life([1e6, 1e6]) == pytest.approx(1e6 * 2**-0.9)
     assert life.set_life([1e6, np.inf]) == pytest.approx(1e6)
 

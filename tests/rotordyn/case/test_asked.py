@@ -7,9 +7,11 @@ import math
 import pytest
 
 import rotordyn
+from rotordyn.case import asked as asked_module
 from rotordyn.case.asked import Asked, asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance, tolerance
+from rotordyn.case.usual import ASSUMED, Usual
 from rotordyn.errors import InvalidInput
 
 ANGLE = "spindle.bearings.*.model.contact_angle"
@@ -54,6 +56,16 @@ def test_travel_of_a_stop_ends_at_zero() -> None:
     ends = [_of(asked, TRAVEL).at(share)[TRAVEL] for share in (0.0, 1.0)]
     assert ends == [0.0, pytest.approx(9e-6)]
     assert asked.narrowed == (f"{TRAVEL} ± 5 um leaves what is allowed: taken from 0 to 9 um",)
+
+
+def test_what_is_usual_and_cannot_be_at_all_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whole numbers and words have no end in between."""
+    many = Usual("spindle.bearings.*.model.balls", "± 100", ASSUMED)
+    monkeypatch.setattr(asked_module, "usual_of", lambda case: [many])
+    asked = asked_of(_case())
+    assert asked.tolerances == ()
+    assert len(asked.narrowed) == 1
+    assert asked.narrowed[0].startswith("spindle.bearings.*.model.balls ± 100 is left out: ")
 
 
 def test_a_sum_that_meets_a_bound_is_allowed() -> None:

@@ -270,6 +270,11 @@ def test_a_changed_case_is_another_one_and_the_old_stays() -> None:
 
 WRONG = {
     "spindle.sleves.front": (1, "unknown key 'sleves' in 'spindle'; .*did you mean sleeves"),
+    "sleeves.front.mass": (
+        1,
+        "unknown key 'sleeves'; allowed: title, speeds, analyses, conditions, spindle, bearing, "
+        r"references, uncertain, variants, tool .did you mean spindle\.sleeves",
+    ),
     "spindel": (1, "unknown key 'spindel'; .*did you mean spindle"),
     "spindle.sleeves.frnt.mass": (1, "unknown name 'frnt' .*; allowed: front, rear .*front"),
     "spindle.points.OC2": (0.0, "unknown key 'OC2' .*did you mean Oc2"),

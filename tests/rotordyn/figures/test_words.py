@@ -129,7 +129,9 @@ def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
         axial_load=np.ones((1, 1)), bearing=("a",), ball_azimuth=azimuth[None],
         ball_inner_load=load[None, None], speed=np.zeros(1),
     )  # fmt: skip
-    axes = rose_figure(result).axes[0]
+    figure = rose_figure(result)
+    axes = figure.axes[0]
+    assert figure.texts[0].get_text().endswith("y at 0°, z at 90°, seen from +x")
     rays = {text.get_position()[0] for text in axes.texts}
     (ray,) = rays
     assert math.cos(ray - math.radians(towards)) < -0.9

@@ -28,7 +28,7 @@ LEGEND = 4.0  # mm, above the line of words
 
 
 def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
-    """A rose per bearing, seen along +x with y to the right and z up: first, middle, last speed."""
+    """A rose per bearing, seen from +x with y to the right and z up: first, middle, last speed."""
     loads = result.ball_inner_load
     return _roses(result, loads, "inner load of every ball [N]", speeds)
 
@@ -55,7 +55,7 @@ def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) ->
         axes.tick_params(labelsize=FONT_SIZE - 1.5, pad=1.0)
         axes.set_ylim(bottom=min(0.0, np.nanmin(values[picked, k], initial=0.0)))
         _name_circles(axes, result.ball_azimuth[k], values[picked, k])
-    words = f"{what}; y at 0°, z at 90°, seen along +x"
+    words = f"{what}; y at 0°, z at 90°, seen from +x"
     figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
     lines, labels = axes.get_legend_handles_labels()
     figure.legend(

@@ -98,7 +98,7 @@ def stop_figure(result: TimeResponseResult) -> Figure:
 
 
 def orbit_figure(result: TimeResponseResult) -> Figure:
-    """Path of the first points across the axis, seen along +x, in a column for each of some
+    """Path of the first points across the axis, seen from +x, in a column for each of some
     speeds."""
     picked, points = _picked(result), result.point[:POINTS]
     figure = new_figure(168.0, SIDE * len(points) + 18.0)
