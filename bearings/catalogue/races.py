@@ -14,7 +14,7 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.contact.hertz import curvature_difference, dimensionless
-from bearings.life.rating import STATIC_PRESSURE, STEEPEST_RADIAL
+from bearings.life.rating import STATIC_PRESSURE, steep
 from bearings.materials import Material
 
 if TYPE_CHECKING:
@@ -78,8 +78,8 @@ def static_rating(x: Insides, ball: Material, ring: Material) -> Array:
         unit = 1.5 / (math.pi * area * (1.5 * compliance / total) ** (2.0 / 3.0))
         loads.append((STATIC_PRESSURE / unit) ** 3)
     angle = x.contact_angle
-    steep = angle > STEEPEST_RADIAL + 1e-9
-    return np.minimum(*loads) * x.balls * (math.sin(angle) if steep else math.cos(angle) / 5.0)
+    share = math.sin(angle) if steep(angle) else math.cos(angle) / 5.0
+    return np.minimum(*loads) * x.balls * share
 
 
 def _race(x: Insides, side: float) -> tuple[Array, Array, Array]:

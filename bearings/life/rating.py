@@ -37,7 +37,12 @@ def nominal_angle(grooves: Grooves) -> float:
 
 def is_thrust(grooves: Grooves) -> bool:
     """Whether ISO 281 rates the bearing by axial load: contact angle above 45°."""
-    return nominal_angle(grooves) > STEEPEST_RADIAL + 1e-9
+    return steep(nominal_angle(grooves))
+
+
+def steep(contact_angle: float) -> bool:
+    """Whether a contact angle [rad] is beyond 45°, but for rounding."""
+    return contact_angle > STEEPEST_RADIAL + 1e-9
 
 
 def race_ratio(grooves: Grooves, front: float = RADIAL_FACTOR) -> float:
@@ -67,7 +72,7 @@ def rating(x: Any) -> Any:
 
     ``x`` has what ``radial_rating`` takes and ``pitch_diameter`` [m]; one contact angle.
     """
-    if x.contact_angle <= STEEPEST_RADIAL + 1e-9:
+    if not steep(x.contact_angle):
         return radial_rating(x)
     size = x.ball_diameter / x.pitch_diameter
     factor = _thrust_factor(x.gamma, x.inner_conformity, x.outer_conformity, size, x.contact_angle)

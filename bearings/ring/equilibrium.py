@@ -136,10 +136,8 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
     left = np.flatnonzero(reached & ~converged & ~given_up & problem.law.one_branch)
     if left.size:
         part = replace(problem.take(left), loose=True)
-        again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))[
-            :3
-        ]
-        d[left], x[:, left], converged[left] = again
+        begun = start[0][left], start[1][:, left], np.ones(left.size, dtype=bool)
+        d[left], x[:, left], converged[left], _ = followed(part, *begun)
     return d, x, converged
 
 

@@ -82,9 +82,7 @@ class Spindle(Description):
     dampers: Annotated[
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
-    cutter_diameter: Annotated[float | None, HIDDEN] = field(
-        default=None, repr=False, compare=False
-    )
+    cutter_diameter: Annotated[float | None, HIDDEN] = None
 
     def __post_init__(self) -> None:
         own: object = self.arrangement

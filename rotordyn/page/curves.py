@@ -79,9 +79,13 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
 def _edge(curves: Sequence[Curve]) -> float:
     """Upper end of an axis beyond which some values lie; infinite where it holds them all."""
     ceiling = max(curve.ceiling for curve in curves)
+    return edge_of(curves) if any((curve.y > ceiling).any() for curve in curves) else np.inf
+
+
+def edge_of(curves: Sequence[Curve]) -> float:
+    """Upper end of an axis that does not grow for what lies beyond the ceiling of its curves."""
+    ceiling = max(curve.ceiling for curve in curves)
     values = np.concatenate([curve.y for curve in curves])
-    if not (values > ceiling).any():
-        return np.inf
     return ROOM * float(np.max(values, where=values <= ceiling, initial=0.0)) or ceiling
 
 

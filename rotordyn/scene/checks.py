@@ -10,8 +10,8 @@ class Checks:
     """``wanted``: models are refined, else their errors are not known (NaN).
 
     Largest errors found so far, over what the accuracy allows, infinite where modes appear or
-    vanish: ``worst`` of models that answered, ``first`` of those that were tried first, in whose
-    place finer ones answered.
+    vanish: ``worst`` of models that answered, or of the last one before them where no finer one
+    was asked for; ``first`` of those that were tried first.
     """
 
     wanted: bool = True

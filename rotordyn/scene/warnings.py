@@ -5,6 +5,7 @@ Nothing is solved for them: they read the description and what the analyses had 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -36,12 +37,9 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     for name, ring, on, *between in released_fits(
         scene.spindle, scene.bearing_speed, scene.temperatures
     ):
-        held, speed = (f"{each * RPM.factor:.0f}" for each in between)
-        when = f"at {speed} rpm" if held == speed else f"between {held} and {speed} rpm"
         yield (
-            f"bearing {name}: the fit of its {ring} ring lets go "
-            f"{when if held != 'nan' else f'by {speed} rpm'}, from where on the ring grows without "
-            f"the {on}; raise its interference"
+            f"bearing {name}: the fit of its {ring} ring lets go {_when(*between)}, from where on "
+            f"the ring grows without the {on}; raise its interference"
         )
     yield from _yielding(scene)
     if scene.conditions.history and not scene.spindle.rubs:
@@ -59,6 +57,15 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from instability(systems, scene.speed[scene.usable])
     else:
         yield from _pushed_away(scene)
+
+
+def _when(held: float, loose: float) -> str:
+    """Where a ring lets go, from a speed at which it holds (NaN: none is known) to one at which it
+    does not [rad/s]."""
+    first, last = (f"{each * RPM.factor:.0f}" for each in (held, loose))
+    if math.isnan(held):
+        return f"by {last} rpm"
+    return f"at {last} rpm" if held == loose else f"between {first} and {last} rpm"
 
 
 def _pushed_away(scene: Scene) -> Iterator[str]:

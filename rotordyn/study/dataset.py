@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -45,7 +45,7 @@ def gathered(
     if not study.results or not good:
         return whole
     kept = {k: datasets(row) for k, row in good}
-    parts = [_apart(_stacked(design, name, kept), design, values) for name in study.results]
+    parts = [_apart(_stacked(design, name, kept), design, values.keys()) for name in study.results]
     return xr.merge([whole, *parts], combine_attrs="override", join="left")
 
 
@@ -97,15 +97,13 @@ def _named(name: str, data: xr.Dataset) -> xr.Dataset:
     return data.rename({each: f"{name}{OF_RESULTS}{each}" for each in data.variables})
 
 
-def _apart(part: xr.Dataset, design: Design, numbers: Collection[str]) -> xr.Dataset:
+def _apart(part: xr.Dataset, design: Design, numbers: Set[str]) -> xr.Dataset:
     """With the dimensions in the name of a variable that a headline number is called like."""
-    called = {name: each.dims for name, each in part.variables.items() if name in numbers}
-    ways = {
-        name: ", ".join(str(d) for d in at if d not in design.dims) for name, at in called.items()
-    }
-    return part.rename(
-        {n: f"{n} {'coordinate' if way == n else f'over {way}'}" for n, way in ways.items()}
-    )
+    called = {}
+    for name in numbers & part.variables.keys():
+        over = ", ".join(str(d) for d in part[name].dims if d not in design.dims)
+        called[name] = f"{name} coordinate" if over == name else f"{name} over {over}"
+    return part.rename(called)
 
 
 def _places(rows: Sequence[Any]) -> tuple[Any, list[list[int]]]:

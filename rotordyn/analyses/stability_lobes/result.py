@@ -126,11 +126,7 @@ class StabilityLobesResult:
     pocket_from: Array = quantity("pocket", unit="rad/s", label="speed from which 80 % of it hold")
     pocket_to: Array = quantity("pocket", unit="rad/s", label="speed to which 80 % of it hold")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
-    error: float = quantity(
-        unit="1",
-        label="change of a limit by a finer model",
-        absent=(Absence("where no finer model is asked for"),),
-    )
+    error: float = quantity(unit="1", label="change of a limit by a finer model")
     error_asked: float = quantity(unit="1", label="largest change asked for")
 
 

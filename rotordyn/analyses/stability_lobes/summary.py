@@ -171,8 +171,6 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
 
 def accuracy(result: StabilityLobesResult) -> list[str]:
     """By how much limits change with a finer model."""
-    if not np.isfinite(result.error):
-        return []
     return [
         f"limits within {rounded_up(result.error)} by modes up to {number(result.modelled, 0)} Hz"
     ]

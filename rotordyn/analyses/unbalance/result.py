@@ -31,9 +31,8 @@ class UnbalanceResult:
     by itself there, so that the steady solution given is not reached. ``fine_…``: at the speeds of
     the case and at more of them about every peak, so that the highest values are the true ones; NaN
     at a speed at which a stop closes and next to a critical speed without damping, where lines
-    break. ``peak_…``: every peak of a point,
-    ascending, NaN where it has fewer, infinite at a critical speed without damping, and
-    ``force_unbounded`` the first speed at which a force is.
+    break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer, infinite at a
+    critical speed without damping; ``force_unbounded``: the first speed at which a force is.
     ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
     ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces.
     ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for

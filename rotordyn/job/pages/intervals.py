@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.job.results import Part
 from rotordyn.job.values import named_curves, shown_of
 from rotordyn.page.blocks import Block, Chart, Control, Markup, Table, Text
-from rotordyn.page.curves import MOST_CHARTS, known_marks
+from rotordyn.page.curves import MOST_CHARTS, edge_of, known_marks
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, marks_only
 from rotordyn.report.interval import interval_doubts, interval_over, interval_ranges
 from rotordyn.results.headline import FAR, Curve
@@ -21,7 +21,6 @@ MOST, BARS = 24, 10  # numbers to choose from, sources of each
 FEW = 4  # curves of a small chart
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 GREY, OPAQUE = "#8A8A8A", 0.35
-OVER = 1.05  # of an axis that has its end, above the curves that it holds
 BAR, ROOM = 26, 130  # px of a bar, and of what surrounds them
 Lists = list[list[float]]
 
@@ -126,8 +125,7 @@ def _band_chart(of: str, part: Part, held: Interval, curves: list[tuple[Curve, i
     ordinate = logarithmic if first.log else axis
     layout = {"xaxis": axis(first.along), "yaxis": ordinate(first.label, first.unit)}
     if np.isfinite(first.ceiling):  # the axis does not grow for what lies beyond
-        every = np.concatenate([curve.within.y for curve, _ in curves])
-        layout["yaxis"]["range"] = [0.0, OVER * float(np.nanmax(every))]
+        layout["yaxis"]["range"] = [0.0, edge_of([curve for curve, _ in curves])]
     title = first.title or (f"{first.panel}: {first.label}" if first.panel else first.label)
     return Chart(f"{of}{title}", traces, layout, wide=first.log or len(curves) > FEW)
 

@@ -206,7 +206,8 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
         return hertz / scale
 
     other = axes.secondary_xaxis("top", functions=(hertz, rpm))
-    size = f"{(spec.diameter or 0.0) * MILLIMETRE.factor:.4g} mm"
+    assert spec.diameter is not None, "of the tool, where the case gives none"
+    size = f"{spec.diameter * MILLIMETRE.factor:.4g} mm"
     said = f"turning of {size}: revolutions by second [Hz]"
     if not spec.turning:
         how = "slot" if spec.milling == "slot" else f"{spec.milling} {spec.immersion:.0%}"
