@@ -16,9 +16,11 @@ from scipy.signal import find_peaks
 import rotordyn
 from rotordyn.analyses.stability_lobes import converged, limit_depth, solve, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
+from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
+from rotordyn.analyses.stability_lobes.summary import numbers
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -702,3 +704,21 @@ def test_coefficients_off_beside_process_damping_are_solved(way: str) -> None:
     np.testing.assert_allclose(band.least.values, low, rtol=1e-6)
     np.testing.assert_allclose(band.most.values, high, rtol=1e-6)
     assert band.least.values[0] < band.depth.values[0] / 1.4
+
+
+def test_coefficients_off_on_helical_edges_are_solved() -> None:
+    case = rotordyn.load("mfw2310_lobes")
+    asked = {"speeds": (900.0,), "helix": math.radians(45.0), "max_frequency": 2000.0}
+    spec = replace(case.analyses["stability_lobes"], interval=Interval(coefficients=0.4), **asked)
+    assert not Operation(spec, 1.0, 1.0).divides
+    assert Operation(replace(spec, helix=0.0), 1.0, 1.0).divides
+    turned = Operation(spec, 2.0, 3.0).times(1.4)
+    assert (turned.tangential, turned.radial) == pytest.approx((2.8, 4.2))
+
+
+def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
+    """Among headline numbers; of speeds without a solution there is none."""
+    for depth, least in (([np.inf, np.nan], np.inf), ([np.inf, 2e-3], 2.0), ([np.nan], np.nan)):
+        result = SimpleNamespace(depth=np.array(depth), pocket_depth=np.zeros(0))
+        (number,) = numbers(result, None)
+        assert number.value == pytest.approx(least, nan_ok=True)

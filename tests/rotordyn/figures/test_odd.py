@@ -377,3 +377,16 @@ def test_unbounded_peaks_have_no_surface():
         assert ("frf_surface" in names) is expected
         names = [name for name, _ in comparison_figures([(samples.case(), {"frf": each})] * 2)]
         assert ("frf_surfaces" in names) is expected
+
+
+def test_places_along_the_shaft_are_named_above_the_top_row_alone() -> None:
+    x, shown = np.arange(5.0), [Shown(name, None, (), None) for name in ("a", "bb")]
+
+    def curves(_: Shown) -> list[Curve]:
+        labels = ("N", "Ty", "Tz", "Mt", "My", "Mz")
+        look = {"places": ((1.0, "front"), (3.0, "rear"))}
+        return [Curve("forces", label, "N", x, x, **look) for label in labels]
+
+    panels = overlay_figure("forces", curves, shown, None).axes
+    named = [{text.get_text() for text in axes.texts} >= {"front", "rear"} for axes in panels]
+    assert named == [True] * 3 + [False] * 3

@@ -21,9 +21,10 @@ from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve
-from rotordyn.job.values import values_of
+from rotordyn.job.values import difference, values_of
 from rotordyn.report.interval import FAR, interval_doubts, interval_lines
 from rotordyn.results.declaration import quantity
+from rotordyn.results.headline import Curve
 from rotordyn.scene.checks import Checks
 from rotordyn.study import interval, quantiles
 from rotordyn.study.interval import sampled
@@ -113,20 +114,17 @@ def test_bands_of_curves_end_where_those_of_numbers_do() -> None:
     assert (inside[:, 1] >= held.curve_nominal[points]).all()
 
 
-@pytest.mark.long
-def test_bands_of_stable_depths_are_ratios() -> None:
-    """Depths of turning go with one over the cutting coefficient: its range turned around."""
-    whole = rotordyn.load("deep_groove_turning")
-    asked = {"speeds": tuple(np.linspace(200.0, 300.0, 5)), "process_damping": 0.0}
-    spec = replace(whole.analyses["stability_lobes"], **asked)
-    path = "analyses.stability_lobes.turning.force"
-    given = Uncertain(tolerances={path: "± 60 %"})
-    case = replace(whole, variants={}, analyses={"stability_lobes": spec}, uncertain=given)
-    held = rotordyn.run(case, interval=True).held_intervals[""]
-    depth = held.curve_nominal[:, None]
-    share = held.curve_tolerances / depth
-    np.testing.assert_allclose(share, np.broadcast_to([1 / 1.57, 1 / 0.43], (5, 2)), rtol=0.02)
-    assert np.ptp(share, axis=0) == pytest.approx([0.0, 0.0], abs=1e-6)
+def test_depths_without_end_differ_by_ratios_and_are_never_below_zero() -> None:
+    """Others by what lies between them; where there is no limit there is no ratio."""
+    x, ends = np.arange(3.0), {"ceiling": 10.0}
+    depth, deeper = np.array([2.0, 4.0, np.inf]), np.array([3.0, 1.0, 5.0])
+    base, other = (Curve("lobes", "depth", "mm", x, y, **ends) for y in (depth, deeper))
+    ratios = difference(base, other, base)
+    np.testing.assert_allclose(ratios, [math.log(1.5), math.log(0.25), np.nan])
+    plain = [each._replace(ceiling=np.inf) for each in (base, other)]
+    np.testing.assert_allclose(difference(plain[0], plain[1], plain[0])[:2], [1.0, -3.0])
+    moved = interval._moved(depth, np.full(3, base.by_ratio), np.full((3, 2), [-9.0, 0.5]))
+    assert (moved[:2] > 0.0).all()
 
 
 def test_rounding_does_not_order_twins() -> None:

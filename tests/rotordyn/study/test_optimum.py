@@ -20,11 +20,11 @@ from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
 from rotordyn.results.headline import Number
 from rotordyn.study.neighbours import Neighbours
-from rotordyn.study.optimum import criterion, trials
+from rotordyn.study.optimum import criterion, search, trials
 from rotordyn.study.optimum.criterion import Criterion, Reading, _alike, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
-from rotordyn.study.optimum.solve import UNSETTLED, Optimum
+from rotordyn.study.optimum.solve import UNSETTLED, Optimum, problem_of
 from rotordyn.study.optimum.summary import summary
 from rotordyn.study.parameter import parameters
 
@@ -269,6 +269,23 @@ def test_a_goal_without_bound_leaves_the_best_on_the_front(
     goals = [Goal(lowest="preload.spring_force"), Goal(lowest="preload: sum")]
     found = optimise(case, {SPRING: Span("1 kN", "2 kN")}, goals, trials=20, workers=1)
     assert found.front == (found.best,)
+
+
+def test_a_local_search_goes_where_a_goal_has_no_bound(
+    case: Case, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Largest towards the end of the span, and without bound beyond 0.9 of it."""
+
+    def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
+        return Trial(place, goals=(place[0] if place[0] < 0.9 else math.inf,), units=("N",))
+
+    monkeypatch.setattr(trials, "solve_trial", tried)
+    problem = problem_of(case, {SPRING: Span("1 kN", "2 kN")}, [Goal(highest="preload: sum")])
+    made = trials.Trials(problem, 20, 1, None, lambda *_: None)
+    begin = made.at([problem.place(np.array([0.85]))])[0]
+    search.local(problem, made, lambda t: -t.goals[0], begin, 12)
+    last = [each.number[0] for each in made.made.values()][-4:]
+    assert min(last) >= 0.9
 
 
 @pytest.mark.parametrize(
