@@ -162,11 +162,11 @@ def _root(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AxialRunUp:
-    """A machine run up from rest through ``speed`` [rad/s], under the static ``force`` [N].
+    """A machine run up from rest through ``speed`` [rad/s], then under the static ``force`` [N].
 
     ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
-    preloads alone, ``standstill`` under that force and at the temperatures, too; ``idle`` (speeds,
-    bodies): at every speed after the run-up [m]; ``at``: the machine at each of them.
+    preloads alone, ``standstill`` at the temperatures and under that force, too; ``idle`` (speeds,
+    bodies): under it at every speed of the run-up [m]; ``at``: the machine at each of them.
     """
 
     bodies: tuple[str, ...]
@@ -231,11 +231,13 @@ def axial_run_up(
     temperatures: Temperatures | None = None,
     curves: BearingCurves | None = None,
     films: Films | None = None,
+    weight: float = 0.0,
 ) -> AxialRunUp:
     """``spindle`` run up through ``speed`` [rad/s], in this order.
 
-    ``force``: static one on the shaft [N]; ``curves``: those solved for machines before; ``films``
-    on which balls ride at speed.
+    ``force``: static one on the shaft [N], of which the ``weight`` acts from assembly on, the rest
+    from when a speed is reached, as without a ``history`` of the conditions; ``curves``: those
+    solved for machines before; ``films`` on which balls ride at speed.
 
     Raises
     ------
@@ -243,18 +245,23 @@ def axial_run_up(
     """
     curves = curves or BearingCurves()
     joined = arrangement(spindle, speed, force, law, temperatures, films)
-    warm = arrangement(spindle, np.zeros(1), force, law, temperatures)
+    at_rest = [temperatures] if weight == 0.0 or temperatures is None else [None, temperatures]
+    still = [arrangement(spindle, np.zeros(1), force, law, each) for each in at_rest]
     mounted = _mounted(as_mounted(joined), curves)
     at = [
         _at_speed(spindle, each, of_bearings, row, mounted)
-        for each in (warm, joined)
+        for each in (*still, joined)
         for row, of_bearings in enumerate(curves.of(each))
     ]
-    states = [mounted]
-    for one in at:
-        states.append(one.solved(np.array([force]), states[-1])[0])
-    idle = np.array(states[2:]).reshape(-1, len(mounted))
-    return AxialRunUp(joined.bodies, speed, force, mounted, states[1], idle, tuple(at[1:]))
+    passed = mounted
+    reached = [passed := one.solved(np.array([weight]), passed)[0] for one in at]
+    if force != weight:
+        pairs = zip(at, reached, strict=True)
+        reached = [one.solved(np.array([force]), state)[0] for one, state in pairs]
+    run_up = len(still)
+    idle = np.array(reached[run_up:]).reshape(-1, len(mounted))
+    standstill = reached[run_up - 1]
+    return AxialRunUp(joined.bodies, speed, force, mounted, standstill, idle, tuple(at[run_up:]))
 
 
 def _mounted(resting: Arrangement, known: BearingCurves) -> Array:

@@ -25,25 +25,43 @@ MACHINES = {
 }
 
 
-@pytest.mark.few(2)
+CONDITIONS = {
+    "free": {},
+    "under a force": {"conditions.axial_force": -400.0},
+    "upright, warm, under a force": {
+        "conditions.gravity": "-x",
+        "conditions.axial_force": 900.0,
+        "conditions.temperatures.housing": 30.0,
+        "conditions.temperatures.shaft": 36.0,
+    },
+}
+
+
+@pytest.mark.few(4)
+@pytest.mark.parametrize("under", CONDITIONS)
 @pytest.mark.parametrize("name", MACHINES)
-def test_same_path_as_event_by_event(name: str) -> None:
-    case = rotordyn.vary(rotordyn.load("mfw2310"), MACHINES[name])
+def test_same_path_as_event_by_event(name: str, under: str) -> None:
+    case = rotordyn.vary(rotordyn.load("mfw2310"), MACHINES[name] | CONDITIONS[under])
     speed = np.array([4000.0, 20000.0]) * RPM
     scene = Scene(case.spindle, case.conditions, speed)
     path = history(scene.preload, 1900.0)
     force = np.linspace(-1800.0, 1500.0, 7)
-    found = axial_run_up(scene.grounded, scene.law, speed)
+    temperatures, weight = case.conditions.temperatures, scene.past.weight
+    found = axial_run_up(
+        scene.grounded, scene.law, speed, scene.axial_force, temperatures, weight=weight
+    )
     rest = path.run_up()
     for row, start in enumerate(rest):
         assert not isinstance(start, str)
+        from_mounted = found.standstill - found.mounted
+        assert start.x == pytest.approx(found.shift[row] + from_mounted, abs=2e-9)
         *_, top = path.loaded(row, start, [force[-1], force[0], force[-1]])
         falling = path.loaded(row, top, force[-2::-1].tolist(), path.under(row, force[-1]))
         rising = path.loaded(row, falling[-1], force[1:].tolist(), path.under(row, force[0]))
         branches = found.cycle(row, force[::-1], force)
         for states, shifts in zip(([top, *falling], [falling[-1], *rising]), branches, strict=True):
             positions = np.array([state.x for state in states])
-            assert positions == pytest.approx(shifts, abs=2e-9)  # 2 nm of up to 100 µm
+            assert positions == pytest.approx(shifts + from_mounted, abs=2e-9)  # of up to 100 µm
 
 
 def test_weight_shifts_what_is_rest() -> None:

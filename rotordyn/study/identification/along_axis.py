@@ -94,9 +94,10 @@ class AxialCurve(Axial):
     """Displacement of ``of`` ("shaft" or a sleeve) under an axial force that falls and rises.
 
     ``speed`` [rad/s], ``branch``, ``force`` [N] (besides that of the case) and ``displacement`` [m]
-    towards +x, from where the body stands at rest, all (n,), in the order in which they were
-    measured. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of what is
-    added evenly along the curve of each speed; infinite where nothing is known, 0 for none.
+    towards +x, from where the body stands at rest under the forces of the case, all (n,), in the
+    order in which they were measured. ``tare`` [m]: standard deviation of an offset of each speed;
+    ``drift`` [m]: of what is added evenly along the curve of each speed; infinite where nothing is
+    known, 0 for none.
     ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): of the
     way in time through the curve of its speed, from 0 to 1, by default in even steps. ``places``
     (n,), where known: file and line of each point, which faults name. Speeds within 1 % (1 rpm

@@ -91,6 +91,7 @@ class Trial:
             self.case.conditions.temperatures,
             self.known.curves,
             scene.preload.films if oiled is not None else None,
+            scene.past.weight,
         )
 
 
