@@ -84,7 +84,7 @@ def _source(path: str) -> str:
 def interval_doubts(held: Interval) -> Iterator[str]:
     """What these ranges do not hold, a sentence each below a word."""
     lacking = np.flatnonzero(held.without + held.without_within)
-    unmet = "a stop that is not met, a bearing that is unloaded"
+    unmet = "a stop not met, a bearing unloaded, no critical speed up to the top speed"
     if np.isin(lacking, _shown(held)).any():
         yield f"{NONE}          some of these machines have no such number: {unmet}"
     elif lacking.size:

@@ -23,7 +23,7 @@ ANALYSIS = in_folder(
     pictures=Code(__name__, "in_space:InSpace"),
     costs={"mode_shapes": 8},
     tables=LAYOUTS,
-    heading="bending modes, backward/forward",
+    heading="bending modes, critical speeds, backward/forward",
     title="Campbell diagram",
     lean=lambda spec: replace(spec, shapes=False, shapes_3d=None),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from itertools import zip_longest
 
@@ -18,6 +19,7 @@ from rotordyn.results.frames import turning
 from rotordyn.results.headline import Number
 from rotordyn.results.text import from_to, unbroken
 
+WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 _TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
@@ -40,13 +42,9 @@ def summary(result: CampbellResult) -> list[str]:
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries)), *_overdamped(result)]
     if len(result.speed) == 1:
         return lines
-    ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
-    every = exciting(ratios, result.engine_order.tolist())
-    several = len({line.rotor for line in every}) > 1
-    for line in every:
-        known = _criticals(result, line)
-        of = f" of {line.rotor}" if several else ""
-        name, leaves = f"{line.name}{of}", 60.0 * result.max_frequency / line.size
+    for name, line in _lines(result):
+        known = _margins(result, line)
+        leaves = 60.0 * result.max_frequency / line.size
         beyond = (
             f"; {name} leaves the band at {number(leaves, 0)} rpm" if leaves < speeds[-1] else ""
         )
@@ -72,24 +70,39 @@ def _overdamped(result: CampbellResult) -> list[str]:
     return [f"           overdamped, with a damping ratio above {OVERDAMPED:g}: {'; '.join(words)}"]
 
 
-def _criticals(result: CampbellResult, line: Line) -> list[str]:
-    """Critical speeds on a line that something which turns excites."""
+def _lines(result: CampbellResult) -> Iterator[tuple[str, Line]]:
+    """Lines that something which turns excites, and what they are called."""
+    ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
+    every = exciting(ratios, result.engine_order.tolist())
+    several = len({line.rotor for line in every}) > 1
+    for line in every:
+        yield f"{line.name} of {line.rotor}" if several else line.name, line
+
+
+def _criticals(result: CampbellResult, line: Line) -> Iterator[tuple[str, str, float]]:
+    """Mode, whirl and speed [rad/s] of the critical speeds that are excited on a line."""
+    for name, whirl, speed, rotor, order, excited in zip(
+        result.critical,
+        result.critical_whirl,
+        result.critical_speed.tolist(),
+        result.critical_rotor,
+        result.critical_order,
+        result.critical_excited,
+        strict=True,
+    ):
+        if (rotor, order) == (line.rotor, line.order) and excited and result.speed[-1] > 0.0:
+            yield name, whirl, speed
+
+
+def _margins(result: CampbellResult, line: Line) -> list[str]:
+    """Critical speeds on a line in words."""
     last = result.speed[-1]
     return [
         unbroken(
             f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
             f"({(speed / last - 1.0) * 100.0:+.0f} %)"
         )
-        for name, whirl, speed, rotor, order, excited in zip(
-            result.critical,
-            result.critical_whirl,
-            result.critical_speed,
-            result.critical_rotor,
-            result.critical_order,
-            result.critical_excited,
-            strict=True,
-        )
-        if (rotor, order) == (line.rotor, line.order) and excited and last > 0.0
+        for name, whirl, speed in _criticals(result, line)
     ]
 
 
@@ -128,7 +141,21 @@ def accuracy(result: CampbellResult) -> list[str]:
 
 
 def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
-    """Of the lowest bending modes both whirls."""
+    """Of the lowest bending modes both whirls; critical speeds, of every line."""
+    yield from _lowest_bending(result)
+    if len(result.speed) == 1:
+        return
+    for line_name, line in _lines(result):
+        count: Counter[str] = Counter()
+        for mode, _, speed in _criticals(result, line):
+            count[mode] += 1
+            *name, way = mode.rsplit(" ", 1) if mode.endswith(WAYS) else (mode, "")
+            again = f" ({count[mode]})" if count[mode] > 1 else ""
+            words = f"critical {line_name} {name[0]}{again}"
+            yield Number(words, "rpm", speed * RPM.factor, way, digits=0)
+
+
+def _lowest_bending(result: CampbellResult) -> Iterator[Number]:
     at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
     speeds = (result.speed[[0, -1]] * RPM.factor).tolist()
     for k in range(min(MODES, max(map(len, at)))):
@@ -160,9 +187,8 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
         return [[("", *values[k])] for k in order]
-    ways = ("backward", "forward")
     return [
-        [(way, *one) for way, one in zip(ways, pair, strict=True) if one is not None]
+        [(way, *one) for way, one in zip(WAYS, pair, strict=True) if one is not None]
         for pair in zip_longest(backward, forward)
     ]
 

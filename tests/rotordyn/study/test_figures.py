@@ -57,7 +57,7 @@ def test_numbers_that_are_alike_have_one_panel_and_one_axis() -> None:
     made = {name: draw() for name, draw in figures(study, rows)}
     panels = made["study_campbell"].axes
     assert len(panels) == 9
-    heading = "bending modes, backward/forward: the 9 of 11 numbers that vary most"
+    heading = "bending modes, critical speeds, backward/forward: the 9 of 11 numbers that vary most"
     assert heading in [text.get_text() for text in made["study_campbell"].texts]
     rows = {k: Outcome(k, dict([*row.numbers.items()][:4])) for k, row in rows.items()}
     made = {name: draw() for name, draw in figures(study, rows)}

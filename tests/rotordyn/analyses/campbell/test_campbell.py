@@ -278,5 +278,39 @@ def test_modal_damping_belongs_to_the_free_modes_in_order() -> None:
     )
 
 
+def test_critical_speeds_are_numbers_by_line_mode_and_whirl() -> None:
+    found = diagram(overhung(), np.arange(0, 30001, 3000), 2000.0, engine_orders=(1.0, 3.0))
+    names = {each.words: each.value for each in summary.numbers(found, case())}
+    critical = {name: value for name, value in names.items() if name.startswith("critical")}
+    excited = np.flatnonzero(found.critical_excited)
+    expected = {
+        f"critical {found.critical_order[k]:g}× {found.critical[k]}": found.critical_speed[k] / RPM
+        for k in excited
+    }
+    assert critical == pytest.approx(expected)
+    assert "critical 3× bending 1 backward" in critical  # whirls that the 1× line does not excite
+    assert "critical 1× bending 1 backward" not in critical
+    rpm = critical["critical 3× bending 1 backward"]
+    again = diagram(overhung(), [rpm], 2000.0)
+    there = again.frequency[0, again.mode.index("bending 1 backward")]
+    assert there == pytest.approx(3.0 * rpm / 60.0, rel=1e-7)
+
+
+def test_a_mode_that_crosses_a_line_twice_has_two_numbers() -> None:
+    found = diagram(overhung(), [0, 30000], 2000.0)
+    twice = replace(
+        found,
+        critical=("axial 1",) * 2,
+        critical_whirl=("planar",) * 2,
+        critical_speed=np.array([1000.0, 2000.0]) * RPM,
+        critical_rotor=("spindle",) * 2,
+        critical_order=np.ones(2),
+        critical_excited=np.ones(2, dtype=bool),
+    )
+    numbers = [each for each in summary.numbers(twice, case()) if each.unit == "rpm"]
+    assert [each.words for each in numbers] == ["critical 1× axial 1", "critical 1× axial 1 (2)"]
+    assert [each.value for each in numbers] == pytest.approx([1000.0, 2000.0])
+
+
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
     assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []
