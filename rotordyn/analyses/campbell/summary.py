@@ -147,7 +147,7 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
         return
     for line_name, line in _lines(result):
         count: Counter[str] = Counter()
-        for mode, _, speed in _criticals(result, line):
+        for mode, _turning, speed in _criticals(result, line):
             count[mode] += 1
             *name, way = mode.rsplit(" ", 1) if mode.endswith(WAYS) else (mode, "")
             again = f" ({count[mode]})" if count[mode] > 1 else ""
