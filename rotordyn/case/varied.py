@@ -144,8 +144,11 @@ def _varied(path: str, row: Sequence[Leaf]) -> Varied:
 
 
 def usual_unit(quantity: Quantity, values: Sequence[float]) -> str:
-    """A usual unit in which the largest value is between 1 and 1000, if there is one."""
+    """A usual unit in which the largest value is between 1 and 1000, if there is one; rpm of a
+    speed, whatever its size."""
     units = KINDS[quantity.kind]
+    if quantity.kind == "speed":
+        return units[0]
     top = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
     fits = (u for u in units if 1.0 <= top / (parse_unit(u).scale if u else 1.0) < 1000.0)
     return next(fits, units[0])

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, kind_of
 from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, in_order
@@ -32,6 +33,8 @@ def summary(
 ) -> str:
     """The summary; ``warnings`` come first, ``notes`` below the title."""
     lines = _machine(case.spindle) if case.spindle else []
+    if case.bearing is not None:
+        lines.append(_single(case.bearing))
     names = in_order(results)
     if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
         lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
@@ -53,6 +56,15 @@ def _machine(spindle: Spindle) -> list[str]:
         lines[-1] += f"; balls of {_balls(spindle)}"
     lines += [_sleeve(sleeve) for sleeve in spindle.sleeves]
     return lines if spindle.drawbar is None else [*lines, _drawbar(spindle.drawbar)]
+
+
+def _single(bearing: BallBearing) -> str:
+    kind = kind_of(bearing).replace("_", " ")
+    balls = f"{bearing.balls} balls of {bearing.ball_material.name}"
+    size = f"{bearing.ball_diameter * 1e3:.6g} mm on {bearing.pitch_diameter * 1e3:.6g} mm"
+    angle = f"free contact angle {math.degrees(bearing.free_angle):.3g}°"
+    estimated = " (estimate)" if bearing.estimated else ""
+    return f"bearing    {kind}{estimated}: {balls}, {size}, {angle}"
 
 
 def _which(seat: BearingSeat) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
+from bearings.bearing import BallBearing
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -18,6 +19,8 @@ class Described(Protocol):
     def title(self) -> str: ...
     @property
     def spindle(self) -> Spindle | None: ...
+    @property
+    def bearing(self) -> BallBearing | None: ...
     @property
     def conditions(self) -> Any: ...
     @property

@@ -112,6 +112,6 @@ def _number(value: float, annotation: Any) -> str:
         return "infinite"
     if quantity is None:
         return f"{value:.6g}"
-    unit = RPM.unit if quantity.kind == "speed" else usual_unit(quantity, [value])
+    unit = usual_unit(quantity, [value])
     scale = parse_unit(unit).scale if unit else 1.0
     return f"{value / scale:.6g} {unit}".rstrip()

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import csv
+import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.case.varied import varied
+from rotordyn.case.varied import usual_unit, varied
 from rotordyn.job.side_by_side import scale_of, write_comparison
+from rotordyn.quantity import Quantity
 from rotordyn.results.headline import Number, cells, changes
 
 
@@ -25,6 +27,13 @@ def test_what_differs_has_its_path_and_a_usual_unit() -> None:
     assert stiffness.numeric
     assert travel.path == "spindle.sleeves.front.stop_travel"
     assert not travel.numeric, "none is no number"
+
+
+def test_speeds_stand_in_rpm_whatever_their_size() -> None:
+    quantity = Quantity("speed")
+    assert {usual_unit(quantity, [rpm * math.pi / 30.0]) for rpm in (0.1, 30.0, 8000.0, 3e5)} == {
+        "rpm"
+    }
 
 
 def test_the_path_is_that_of_vary() -> None:

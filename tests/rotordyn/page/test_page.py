@@ -14,6 +14,7 @@ from dataclasses import replace
 from html import unescape
 from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,11 +24,13 @@ from docs.site.runs import case_run
 from rotordyn import cli
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.job.pages import intervals
 from rotordyn.job.pages.asked import numbers_table
 from rotordyn.job.pages.inputs import input_blocks
 from rotordyn.job.pages.machine import machine_blocks
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.results.display import RPM
+from rotordyn.results.headline import FAR, Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
 from tests.few_speeds import at_few_speeds
 from tests.rotordyn.page.conftest import array, evil, held
@@ -352,6 +355,28 @@ def test_intervals_stand_on_the_page(tmp_path: Path) -> None:
         assert not np.ptp(ends, axis=1).any() or any(
             len(y) == len(around) and np.allclose(y, around, rtol=1e-6) for y in drawn
         )
+
+
+def test_bands_of_depths_end_where_their_axis_does() -> None:
+    """Bands far above the axis do not make it grow."""
+    x, y = np.array([1.0, 2.0, 3.0, 4.0]), np.array([2.0, 9.0, np.nan, 3.0])
+    curve = Curve("lobes", "depth", "mm", x, y, ceiling=10.0)
+    ends = np.stack([0.9 * y, 60.0 * y], axis=1)
+    sure = SimpleNamespace(
+        x=x,
+        curve_nominal=y,
+        curve_hypotheses=np.stack([y, y], axis=1),
+        curve_tolerances=ends,
+        rows_of=lambda which: slice(None),
+    )
+    part = SimpleNamespace(case=rotordyn.load("mfw2310"))
+    chart = intervals._band_chart("", part, sure, [(curve, 0)])
+    low, high = chart.layout["yaxis"]["range"]
+    assert low == 0.0
+    assert 9.0 < high < 12.0
+    band = chart.traces[0]
+    assert band["name"] == OVER_TOLERANCES
+    assert np.nanmax(band["y"]) == FAR * curve.ceiling
 
 
 def test_the_command_writes_the_page_beside_the_results(

@@ -96,6 +96,15 @@ def test_the_material_of_balls_is_named():
     assert "balls of silicon nitride in a, b, d, bearing steel in c" in said
 
 
+def test_a_single_bearing_is_described():
+    bearing = load(CASES / "vex70.yaml")
+    words = summary(bearing, {}).splitlines()[-2:]
+    assert " ".join(" ".join(words).split()).endswith(
+        "bearing angular contact: 25 balls of silicon nitride, 9.525 mm on 90 mm, free contact "
+        "angle 25°"
+    )
+
+
 def test_the_reference_of_keys_names_default_materials():
     field = next(f for f in keys_of(AngularContactBallBearing) if f.name == "ball_material")
     assert default(field) == "`silicon_nitride`"
