@@ -454,6 +454,16 @@ def test_preload_sum_is_what_the_sleeves_carry():
     assert "measured rear sleeve" in _labels(axes[2])
 
 
+def test_a_stop_bears_from_the_speed_on_at_which_it_closes():
+    result = samples.preload(5)  # without force up to 18 000 rpm, the fourth of five speeds
+    for closes, ahead in ((0.75, False), (0.875, True)):
+        met = replace(result, stop_speed=result.stop_speed / 0.75 * closes)
+        forces = preload_figure(met, samples.spindle()).axes[3]
+        line = next(one for one in forces.lines if one.get_label().endswith(", stop"))
+        assert len(line.get_xdata()) == 5 + ahead
+        assert np.interp(closes * 24000.0, *line.get_data()) == 0.0
+
+
 def test_peak_bins_keep_the_peak_and_fill_gaps():
     coordinate, values = np.array([0.0, 1.0, 2.0, 10.0]), np.array([[1.0, 5.0, 2.0, 10.0]])
     found = peak_bins(values, coordinate, np.array([0.0, 3.0, 5.0, 9.0, 11.0]))

@@ -93,8 +93,17 @@ def _forces(axes: Axes, result: PreloadResult) -> None:
                 rpm, result.friction_force[:, place], ls=":", label=f"{name}, friction", **look
             )
         if np.isfinite(result.stop_speed[place]):
-            axes.plot(rpm, result.stop_force[:, place], ls="--", label=f"{name}, stop", **look)
-            axes.axvline(result.stop_speed[place] * RPM.factor, **STOP)
+            closes = float(result.stop_speed[place] * RPM.factor)
+            line = from_closing(rpm, result.stop_force[:, place], closes)
+            axes.plot(*line, ls="--", label=f"{name}, stop", **look)
+            axes.axvline(closes, **STOP)
+
+
+def from_closing(rpm: Array, force: Array, closes: float) -> tuple[Array, Array]:
+    """Speeds and forces of a stop with the speed at which it ``closes``, from which on it bears."""
+    k = int(np.searchsorted(rpm, closes))
+    between = 0 < k < len(rpm) and rpm[k] > closes and force[k - 1] == 0.0
+    return (np.insert(rpm, k, closes), np.insert(force, k, 0.0)) if between else (rpm, force)
 
 
 def _inner_outer(
