@@ -58,18 +58,27 @@ class Mounting:
 class Heated:
     """A bearing at the temperatures it reaches, of leading shape (…).
 
-    ``growth`` [m]: by heat, of inner against outer groove; ``state``: under the load it then has;
-    where ``temperatures.outcome`` is not empty they are those of the last iteration.
+    ``growth``, ``axial`` [m]: by heat, of inner against outer groove, on the radius and along the
+    axis; ``state``: under the load it then has, its displacement that of the inner groove with
+    ``axial``; where ``temperatures.outcome`` is not empty they are those of the last iteration.
     """
 
     temperatures: Temperatures
     growth: Array
+    axial: Array
     state: BearingState
 
     @property
     def outcome(self) -> Words:
         """Empty where temperatures reach a balance, else why they do not (…)."""
         return self.temperatures.outcome
+
+    @property
+    def displacement(self) -> Array:
+        """Of the inner ring itself (…, 5) [m, rad]."""
+        moved = self.state.displacement.copy()
+        moved[..., 0] -= self.axial
+        return moved
 
     @property
     def axial_load(self) -> Array:
@@ -96,13 +105,12 @@ def heated(
 
     def heat(temperature: Array) -> Array:
         nonlocal last
-        growth = mounting.static_growth + thermal_growth(bearing, temperature)
-        last = hold(omega, growth, last)
+        last = hold(omega, *thermal_growth(bearing, temperature), last)
         return parts(_lost(last, mounting, temperature[..., 0]))
 
     reached = balanced(heat, mounting.conductances, mounting.surroundings, omega.shape)
-    growth = thermal_growth(bearing, np.stack(reached[:3], axis=-1))
-    return Heated(reached, growth, hold(omega, mounting.static_growth + growth, None))
+    growth, axial = thermal_growth(bearing, np.stack(reached[:3], axis=-1))
+    return Heated(reached, growth, axial, hold(omega, growth, axial, None))
 
 
 def speed_limit(
@@ -145,16 +153,24 @@ def speed_limit(
 
 
 def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
-    """The state of the mounted bearing as a function of speed [rad/s] and growth [m]."""
+    """The state of the mounted bearing as a function of speed [rad/s] and of growth and axial shift
+    by heat [m]."""
     load = np.zeros((*force.shape, 5))
     load[..., 0] = force
     common: dict[str, Any] = {**asdict(mounting.law), "static_growth": mounting.static_growth}
     rest = bearing.equilibrium(load=load, **common)
     place = np.where((rest.outcome == "")[..., None], rest.displacement, 0.0)
-    asked = {"displacement": place} if mounting.rigid else {"load": load}
+    along = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
 
-    def state(speed: Array, growth: Array, near: BearingState | None) -> BearingState:
-        return bearing.equilibrium(**asked, speed=speed, growth=growth, start=near, **common)
+    def state(speed: Array, growth: Array, axial: Array, near: BearingState | None) -> BearingState:
+        moved = {"displacement": place + axial[..., None] * along}
+        return bearing.equilibrium(
+            **(moved if mounting.rigid else {"load": load}),
+            speed=speed,
+            growth=mounting.static_growth + growth,
+            start=near,
+            **common,
+        )
 
     return state
 

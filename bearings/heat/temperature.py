@@ -7,6 +7,7 @@ heat: the balance is iterated, and where none is reached the bearing runs away.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -181,15 +182,33 @@ def parts(lost: Losses) -> Array:
 
 
 @checked
-def thermal_growth(bearing: BallBearing, temperature: Array) -> Array:
-    """Growth (…) of the inner against the outer groove, on the radius [m], of rings that expand
-    freely at ``temperature`` (…, 3) of balls, inner and outer ring [°C].
+def thermal_growth(bearing: BallBearing, temperature: Array) -> tuple[Array, Array]:
+    """Growth of the inner against the outer groove, on the radius, and its shift the way that loads
+    the bearing, both (…) [m], of rings that expand freely at ``temperature`` (…, 3) of balls, inner
+    and outer ring [°C].
 
-    Δu = ½ α ((Ti − To) dm − D cos α0 (Ti + To)) + αb D cos α0 Tb of rises above 20 °C, exact to
-    first order: a bearing of one material that warms evenly keeps its angle.
+    Of rises above 20 °C, exact to first order: a bearing of one material that warms evenly keeps
+    its angle and its load.
     """
     balls, inner, outer = np.moveaxis(np.asarray(temperature, float), -1, 0) - REFERENCE
-    ball = bearing.ball_diameter * np.cos(bearing.free_angle)
-    rings = 0.5 * bearing.ring_material.thermal_expansion
-    rings = rings * ((inner - outer) * bearing.pitch_diameter - ball * (inner + outer))
-    return np.asarray(rings + bearing.ball_material.thermal_expansion * ball * balls)
+    races = inner * bearing.inner_raceway_radius - outer * bearing.outer_raceway_radius
+    radial, axial = swollen(bearing, balls, inner, outer)
+    return bearing.ring_material.thermal_expansion * races + radial, axial
+
+
+def swollen(bearing: BallBearing, balls: Array, inner: Array, outer: Array) -> tuple[Array, Array]:
+    """What balls that swell add to the radial growth of the races, and to the axial shift [m].
+
+    ``balls``, ``inner``, ``outer``: rises of temperature [K]. Between contacts at the free angle α0
+    balls grow by D αb Tb, the parts of the rings beside them by ½ D α (Ti + To): the groove centres
+    come closer by the difference e along the contact line, hence by e sin α0 along the axis. A
+    bearing that is loaded either way has no such side: there a radius of e/cos α0 takes as much
+    play.
+    """
+    sine, cosine = math.sin(bearing.free_angle), math.cos(bearing.free_angle)
+    grown = bearing.ball_diameter * bearing.ball_material.thermal_expansion * balls
+    beside = 0.5 * bearing.ball_diameter * bearing.ring_material.thermal_expansion
+    closer = grown - beside * (inner + outer)
+    if bearing.both_ways:
+        return grown * cosine + closer * sine**2 / cosine, 0.0 * closer
+    return grown * cosine, closer * sine

@@ -15,7 +15,7 @@ from bearings.bearing import BallBearing
 from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.preload.growth import ring_growth, static_growth
+from rotordyn.preload.growth import ring_growth, static_growth, thermal_shift
 from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
@@ -31,7 +31,7 @@ class AxialBearing:
     ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
     what is assumed of its balls, at every speed or at each; ``thrust`` ±1;
     ``outer``: body of the outer ring; ``static_growth``, ``growth`` and ``shortening`` of the
-    shaft there (speeds,) [m], what films seem to add included.
+    shaft there (speeds,) [m], what films and warm balls seem to add included.
     """
 
     seats: tuple[int, ...]
@@ -133,6 +133,7 @@ def arrangement(
     bearings: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
+        swollen = thermal_shift(seat, speed, temperatures)
         bearing = AxialBearing(
             seats=(k,),
             model=spindle.mounted(seat),
@@ -141,7 +142,7 @@ def arrangement(
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=np.full(len(speed), static_growth(spindle, seat)),
             growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
-            shortening=shifts[:, k] + seat.thrust * along[:, k],
+            shortening=shifts[:, k] + seat.thrust * (along[:, k] + swollen),
         )
         same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if same is None:

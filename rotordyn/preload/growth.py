@@ -3,7 +3,8 @@
 Δu is the growth of the inner groove centre against the outer one. Fitted rings are compound thick
 cylinders in plane stress, the inner ring with the shaft, the outer one with its housing; each ring
 reaches to the contact of the balls with its race, whose growth moves the groove centre. Balls that
-warm up and expand act as further growth (theory: rings).
+warm up and expand act as further growth and move the groove centres together along the axis
+(theory: rings).
 """
 
 from __future__ import annotations
@@ -62,20 +63,38 @@ def ring_growth(
     return grown
 
 
+def thermal_shift(
+    seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
+) -> Array:
+    """Shift of the inner groove the way that loads the bearing, by balls that swell more than the
+    rings beside them (speeds,) [m]."""
+    return _swollen(seat, speed, temperatures)[1]
+
+
+def _swollen(
+    seat: BearingSeat, speed: Array, temperatures: Temperatures | None
+) -> tuple[Array, Array]:
+    """What balls that swell add to growth and shift (speeds,) [m]."""
+    if temperatures is None:
+        return np.zeros(len(speed)), np.zeros(len(speed))
+    from bearings.heat.temperature import swollen
+
+    rises = temperatures.rises(seat.name, speed)
+    return swollen(seat.bearing, rises.balls, rises.inner, rises.outer)
+
+
 def _fitted(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> Array:
     """Growth of both rings with what they sit on, and of the balls (speeds,) [m]."""
-    bearing, rises = seat.bearing, _rises(seat, speed, temperatures)
-    chord = bearing.ball_diameter * math.cos(bearing.free_angle)
-    balls = bearing.ball_material.thermal_expansion * chord * rises.balls
+    bearing = seat.bearing
     inner = np.empty_like(speed)
     outer = _under_balls(seat, speed, bearing.outer_raceway_radius)
     for rows, state in inner_ring(spindle, seat, speed, temperatures):
         inner[rows] = state.radial_growth(bearing.inner_raceway_radius)
     for rows, state in outer_ring(seat, speed, temperatures):
         outer[rows] += state.radial_growth(bearing.outer_raceway_radius, body=0)
-    return inner - outer + balls
+    return inner - outer + _swollen(seat, speed, temperatures)[0]
 
 
 def inner_ring(

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from bearings import STEEL, InvalidBearing, Lubricant, ThrustBallBearing, heat
+from bearings import (
+    STEEL,
+    DeepGrooveBallBearing,
+    InvalidBearing,
+    Lubricant,
+    ThrustBallBearing,
+    heat,
+)
+from bearings.arrays import Array
+from bearings.geometry import geometry
 from bearings.heat.ellipse import Contacts, mean_speed
 from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
 from bearings.ring.motion import ball_motion, contact_motion
@@ -330,7 +340,7 @@ def test_balance_of_a_mounted_bearing_closes() -> None:
     lost = heat.losses(found.state, OIL, t.balls)
     assert lost.total == pytest.approx(out, rel=1e-5, abs=1e-3)
     grown = heat.thermal_growth(VEX70, np.stack([t.balls, t.inner, t.outer], axis=-1))
-    assert found.growth == pytest.approx(grown, abs=1e-11)
+    assert found.growth == pytest.approx(grown[0], abs=1e-11)
 
 
 @pytest.mark.long
@@ -358,29 +368,80 @@ def test_growth_raises_a_rigid_preload(growth: float, load: float) -> None:
     assert found.load[0] == pytest.approx(load, rel=2e-3)
 
 
-@pytest.mark.parametrize("angle", [0.02, 0.26, 0.44])
-def test_warmth_moves_the_groove_centres(angle: float) -> None:
-    """The heated lengths themselves: groove circles, groove radii, ball, free angle; to first order
-    in α T."""
-    b = replace(VEX70, contact_angle=angle)
-    rise = 1e-4 * np.array([33.0, 40.0, 15.0])
-    d, fi, fo = b.ball_diameter, b.inner_conformity, b.outer_conformity
-    ring, ball = b.ring_material.thermal_expansion, b.ball_material.thermal_expansion
-    cold = (fi + fo - 1) * d
-    shrunk = 0.5 * b.pitch_diameter * np.array([1, -1]) + np.array([fi - 0.5, fo - 0.5]) * (
-        d * math.cos(angle)
+def warmed(b: Any, temperature: Array, axial: float) -> float:
+    """Axial force at rest of a ring moved by ``axial`` from the plane of the balls (or from where
+    it touches), each body scaled by its own temperature about that plane and the axis."""
+    d, angle, g = b.ball_diameter, b.free_angle, geometry(b.grooves)
+    scale = 1.0 + b.ring_material.thermal_expansion * (temperature[1:] - 20.0)
+    ball = 1.0 + b.ball_material.thermal_expansion * (temperature[0] - 20.0)
+    beside = np.array([b.inner_conformity - 0.5, 0.5 - b.outer_conformity]) * d
+    radius = 0.5 * b.pitch_diameter + beside * math.cos(angle)
+    along = 0.0 * beside if b.both_ways else beside * math.sin(angle)
+    across, apart = np.diff(radius * scale)[0], axial - np.diff(along * scale)[0]
+    length = math.hypot(across, apart)
+    free = d * (np.array([b.inner_conformity, b.outer_conformity]) @ scale - ball)
+    pressed = max(length - free, 0.0)
+    return float(b.balls * g.series_stiffness * pressed**1.5 * apart / length)
+
+
+@pytest.mark.parametrize("angle", [0.1, 0.26, 0.44, 0.7, 1.0])
+@pytest.mark.parametrize("rise", [(40.0, 0.0, 0.0), (33.0, 45.0, 15.0), (0.0, 20.0, -5.0)])
+def test_a_rigid_preload_is_that_of_the_heated_lengths(
+    angle: float, rise: tuple[float, ...]
+) -> None:
+    """Groove circles, groove radii, ball and the places along the axis, to first order in α T."""
+    b = replace(VEX70, contact_angle=angle, ball_material=STEEL)
+    temperature = 20.0 + 0.02 * np.array(rise)
+    place = b.equilibrium(load=[600.0, 0, 0, 0, 0]).displacement
+    growth, axial = heat.thermal_growth(b, temperature)
+    moved = place + np.array([1.0, 0, 0, 0, 0]) * axial
+    found = b.equilibrium(displacement=moved, growth=float(growth)).load[0] - 600.0
+    assert found == pytest.approx(warmed(b, temperature, place[0]) - 600.0, rel=4e-3)
+
+
+@pytest.mark.parametrize("angle", [0.1, 0.3, 0.6])
+def test_warm_balls_take_the_play_of_a_deep_groove(angle: float) -> None:
+    """On either side alike."""
+    b = DeepGrooveBallBearing(
+        ball_diameter=9.525e-3,
+        pitch_diameter=90e-3,
+        balls=25,
+        inner_conformity=0.54,
+        outer_conformity=0.53,
+        contact_angle=angle,
     )
-    apart = (shrunk * (1 + ring * rise[1:])).sum()
-    free = d * (fi * (1 + ring * rise[1]) + fo * (1 + ring * rise[2]) - (1 + ball * rise[0]))
-    expected = cold * (apart / free - math.cos(angle))
-    assert heat.thermal_growth(b, 20.0 + rise) == pytest.approx(expected, rel=1e-5)
+    temperature = np.array([21.0, 20.3, 20.1])
+    for side in (-1.0, 1.0):
+        place = b.equilibrium(load=[side * 600.0, 0, 0, 0, 0]).displacement
+        growth, axial = heat.thermal_growth(b, temperature)
+        found = b.equilibrium(displacement=place, growth=float(growth)).load[0] - side * 600.0
+        wanted = warmed(b, temperature, float(place[0])) - side * 600.0
+        assert axial == 0.0
+        assert found == pytest.approx(wanted, rel=0.03)
+
+
+def test_a_heated_bearing_stands_where_its_ring_does() -> None:
+    """A rigid preload keeps the place of its ring; under a spring it moves by the shift, too."""
+    rigid, spring = (
+        heat.heated(VEX70, replace(MOUNTING, rigid=held), speed=FASTER[:2], preload=300.0)
+        for held in (True, False)
+    )
+    still = VEX70.equilibrium(load=[300.0, 0, 0, 0, 0]).displacement
+    assert rigid.displacement[:, 0] == pytest.approx(still[0], abs=1e-15)
+    growth, axial = heat.thermal_growth(VEX70, np.stack(spring.temperatures[:3], axis=-1))
+    assert spring.axial == pytest.approx(axial, abs=1e-12)
+    alone = VEX70.equilibrium(load=[300.0, 0, 0, 0, 0], speed=FASTER[1], growth=growth[1])
+    place = alone.displacement[0] - axial[1]
+    assert spring.displacement[1, 0] == pytest.approx(place, abs=1e-10)
 
 
 def test_even_warmth_keeps_the_angle() -> None:
     """A bearing of one material at one temperature: no growth of its own."""
     warm, steel = np.full(3, 80.0), replace(VEX70, ball_material=STEEL)
-    assert heat.thermal_growth(steel, warm) == pytest.approx(0.0, abs=1e-12)
-    assert heat.thermal_growth(VEX70, warm) < -3e-6
+    assert heat.thermal_growth(steel, warm) == pytest.approx((0.0, 0.0), abs=1e-12)
+    radial, axial = heat.thermal_growth(VEX70, warm)
+    assert radial < -3e-6
+    assert axial == pytest.approx(radial * math.tan(VEX70.free_angle))
 
 
 def skf(**changed: float) -> heat.SkfMoment:

@@ -335,16 +335,18 @@ def test_mounted_hot_and_running_preload() -> None:
 
 def test_rigid_preload_by_closed_form() -> None:
     """Both bearings of a rigid pair keep the sum of their axial displacements, less what the shaft
-    gains on the housing: solved by hand from the law of one bearing."""
+    gains on the housing, and what balls that swell press the rings apart: solved by hand from the
+    law of one bearing."""
     from scipy.optimize import brentq
 
     machine = spindle()
-    warm = Temperatures(shaft=26.0, inner_rings=26.0, balls=23.0)
+    warm = Temperatures(shaft=26.0, inner_rings=26.0, balls=29.0)
     own, seat = bearing(), machine.seats[0]
     static, grown = static_growth(machine, seat), ring_growth(machine, seat, np.zeros(1), warm)[0]
     start = own.equilibrium(load=[500.0, 0, 0, 0, 0], static_growth=static).displacement[0]
     lost = 11.5e-6 * 6.0 * 0.2
-    each = start - lost / 2.0
+    apart = 11.5e-6 * 9.525e-3 * (9.0 - 0.5 * 6.0) * math.sin(math.radians(25.0))
+    each = start - lost / 2.0 + apart
 
     def load(d: float) -> float:
         state = own.equilibrium(displacement=[d, 0, 0, 0, 0], static_growth=static, growth=grown)
@@ -353,6 +355,16 @@ def test_rigid_preload_by_closed_form() -> None:
     found = scene(machine, [0.0], warm).preload
     assert found.seat_load()[0] == pytest.approx([load(each)] * 2, rel=1e-8)
     assert brentq(lambda d: load(d) - found.seat_load()[0, 0], 0, 1e-4) == pytest.approx(each)
+
+
+def test_a_steel_spindle_that_is_as_warm_all_over_keeps_its_rigid_preload() -> None:
+    """Balls of another material do not: they leave play along the axis, too, at any angle."""
+    warm = Temperatures(shaft=60.0, housing=60.0)
+    for balls, keeps in ((STEEL, True), (CERAMIC, False)):
+        cold, hot = (scene(spindle(None, balls), [0.0], t).preload for t in (None, warm))
+        same = hot.seat_load() == pytest.approx(cold.seat_load(), rel=1e-9)
+        assert same == keeps
+    assert "preload lost" in hot.outcome[0]
 
 
 def test_a_difference_without_a_state_says_why() -> None:

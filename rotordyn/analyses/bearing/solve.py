@@ -108,7 +108,7 @@ def _solved(
         )
         state = hot.state
         cold = np.zeros(state.outcome.shape)
-        return _Solved(state, state.displacement, hot.temperatures.balls, cold, hot=hot)
+        return _Solved(state, hot.displacement, hot.temperatures.balls, cold, hot=hot)
     loads = np.zeros((len(speed), len(spec.values), 5))
     for component, place in PLACES.items():
         loads[..., place] = getattr(spec, FIXED[component])
