@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any, TypeVar
 
 from rotordyn.allowance import require_time
@@ -16,7 +16,7 @@ Inputs = tuple[Any, ...]
 
 @dataclass
 class Memo:
-    """Values of stages by name, each with the inputs that it follows from.
+    """Values of stages by name and by a number of the inputs that they follow from, with these.
 
     Machines that differ little (variants, other speeds, a finer model) share one memo. ``ahead``:
     preload states of machines to come, which were solved together, with the inputs that each
@@ -24,18 +24,37 @@ class Memo:
     """
 
     ahead: list[tuple[Inputs, Any]] = field(default_factory=list)
-    values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
+    values: dict[str, dict[int, list[tuple[Inputs, Any]]]] = field(default_factory=dict)
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:
         """The value of a stage of the same inputs, in a tuple, or None."""
-        for other, value in self.values.get(name, ()):
+        for other, value in self.values.get(name, {}).get(_number(inputs), ()):
             if other == inputs:
                 return (value,)
         return None
 
     def keep(self, name: str, inputs: Inputs, value: Any) -> None:
         """Remember a value."""
-        self.values.setdefault(name, []).append((inputs, value))
+        values = self.values.setdefault(name, {})
+        values.setdefault(_number(inputs), []).append((inputs, value))
+
+    def forget(self, latest: int) -> None:
+        """Keep of every stage the first value, and so many of the latest."""
+        for values in self.values.values():
+            for number in list(values)[1:-latest]:
+                del values[number]
+
+
+def _number(inputs: Any) -> int:
+    """The same of equal inputs, of which mappings have no part; many variants are compared."""
+    try:
+        return hash(inputs)
+    except TypeError:
+        if isinstance(inputs, tuple):
+            return hash(tuple(map(_number, inputs)))
+        if is_dataclass(inputs):
+            return hash(tuple(_number(getattr(inputs, each.name)) for each in fields(inputs)))
+        return 0
 
 
 @dataclass
