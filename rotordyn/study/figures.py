@@ -143,6 +143,10 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
         axes = add_axes(figure, box)
         axes.set_title(shortened(each.heading, 42), fontsize=FONT_SIZE - 1.5, loc="left", pad=3.0)
         (_panel if grid else _scattered)(axes, study, each)
+    if grid:  # also where some points lack a number
+        lefts, rights = zip(*(axes.get_xlim() for axes in figure.axes), strict=True)
+        for axes in figure.axes:
+            axes.set_xlim(min(lefts), max(rights))
     for k, (title, handles) in enumerate(legends):
         figure.legend(
             handles=handles,

@@ -89,6 +89,26 @@ def test_axes_of_parallel_coordinates_are_named_whole_within_the_figure(
     assert all(a.x1 < b.x0 for a, b in pairwise(boxes))
 
 
+def test_panels_of_numbers_that_some_points_lack_have_the_axis_of_all() -> None:
+    """Such as critical speeds that some machines do not reach."""
+    path = "spindle.sleeves.front.spring.preload"
+    points = design(rotordyn.load("mfw2310"), {path: [300, 400, 500, 600]}, "grid")
+    critical = "campbell: critical 4× bending 1 forward"
+    rows = {
+        k: Outcome(
+            k,
+            {"campbell: bending 1 at 0 rpm": (900.0 + k, "Hz")}
+            | ({critical: (8000.0 + k, "rpm")} if k < 2 else {}),
+        )
+        for k in range(4)
+    }
+    drawn = dict(figures(Study(rotordyn.load("mfw2310"), points), rows))["study_campbell"]()
+    assert len(drawn.axes) == 2
+    (low, high), other = (axes.get_xlim() for axes in drawn.axes)
+    assert (low, high) == other
+    assert low < 300.0 < 600.0 < high
+
+
 def test_parallel_coordinates_keep_points_that_lack_a_number() -> None:
     """Such as the speed of a stop that is not met: it has no axis, and that is said."""
     words = ("1", "2", "3")
