@@ -263,7 +263,7 @@ def test_numbers_count_along_the_weight(down: str, column: int, sign: int) -> No
 
 
 def test_that_a_shaft_turns_is_said_where_what_holds_it_follows_the_speed() -> None:
-    """Constant supports hold it as at rest at any speed; tables of stiffness and bearings do not."""
+    """Constant supports hold it as at rest at any speed; tables and bearings do not."""
     table = LinearSupport(
         "t", 1.0, stiffness={("y", "y"): (2e7, 1e7), ("z", "z"): 2e7}, speeds=(0.0, 200.0)
     )
@@ -299,9 +299,7 @@ def test_words_and_figure() -> None:
     assert [n.heading for n in numbers(turned, None)] == heads  # type: ignore[arg-type]
     assert [n.heading for n in numbers(bare, None)] == heads[:2]  # type: ignore[arg-type]
     assert warnings(turned) == []
-    late = replace(
-        turned, speed=np.array([100.0]), true_ring=("c", "d"), follows_speed=("c", "d")
-    )
+    late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"), follows_speed=("c", "d"))
     given, slow = warnings(late)
     assert "bearings c, d, which hold it as if they ran true" in given
     assert "slowest speed solved is 955 rpm" in slow

@@ -39,7 +39,11 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     for k, (ring, unit) in enumerate(zip(spec.ring_runouts, turned, strict=True)):
         swing[:, :, k] = ring.runout * np.exp(1j * ring.angle) * unit
     named = {ring.bearing for ring in spec.ring_runouts}
-    tabled = [s for s in spindle.supports if any(isinstance(k, tuple) for k in s.stiffness.values())]
+    tabled = [
+        each.name
+        for each in spindle.supports
+        if any(isinstance(value, tuple) for value in each.stiffness.values())
+    ]
     share = np.abs(swing)
     return StaticSagResult(
         point=spec.point,
@@ -49,7 +53,7 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
         direction=DIRECTIONS,
         ring=tuple(ring.bearing for ring in spec.ring_runouts),
         true_ring=tuple(seat.name for seat in spindle.seats if seat.name not in named),
-        follows_speed=tuple(each.name for each in (*spindle.seats, *tabled)),
+        follows_speed=(*(seat.name for seat in spindle.seats), *tabled),
         weight=np.sign(gravity_vector(down)[1:]),
         outcome=scene.outcome,
         deflection=scene.scattered(moved[..., DEFLECTION]),

@@ -41,7 +41,8 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
         ("sag", result.sag[:, 0], MICROMETRE),
         ("slope", result.slope, MICRORADIAN),
     ):
-        yield from ends(result, name, printed.unit, values @ result.weight * printed.factor, digits=2)
+        down = values @ result.weight * printed.factor
+        yield from ends(result, name, printed.unit, down, digits=2)
     if result.ring:
         runout = result.runout[:, 0].max(axis=1) * MICROMETRE.factor
         yield from ends(result, "runout", MICROMETRE.unit, runout, digits=2)

@@ -284,6 +284,7 @@ def campbell(count: int = 49) -> CampbellResult:
         critical_whirl=("",),
         critical_damping=np.array([0.02]),
         critical_excited=np.array([True]),
+        excited_by=tuple({1: "forward", -1: "backward"}.get(m[3], "") for m in _MODES),
         passing=(),
         passing_frequency=np.zeros((len(speed), 0)),
     )
