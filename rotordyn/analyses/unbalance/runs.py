@@ -75,7 +75,8 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
         at = np.linspace(first, last, len(axes))
         peak[k], peak_speed[k] = axes.max(axis=0), at[axes.argmax(axis=0)]
         largest = axes[1:].reshape(SHOWN, BETWEEN, columns).max(axis=1)
-        apart[k, : rings.shape[1]] = _departure(scene, at, axes[:, points:], rings)
+        if rings.size:
+            apart[k, : rings.shape[1]] = _departure(scene, at, axes[:, points:], rings)
         amplitude[k] = np.concatenate([axes[:1], largest])[:: -1 if down else 1]
     found = amplitude, peak, peak_speed
     moved, pushed = (
