@@ -30,7 +30,7 @@ from rotordyn.modes.branches import (
     whirl_degree,
 )
 from rotordyn.modes.character import whirl_along
-from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.excitation import Line, excited_by, exciting
 from rotordyn.modes.names import named
 from rotordyn.modes.roots import Start, State, solved
 from rotordyn.numerics.crossing import zero_crossings
@@ -47,7 +47,6 @@ SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
 RESONANT = math.sqrt(0.5)  # damping ratio above which no response has a peak
 FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
 ROUNDING = 1e-9  # of the highest frequency
-OF_UNBALANCE = 1.0  # the order of what turns with the shaft; forces of others point anywhere
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,13 +216,11 @@ def _named(
     scene: Scene, subsystem: int, kind: str, name: str, line: Line, speed: float, state: State
 ) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
-    whirl, excited = "", line.order != OF_UNBALANCE
+    linear, whirl = scene.system(subsystem).linear, ""
     if kind == "bending":
-        linear = scene.system(subsystem).linear
         vector = np.where(linear.energy_of("bending"), state.vector, 0.0)
         degree = float(whirl_degree(linear, vector[None])[0])
         whirl = whirl_along(linear, vector, degree)
-        against = "backward" if line.multiple > 0.0 else "forward"
-        excited = excited or not (linear.isotropic and whirl == against)
+    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic))
     ratio = 0.0 - state.pole.real / abs(state.pole)
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

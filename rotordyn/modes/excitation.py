@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+OF_UNBALANCE = 1.0  # the order of what turns with the shaft
+EITHER = "either"  # way round
+
 
 class Line(NamedTuple):
     """What excites at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
@@ -28,6 +31,24 @@ class Line(NamedTuple):
     def size(self) -> float:
         """Frequency over the speed of the spindle."""
         return abs(self.multiple)
+
+    def excites(self, excited_by: str) -> bool:
+        """Whether it may excite a mode that unbalance turning so (``excited_by``) excites; forces
+        of another order than 1 may point anywhere.
+
+        >>> [Line("quill", 1.0, -1.5).excites(way) for way in ("forward", "backward", "either")]
+        [False, True, True]
+        """
+        own = "forward" if self.multiple > 0.0 else "backward"
+        return self.order != OF_UNBALANCE or excited_by in (own, EITHER)
+
+
+def excited_by(kind: str, whirl: str, *, isotropic: bool) -> str:
+    """Which way unbalance turns that excites a mode: as a bending mode whirls where both planes
+    are alike, else ``EITHER``; empty of axial motion and torsion."""
+    if kind != "bending":
+        return ""
+    return whirl if isotropic and whirl in ("forward", "backward") else EITHER
 
 
 def exciting(ratios: Mapping[str, float], orders: Iterable[float]) -> list[Line]:

@@ -19,6 +19,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
+from rotordyn.preload.unshortened import shortening_load
 from rotordyn.results.balls import gripping, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.scene.stability import instability
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
 PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
-FILMS_RULE = 0.1  # of the axial load of a bearing
+FILMS_RULE = SHORTENING_RULE = 0.1  # of the axial load of a bearing
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
@@ -50,6 +51,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
+        yield from _unshortened(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
     systems = list(scene.systems.values())
@@ -177,6 +179,22 @@ def _films_rule(scene: Scene) -> Iterator[str]:
                 f"{now[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
                 "fully flooded ones, and starved ones do less"
             )
+
+
+def _unshortened(scene: Scene) -> Iterator[str]:
+    """A shaft that does not shorten with speed, where that would change axial loads by a tenth."""
+    state, rows = scene.preload, np.flatnonzero(scene.preload.usable)
+    if scene.spindle.shortening is not None or not rows.size or not scene.spindle.seats:
+        return
+    added, load = shortening_load(state, rows[-1]), state.seat_load()[rows[-1]]
+    worst = int(np.abs(added).argmax())
+    if abs(added[worst]) > SHORTENING_RULE * np.abs(load).max():
+        yield (
+            "no centrifugal shortening of the shaft is given; computed from its sections it adds "
+            f"about {added[worst]:.0f} N to the {load[worst]:.0f} N of axial load of bearing "
+            f"{scene.spindle.seats[worst].name} at {state.speed[rows[-1]] * RPM.factor:.0f} rpm: "
+            "give shortening with shift: computed"
+        )
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:

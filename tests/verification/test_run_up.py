@@ -244,7 +244,7 @@ def test_errors_fall_with_the_square_of_the_parts():
     spec, speed = case.analyses["unbalance"], np.array(case.speeds)
     scene = Scene(case.spindle, case.conditions, speed, 200.0, spec.places)
     way = _Way(scene, spec, 1.0)
-    truth, *rest = (way.axes(c, 5.0, down=False)[:, :2] for c in (480, 30, 60, 120, 240))
+    truth, *rest = (way.axes(c, 5.0, down=False)[0][:, :2] for c in (480, 30, 60, 120, 240))
     errors = np.array([np.abs(each - truth).max() for each in rest])
     assert (errors[:-1] > 2.0 * errors[1:]).all()
     assert errors[0] > 15.0 * errors[-1]

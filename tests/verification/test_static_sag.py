@@ -244,9 +244,48 @@ def test_numbers_and_curves_say_at_which_speed_they_are() -> None:
             assert curve.along == f"station [mm] at {curve_at:.0f} rpm"
     sag: Any = answered["static_sag"]
     slow, fast = (each.value for each in numbers(sag, case) if each.name == "sag")
-    assert slow == pytest.approx(1e6 * np.hypot(*sag.sag[0, 0]))
-    assert fast == pytest.approx(1e6 * np.hypot(*sag.sag[-1, 0]))
+    assert slow == pytest.approx(-1e6 * sag.sag[0, 0, 0])
+    assert fast == pytest.approx(-1e6 * sag.sag[-1, 0, 0])
     assert "by weight at 0 rpm [µm]" in summary(sag)[0]
+
+
+@pytest.mark.parametrize(("down", "column", "sign"), [("-y", 0, -1), ("+z", 1, 1)])
+def test_numbers_count_along_the_weight(down: str, column: int, sign: int) -> None:
+    """A short nose in front of long spans rises, a long one sags; the slope turns its sign, too."""
+    for overhang, rises in ((0.2, True), (0.5, False)):
+        found = solved(beam(held("a", overhang), held("b", L)), gravity=down)
+        sag, slope = (each.value for each in numbers(found, None))  # type: ignore[arg-type]
+        assert sag == pytest.approx(sign * 1e6 * found.sag[0, 0, column])
+        assert slope == pytest.approx(sign * 1e6 * found.slope[0, column])
+        assert (sag < 0.0, slope > 0.0) == (rises, rises)
+    along = solved(beam(held("a", 0.0), LinearSupport("b", L, rigid=("y", "z"))), gravity="none")
+    assert [each.value for each in numbers(along, None)] == [0.0, 0.0]  # type: ignore[arg-type]
+
+
+def test_that_a_shaft_turns_is_said_where_what_holds_it_follows_the_speed() -> None:
+    """Constant supports hold it as at rest at any speed; tables and bearings do not."""
+    table = LinearSupport(
+        "t", 1.0, stiffness={("y", "y"): (2e7, 1e7), ("z", "z"): 2e7}, speeds=(0.0, 200.0)
+    )
+    damped = LinearSupport(
+        "d",
+        1.0,
+        stiffness={("y", "y"): 2e7, ("z", "z"): 2e7},
+        damping={("y", "y"): (1e3, 0.0)},
+        speeds=(0.0, 200.0),
+    )
+    for rear, told in ((sprung("b", 1.0), ()), (damped, ()), (table, ("t",))):
+        spec = {"static_sag": StaticSagSpec("nose")}
+        found = answer_spindle(
+            beam(sprung("a", 0.3), rear), Conditions(), (100.0,), spec, lambda name: None
+        )
+        result: Any = found.results["static_sag"]
+        assert result.follows_speed == told
+        assert [*map(bool, warnings(result))] == [True] * len(told)
+    case = rotordyn.load(CASES / "grinding_spindle_sag.yaml")
+    bearings = rotordyn.run(replace(case, speeds=(100.0,)))
+    assert bearings["static_sag"].follows_speed.values.tolist() == list("abcd")
+    assert any("add 0 rpm" in said for said in bearings.warnings)
 
 
 def test_words_and_figure() -> None:
@@ -260,7 +299,7 @@ def test_words_and_figure() -> None:
     assert [n.heading for n in numbers(turned, None)] == heads  # type: ignore[arg-type]
     assert [n.heading for n in numbers(bare, None)] == heads[:2]  # type: ignore[arg-type]
     assert warnings(turned) == []
-    late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"))
+    late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"), follows_speed=("c", "d"))
     given, slow = warnings(late)
     assert "bearings c, d, which hold it as if they ran true" in given
     assert "slowest speed solved is 955 rpm" in slow

@@ -42,7 +42,9 @@ class CampbellResult:
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
-    point anywhere. ``passing``: defects of bearings, those of bearings alike once.
+    point anywhere. ``excited_by``: which way unbalance turns that excites a mode, forward,
+    backward or either; "" of axial motion and torsion. ``passing``: defects of bearings, those of
+    bearings alike once.
     """
 
     turning_frame: ClassVar[bool] = False
@@ -112,6 +114,7 @@ class CampbellResult:
         "speed", "mode", unit="1", label="share of rigid-body motion", absent=(NOT_FOLLOWED,)
     )
     kind: Words = quantity("mode", unit="", label="kind")
+    excited_by: Words = quantity("mode", unit="", label="excited by unbalance that turns")
     character: Words = quantity("mode", unit="", label="character")
     shape: Complex = quantity(
         "shape_speed",

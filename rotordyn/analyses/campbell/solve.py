@@ -17,6 +17,7 @@ from rotordyn.modes.branches import MOTIONS, Branch, branches_of
 from rotordyn.modes.character import character, rigid_share
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
+from rotordyn.modes.excitation import excited_by
 from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.products import times
@@ -92,6 +93,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         rigid_share=scene.scattered(_table(rigid, shape)),
         kind=tuple(b.kind for b in branches),
         character=tuple(character(b, share) for b, share in zip(branches, rigid, strict=True)),
+        excited_by=tuple(_excited_by(scene, b) for b in branches),
         shape=_shapes(scene, branches, ends),
         stability_threshold=threshold,
         first_to_grow=growing,
@@ -112,6 +114,12 @@ def _within(scene: Scene, branch: Branch, band: Band) -> bool:
     turning = branch.frequency_in_frame(scene.speed[scene.usable])
     both = np.concatenate([turning, np.abs(branch.track.pole.imag)])
     return bool(np.nanmin(both) <= band.highest)
+
+
+def _excited_by(scene: Scene, branch: Branch) -> str:
+    whirl = "forward" if np.nansum(branch.degree) > 0.0 else "backward"
+    isotropic = scene.system(branch.subsystem).linear.isotropic
+    return excited_by(branch.kind, whirl, isotropic=isotropic)
 
 
 def _table(rows: list[Array], shape: tuple[int, int]) -> Array:

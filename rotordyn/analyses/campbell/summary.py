@@ -10,7 +10,6 @@ from itertools import zip_longest
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.machine.support import SPINDLE
 from rotordyn.modes.excitation import Line, exciting
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
@@ -51,8 +50,8 @@ def summary(result: CampbellResult) -> list[str]:
         none = f"none from {rpm.replace('→', 'to')}"
         if leaves < speeds[-1]:
             none = "none in the band asked for"
-        elif (line.rotor, line.order) == (SPINDLE, 1.0):
-            none += _nearest(result)
+        else:
+            none += _nearest(result, line)
         listed = ", ".join(known) or none
         lines.append(f"critical   {name}, margin to top speed: {listed}{beyond}")
     return lines
@@ -111,22 +110,19 @@ def _turn(name: str, whirl: str) -> str:
     return "" if "forward" in name or "backward" in name else _TURN.get(whirl, "")
 
 
-def _nearest(result: CampbellResult) -> str:
-    """The bending mode nearest to the 1× line at the top speed, and how far it is."""
-    hertz = result.speed[-1] / (2.0 * math.pi)
-    chosen = [
-        k
-        for k in np.flatnonzero(~result.mostly_overdamped)
-        if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
-    ]
-    if not chosen:
+def _nearest(result: CampbellResult, line: Line) -> str:
+    """The mode nearest to a line at the top speed, of those that it may excite, and how far it is,
+    in the fixed frame."""
+    hertz = np.abs(result.pole[-1].imag) / (2.0 * math.pi)
+    drawn = np.isfinite(hertz) & ~result.mostly_overdamped
+    chosen = [k for k in np.flatnonzero(drawn) if line.excites(result.excited_by[k])]
+    top = line.size * float(result.speed[-1]) / (2.0 * math.pi)
+    if not chosen or top == 0.0:
         return ""
-    if turning(result):  # the 1× line stands still there, at 0 Hz
-        near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
-        return f"; {result.mode[near]} is nearest, {number(result.frequency[-1, near], 0)} Hz away"
-    near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
-    ratio = float(result.frequency[-1, near]) / hertz
-    return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"
+    near = min(chosen, key=lambda k: abs(float(hertz[k]) - top))
+    frame = " in the fixed frame" if turning(result) else ""
+    ratio = f"{hertz[near] / top:.2f} × the line at the top speed"
+    return f"; {result.mode[near]} is nearest, {ratio}{frame}"
 
 
 def _whirl(name: str, whirl: float) -> str:

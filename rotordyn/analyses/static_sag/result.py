@@ -15,6 +15,8 @@ MICRORADIAN = Shown("µrad", 1e6)
 class StaticSagResult:
     """Deflection under weight, at stations of the shaft and at gauges in front of ``point``.
 
+    ``weight``: its direction, 0 along the axis. ``follows_speed``: bearings and supports whose
+    stiffness is another at each speed.
     ``deflection``: at a joint that of the part in front. ``slope``: inclination of the shaft at the
     point, dy/dx and dz/dx of a test bar in it.
     ``ring``: inner rings with a runout. ``runout``: full reading of a gauge over a slow turn, the
@@ -29,6 +31,10 @@ class StaticSagResult:
     direction: Words = coordinate("direction", unit="", label="direction")
     ring: Words = coordinate("ring", unit="", label="ring")
     true_ring: Words = coordinate("true_ring", unit="", label="bearing without runout given")
+    follows_speed: Words = coordinate(
+        "follows_speed", unit="", label="bearing or support that follows the speed"
+    )
+    weight: Array = quantity("direction", unit="1", label="direction of the weight")
     outcome: Words = quantity("speed", unit="", label="outcome")
     deflection: Array = quantity("speed", "station", "direction", unit="m", label="deflection")
     slope: Array = quantity(

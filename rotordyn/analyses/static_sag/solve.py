@@ -16,6 +16,7 @@ from rotordyn.analyses.static_sag.spec import StaticSagSpec
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 from rotordyn.scene.at_rest import at_rest, weight
+from rotordyn.scene.conditions import gravity_vector
 from rotordyn.scene.scene import Scene
 
 DIRECTIONS = ("y", "z")
@@ -38,6 +39,11 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     for k, (ring, unit) in enumerate(zip(spec.ring_runouts, turned, strict=True)):
         swing[:, :, k] = ring.runout * np.exp(1j * ring.angle) * unit
     named = {ring.bearing for ring in spec.ring_runouts}
+    tabled = [
+        each.name
+        for each in spindle.supports
+        if any(isinstance(value, tuple) for value in each.stiffness.values())
+    ]
     share = np.abs(swing)
     return StaticSagResult(
         point=spec.point,
@@ -47,6 +53,8 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
         direction=DIRECTIONS,
         ring=tuple(ring.bearing for ring in spec.ring_runouts),
         true_ring=tuple(seat.name for seat in spindle.seats if seat.name not in named),
+        follows_speed=(*(seat.name for seat in spindle.seats), *tabled),
+        weight=np.sign(gravity_vector(down)[1:]),
         outcome=scene.outcome,
         deflection=scene.scattered(moved[..., DEFLECTION]),
         slope=scene.scattered(_slope(moved[:, node])),

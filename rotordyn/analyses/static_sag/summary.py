@@ -35,13 +35,14 @@ def summary(result: StaticSagResult) -> list[str]:
 
 
 def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
-    """The amount of sag and runout at the first gauge, and of the slope, at the first and the last
-    speed."""
+    """Sag at the first gauge and slope, each along the weight, and runout, at the first and the
+    last speed."""
     for name, values, printed in (
         ("sag", result.sag[:, 0], MICROMETRE),
         ("slope", result.slope, MICRORADIAN),
     ):
-        yield from ends(result, name, printed.unit, np.hypot(*values.T) * printed.factor, digits=2)
+        down = values @ result.weight * printed.factor
+        yield from ends(result, name, printed.unit, down, digits=2)
     if result.ring:
         runout = result.runout[:, 0].max(axis=1) * MICROMETRE.factor
         yield from ends(result, "runout", MICROMETRE.unit, runout, digits=2)
@@ -56,10 +57,10 @@ def warnings(result: StaticSagResult) -> list[str]:
             f"{', '.join(result.true_ring)}, which hold it as if they ran true: give theirs"
         )
     slow = float(result.speed[_slowest(result)])
-    if slow > 0.0:
+    if slow > 0.0 and result.follows_speed:
         sentences.append(
             f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
-            "whose bearing stiffness is not that at which sag and runout are measured: add 0 rpm"
+            "where bearings are not as stiff as where sag and runout are measured: add 0 rpm"
         )
     return sentences
 

@@ -34,7 +34,8 @@ class UnbalanceResult:
     break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer, infinite at a
     critical speed without damping; ``force_unbounded``: the first speed at which a force is.
     ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
-    ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces.
+    ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces;
+    ``run_departure`` is that at the largest forces of bearings.
     ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
     which a balance grade is given; 0 without one.
     """
@@ -124,6 +125,13 @@ class UnbalanceResult:
             ),
         ),
     )
+    fine_departure: Array = quantity(
+        "fine_speed",
+        "support",
+        unit="1",
+        label="departure of a bearing's load",
+        absent=(LINEAR._replace(by=("fine_speed", "support")),),
+    )
     force_unbounded: Array = quantity(
         "support",
         unit="rad/s",
@@ -190,6 +198,13 @@ class UnbalanceResult:
     )
     run_force_peak_speed: Array = quantity(
         "run", "support", unit="rad/s", label="speed there", absent=(NO_RUN,)
+    )
+    run_departure: Array = quantity(
+        "run",
+        "support",
+        unit="1",
+        label="departure of a bearing's load on a run",
+        absent=(NO_RUN, LINEAR._replace(by=("run", "support"))),
     )
     run_error: Array = quantity(
         "run", unit="1", label="estimated error over the largest value", absent=(NO_RUN,)

@@ -18,6 +18,7 @@ from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.results.display import RPM
+from rotordyn.scene.linearity import RING, departure, ring_rows
 from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
 from rotordyn.scene.scene import Scene
 
@@ -39,14 +40,16 @@ class Largest(NamedTuple):
 
 class Runs(NamedTuple):
     """``name`` and ``outcome`` (runs,) of every run, empty or why it has no solution; ``speed``
-    (n,) of the spindle [rad/s]; ``moved`` points [m] and ``pushed`` connections [N]; ``error``
-    (runs,) of all over their peaks."""
+    (n,) of the spindle [rad/s]; ``moved`` points [m] and ``pushed`` connections [N]; ``departure``
+    (runs, connections) of loads of bearings from those of tangents; ``error`` (runs,) of all over
+    their peaks."""
 
     name: tuple[str, ...]
     outcome: tuple[str, ...]
     speed: Array
     moved: Largest
     pushed: Largest
+    departure: Array
     error: Array
 
 
@@ -60,10 +63,11 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
     speed = np.linspace(scene.speed[0], scene.speed[-1], SHOWN + 1) if ways else np.zeros(0)
     amplitude = np.full((count, len(speed), columns), np.nan)
     peak, peak_speed = np.full((2, count, columns), np.nan)
+    apart = np.full((count, columns - points), np.nan)
     error, outcome, way = np.full(count, np.nan), [""] * count, _Way(scene, spec, ratio)
     for k, (time, down) in enumerate(ways):
         try:
-            axes, error[k] = _converged(way, time, down=down)
+            axes, rings, error[k] = _converged(way, time, down=down)
         except NoSolution as why:
             outcome[k] = str(why)
             continue
@@ -71,23 +75,35 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
         at = np.linspace(first, last, len(axes))
         peak[k], peak_speed[k] = axes.max(axis=0), at[axes.argmax(axis=0)]
         largest = axes[1:].reshape(SHOWN, BETWEEN, columns).max(axis=1)
+        if rings.size:
+            apart[k, : rings.shape[1]] = _departure(scene, at, axes[:, points:], rings)
         amplitude[k] = np.concatenate([axes[:1], largest])[:: -1 if down else 1]
     found = amplitude, peak, peak_speed
     moved, pushed = (
         Largest(*(each[..., :points] for each in found)),
         Largest(*(each[..., points:] for each in found)),
     )
-    return Runs(names, tuple(outcome), speed, moved, pushed, error)
+    return Runs(names, tuple(outcome), speed, moved, pushed, apart, error)
 
 
-def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, float]:
-    """Major half axes of orbits and forces (t, points and connections) of a run, and their error:
-    the change by twice as many parts over the peak."""
+def _departure(scene: Scene, speed: Array, force: Array, rings: Complex) -> Array:
+    """The largest of every bearing (seats,), of ``rings`` (t, seats, 5) at the instants at which
+    forces (t, connections) of bearings are largest."""
+    rows = np.unique(force[:, : rings.shape[1]].argmax(axis=0))
+    rows = rows[speed[rows].argsort()]
+    other = scene.at(speed[rows])
+    found = departure(other, rings[rows[other.usable]])
+    return np.asarray(np.fmax.reduce(found, axis=0, initial=np.nan))
+
+
+def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, Complex, float]:
+    """Major half axes of orbits and forces (t, points and connections) of a run, the motion of
+    rings (t, seats, 5), and the error: the change by twice as many parts over the peak."""
     enough = min(response_accuracy(way.scene), ACCURATE)
-    before, error = way.axes(PARTS[0], time, down=down), np.inf
+    before, error = way.axes(PARTS[0], time, down=down)[0], np.inf
     points = len(way.spec.points)
     for count in PARTS[1:]:
-        axes = way.axes(count, time, down=down)
+        axes, rings = way.axes(count, time, down=down)
         changed = (
             relative_change(np.nan_to_num(before[:, k]), np.nan_to_num(axes[:, k]), 1, AT_REST)
             for k in (slice(points), slice(points, None))
@@ -96,7 +112,7 @@ def _converged(way: _Way, time: float, *, down: bool) -> tuple[Array, float]:
         if error <= enough:
             break
         before = axes
-    return axes, error
+    return axes, rings, error
 
 
 class _Solved(NamedTuple):
@@ -125,10 +141,11 @@ class _Way:
         self.speed = np.linspace(*ends, 2 * PARTS[-1] + 1)
         self.known = np.zeros(len(self.speed), dtype=bool)
 
-    def axes(self, count: int, time: float, *, down: bool) -> Array:
-        """Major half axes of the orbits of points, then of forces of connections, (t, both) of a
-        run in ``time`` [s], by two cuts of the way, in ``count`` parts and in parts that end in the
-        middle of these. NaN of a force that is not determined.
+    def axes(self, count: int, time: float, *, down: bool) -> tuple[Array, Complex]:
+        """Major half axes of the orbits of points, then of forces of connections, (t, both), and
+        the motion of rings (t, seats, 5), of a run in ``time`` [s], by two cuts of the way, in
+        ``count`` parts and in parts that end in the middle of these. NaN of a force that is not
+        determined.
 
         Raises
         ------
@@ -151,10 +168,11 @@ class _Way:
             moved = blended(np.asarray(even), np.asarray(between), count * instants)
         known = np.isfinite(moved[0])  # not so what rigid supports share
         known[: 2 * len(self.spec.points)] = True
-        y, z = np.moveaxis(moved.reshape(len(moved), -1, 2), -1, 0)
+        pairs = len(self.spec.points) + len(self.scene.rotor.connections)
+        y, z = np.moveaxis(moved[:, : 2 * pairs].reshape(len(moved), pairs, 2), -1, 0)
         if not np.isfinite(moved[:, known]).all():
             raise NoSolution("the motion grows by itself beyond all numbers: give damping")
-        return orbit(y, z).major
+        return orbit(y, z).major, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 
     def _parts(self, k: int, middles: NDArray[np.intp], edges: Array) -> Parts:
         """Of a subsystem in parts between ``edges`` with the modes of ``middles``. What turns
@@ -219,8 +237,9 @@ class _Way:
 def _asked(
     scene: Scene, linear: Linear, spec: UnbalanceSpec, load: Complex
 ) -> tuple[Array, Array, Complex]:
-    """Of points, then of forces of connections, along y and z: by displacement and by velocity
-    (s, r, n), and by the ``load`` itself (r,), which rigid supports take."""
+    """Of points, then of forces of connections, along y and z, then of rings of bearings: by
+    displacement and by velocity (s, r, n), and by the ``load`` itself (r,), which rigid supports
+    take."""
     axes, connections = [position(way) for way in AXES], scene.rotor.connections
     linked = {id(each.link): each for each in linear.connections}
     rigid = linear.rigid_force(np.eye(linear.size, dtype=complex))
@@ -236,13 +255,16 @@ def _asked(
             held[:, k] -= taken @ linear.stiffness
             damped[:, k] -= taken @ linear.damping
             direct[k] = taken @ load
-    moved = displacement_rows(scene, linear, spec).reshape(-1, linear.size)
-    every = np.broadcast_to(moved, (len(held), *moved.shape))
-    rows, rates = (
-        np.concatenate([first, each.reshape(len(held), -1, linear.size)], axis=1)
-        for first, each in ((every, held), (np.zeros_like(every), damped))
+    points, rings = (
+        np.broadcast_to(each.reshape(-1, linear.size), (len(held), each[..., 0].size, linear.size))
+        for each in (displacement_rows(scene, linear, spec), ring_rows(scene, linear))
     )
-    return rows, rates, np.concatenate([np.zeros(len(moved)), direct.ravel()])
+    rows, rates = (
+        np.concatenate([still * points, each.reshape(len(held), -1, linear.size), still * rings], 1)
+        for still, each in ((1.0, held), (0.0, damped))
+    )
+    none = [np.zeros(each.shape[1]) for each in (points, rings)]
+    return rows, rates, np.concatenate([none[0], direct.ravel(), none[1]])
 
 
 def _steady(stiffness: Matrix, damping: Matrix, force: Complex, omega: float) -> Complex:

@@ -69,17 +69,14 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     if all(why):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
     known = np.array([word == "" for word in absent])
-    moved, pushed = _response(spec, ratio, scene)
+    moved, pushed, apart = _response(spec, ratio, scene)
     moved[~known] = pushed[~known] = complex(np.nan, np.nan)
+    apart[~known] = np.nan
     displacement, force = scene.scattered(moved), scene.scattered(pushed)
-    apart = np.full(pushed.shape[:2], np.nan)
-    if spindle.seats:
-        apart[:, : len(spindle.seats)] = departure(scene, _rings(scene, spec, speed))
-        apart[~known] = np.nan
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
-    fine, (fine_moved, fine_pushed) = _sampled(scene, spec, ratio, critical)
+    fine, (fine_moved, fine_pushed, fine_apart) = _sampled(scene, spec, ratio, critical)
     lost = np.isin(fine, scene.speed[scene.usable][~known])
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
@@ -90,6 +87,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     for at in endless:
         lost |= np.abs(fine - at) <= BESIDE * at
     fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
+    fine_apart[lost] = np.nan
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
     fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
     runs = runs_of(scene, spec, ratio)
@@ -126,6 +124,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         fine_major_axis=fine_orbit.major,
         fine_minor_axis=fine_orbit.minor,
         fine_force_amplitude=fine_force,
+        fine_departure=fine_apart,
         force_unbounded=_first(pushes),
         film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
         film_ratio=np.array(
@@ -143,24 +142,31 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         run_force=runs.pushed.over_speed,
         run_force_peak=runs.pushed.peak,
         run_force_peak_speed=runs.pushed.speed,
+        run_departure=runs.departure,
         run_error=runs.error,
     )
 
 
-def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
-    """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
+def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[NDArray[Any]]:
+    """Displacements (usable, points, 2) [m], forces (usable, connections, 2) [N] and how far loads
+    of bearings depart from those of their tangents (usable, connections)."""
     speed, every = ratio * scene.speed[scene.usable], []
     for linear in map(scene.linear, out_of_balance(scene, spec)):
         motion = steady(scene, linear, spec, speed)
         moved = displacements(scene, linear, spec, motion)
         every.append((moved, _forces(scene, linear, speed, motion)))
     parts = [np.sum(each, axis=0) for each in zip(*every, strict=True)]
-    return parts if ratio > 0.0 else [each.conj() for each in parts]  # e^(irΩt) as e^(i|r|Ωt)
+    if ratio < 0.0:  # e^(irΩt) as e^(i|r|Ωt)
+        parts = [each.conj() for each in parts]
+    apart, seats = np.full(parts[1].shape[:2], np.nan), len(scene.spindle.seats)
+    if seats:
+        apart[:, :seats] = departure(scene, _rings(scene, spec, speed))
+    return [*parts, apart]
 
 
 def _sampled(
     scene: Scene, spec: UnbalanceSpec, ratio: float, critical: Sequence[Critical]
-) -> tuple[Array, list[Complex]]:
+) -> tuple[Array, list[NDArray[Any]]]:
     """Speeds, those of the case and more about every peak, and the response there."""
 
     def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:

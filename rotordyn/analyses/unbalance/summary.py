@@ -165,7 +165,8 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 
 def warnings(result: UnbalanceResult) -> list[str]:
     """Loads beyond the tangents of bearings, motion less accurate than asked for."""
-    told = [*beyond_tangents("unbalance", result.support, result.speed, result.departure)]
+    known = result.support, result.fine_speed, result.fine_departure
+    told = [*beyond_tangents("unbalance", *known)]
     told += _films(result)
     told += _of_runs(result)
     worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
@@ -179,10 +180,16 @@ def warnings(result: UnbalanceResult) -> list[str]:
 
 
 def _of_runs(result: UnbalanceResult) -> Iterator[str]:
-    """Runs without a solution, that are not accurate, or that pass speeds of instability."""
+    """Runs without a solution, beyond tangents, not accurate, or past speeds of instability."""
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
             yield f"unbalance: the run {name} has no solution: {why}; leave it out"
+    for name, at, apart in zip(
+        result.run, result.run_force_peak_speed, result.run_departure, strict=True
+    ):
+        order = at.argsort()
+        what = f"unbalance: at the largest forces of the run {name}"
+        yield from beyond_tangents(what, result.support, at[order], np.diag(apart)[order])
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
             yield (

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,9 @@ from rotordyn.analyses.unbalance.solve import answer as orbits
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.summary import warnings as orbit_warnings
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
+from rotordyn.machine.lumped import PointMass
 from rotordyn.preload.growth import static_growth
+from rotordyn.scene.linearity import TOLD
 from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, conditions, mfw2310
@@ -85,3 +89,27 @@ def test_beside_films_nothing_is_compared() -> None:
     found = statics(films, SectionForcesSpec(loads=(PointLoad("nose_face", Fy=8000.0),)))
     assert np.isnan(found.departure).all()
     assert not static_warnings(found)
+
+
+def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
+    """There it is that of the peak by itself, and the same on a slow run past it."""
+    machine = mfw2310()
+    body, points = PointMass("rotor", 0.25, 40.0, 0.04, 0.04), machine.points | {"middle": 0.25}
+    machine = replace(machine, masses=(*machine.masses, body), points=points)
+    spec = UnbalanceSpec(("middle",), (Unbalance("middle", 4e-5),))
+    found = orbits(
+        Scene(machine, conditions(), np.array([9000.0, 21000.0]) * RPM, 2000.0),
+        replace(spec, run_down=(30.0,)),
+    )
+    seats = len(machine.seats)
+    assert np.nanmax(found.departure) < 0.8 * TOLD
+    np.testing.assert_allclose(found.fine_departure[[0, -1]], found.departure, rtol=1e-6)
+    peak = orbits(Scene(machine, conditions(), found.peak_speed[0, :1], 2000.0), spec)
+    there = found.fine_speed == found.peak_speed[0, 0]
+    assert found.fine_departure[there, :seats] == pytest.approx(peak.departure[:, :seats], rel=1e-3)
+    assert found.run_departure[0, :seats] == pytest.approx(peak.departure[0, :seats], rel=0.03)
+    assert np.nanmax(peak.departure) > 2.0 * TOLD
+    steady, run = (each for each in orbit_warnings(found) if "moved so far" in each)
+    worst = 100.0 * np.nanmax(found.fine_departure, axis=0)
+    assert f"e by {worst[seats - 1]:.0f} %" in steady
+    assert run.startswith("unbalance: at the largest forces of the run down in 30 s: bearings are")
