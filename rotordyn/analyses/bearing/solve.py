@@ -28,6 +28,7 @@ SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
 RESULTS = {AXIAL: BearingMapResult, RADIAL: RadialMapResult, MOMENT: MomentMapResult}
 PLACES = {AXIAL: 0, RADIAL: 1, MOMENT: 4}  # of a component in (Fx, Fy, Fz, My, Mz)
 TILTS = [3, 4]
+SAME = 1e-3  # of a load: what a spring holds at work but for rounding
 
 
 def answer(
@@ -264,12 +265,17 @@ def _contacts(
 
 
 def under(result: BearingMapResult, place: int, axial: str = "") -> str:
-    """A load of the list in words: 250 N (with ``axial`` behind it), 2000 N radial, 300 N·m."""
+    """A load of the list in words: 250 N (with ``axial`` behind it, and that it is the one as
+    mounted where heat makes it another one at work), 2000 N radial, 300 N·m."""
     unit = declared(result)["load"].metadata["unit"]
     words = f"{result.load[place]:g} {unit}"
     if isinstance(result, RadialMapResult):
         return f"{words} radial"
-    return words if isinstance(result, MomentMapResult) else words + axial
+    if isinstance(result, MomentMapResult):
+        return words
+    given = result.load[place]
+    work = result.axial_force[np.isfinite(result.ball_temperature[:, place]), place]
+    return words + axial + " as mounted" * bool((np.abs(work - given) > SAME * given).any())
 
 
 def tangent_error(result: BearingMapResult, tangent: str, dof: str) -> Array:

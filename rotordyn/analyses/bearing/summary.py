@@ -9,7 +9,14 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
-from rotordyn.results.balls import of_a_pair, pressed, slipping, softened
+from rotordyn.results.balls import (
+    of_a_pair,
+    overloaded,
+    pressed,
+    slipping,
+    softened,
+    unsafe,
+)
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
 from rotordyn.results.headline import Number, ends
@@ -81,13 +88,23 @@ def _stiffness(result: BearingMapResult) -> list[str]:
         if len(words) == len(result.speed):
             lines.append(f"{INDENT}{under(result, k)}: {words[0]}")
             continue
-        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
+        good = result.outcome[:, k] == ""
+        axial, radial = (from_to(stiffness[good, k, i, i]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
-            f"{INDENT}{under(result, k)}: axial {axial}, radial {radial}; pressure up to "
+            f"{INDENT}{_solved(result, k)}: axial {axial}, radial {radial}; pressure up to "
             f"{pressure:.2f} GPa"
         )
     return lines
+
+
+def _solved(result: BearingMapResult, k: int) -> str:
+    """A load, with the first and the last speed that it has a state at where they are not those of
+    the case."""
+    good = result.outcome[:, k] == ""
+    if good[[0, -1]].all():
+        return under(result, k)
+    return f"{under(result, k)}, at {from_to(result.speed[good] * RPM.factor, 0)} rpm"
 
 
 def _contacts(result: BearingMapResult) -> list[str]:
@@ -124,7 +141,7 @@ def _life(result: BearingMapResult) -> list[str]:
         if not good.any():
             continue
         life = f"{from_to(result.revolutions[good, k] * 1e-6, 0)} million revolutions"
-        text = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
+        text = f"{_solved(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
         if np.isfinite(result.viscous_heat[good, k]).any():
             heat = (result.contact_heat + result.viscous_heat)[good, k]
             text += f", heat {from_to(heat, 0)} W (order of magnitude)"
@@ -184,6 +201,24 @@ def _shown(result: BearingMapResult) -> list[int]:
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
+def _beyond_life(result: BearingMapResult) -> Iterator[str]:
+    """Where loads leave what is known of lives, from the first such load of the list on."""
+    rating = np.asarray(result.dynamic_rating)
+
+    def low(at: slice) -> str:
+        return unsafe(result.static_safety[:, at], result.speed)
+
+    def high(at: slice) -> str:
+        return overloaded(result.equivalent_load[:, at], rating, result.speed)
+
+    count = len(result.load)
+    for check in (low, high):
+        first = next((k for k in range(count) if check(slice(k, k + 1))), None)
+        if first is not None:
+            more = " and more" * (first + 1 < count)
+            yield f"under {under(result, first)}{more}: {check(slice(first, None))}"
+
+
 def _overheated(result: BearingMapResult) -> Iterator[str]:
     """Where temperatures run away first."""
     if np.isfinite(result.speed_limit).any():
@@ -208,6 +243,7 @@ def warnings(result: BearingMapResult) -> list[str]:
     sentences += [
         of_a_pair(result.dynamic_rating, result.groove_rating),
         softened(result.rating_factor, result.speed),
+        *_beyond_life(result),
         *_overheated(result),
     ]
     return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import HOUR, LifeResult
-from rotordyn.results.balls import of_a_pair, softened
+from rotordyn.results.balls import LEAST_SAFETY, of_a_pair, overloaded, softened, unsafe
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
 from rotordyn.results.headline import Number, ends
@@ -17,7 +17,7 @@ from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
-LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
+
 LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
 
 
@@ -179,12 +179,8 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
 
 
 def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
-    if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
-        yield (
-            f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
-            f"from {where} on, and life is shorter than computed; lower the load or take a larger "
-            "bearing"
-        )
+    if low := unsafe(result.static_safety[:, k], result.speed):
+        yield low
     if result.spectrum_unloaded[k] > 0.0:
         yield (
             f"the load spectrum leaves it without any load for "
@@ -196,11 +192,8 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
             f"static safety {result.spectrum_safety[k]:.2g} under the load spectrum is below "
             f"{LEAST_SAFETY:g}; lower the load or take a larger bearing"
         )
-    if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
-        yield (
-            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
-            "than computed; lower the load"
-        )
+    if high := overloaded(result.equivalent_load[:, k], result.dynamic_rating[k], result.speed):
+        yield high
 
 
 def _first(result: LifeResult, where: NDArray[np.bool_]) -> str:
