@@ -42,6 +42,8 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"the ring grows without the {on}; raise its interference"
         )
     yield from _yielding(scene)
+    if scene.conditions.heat_flow is not None:
+        yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
         yield (
             "history: no sleeve has friction, so that nothing is left of what happened before; "
