@@ -57,7 +57,9 @@ def summary(result: LifeResult) -> list[str]:
         )
         lines.append(f"warm       at {rpm:.0f} rpm {parts} °C")
     low, pressure = np.nanmin(result.static_safety), np.nanmax(result.pressure) / 1e9
-    lines.append(f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa")
+    lines.append(
+        f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa; {_static(result)}"
+    )
     orders = [
         f"{part} {_range(getattr(result, name)[_last(result)], 3)}"
         for part, name in (
@@ -69,6 +71,22 @@ def summary(result: LifeResult) -> list[str]:
     ]
     lines.append(f"defects    × speed at {rpm:.0f} rpm: {', '.join(map(unbroken, orders))}")
     return lines
+
+
+def _static(result: LifeResult) -> str:
+    """C0 and Cu of every bearing, whose they are, and where C is given and C0 is not."""
+    groups: dict[str, list[str]] = {}
+    alone = []
+    for k, name in enumerate(result.bearing):
+        used, grooves = result.static_rating[k], result.groove_static_rating[k]
+        of = "of the grooves" if used == grooves else "as given"
+        words = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
+        groups.setdefault(words, []).append(name)
+        if used == grooves and result.dynamic_rating[k] != result.groove_rating[k]:
+            alone.append(name)
+    said = ", ".join(unbroken(f"{'/'.join(names)} {words}") for words, names in groups.items())
+    missing = f"; {', '.join(alone)}: C is given and C0 is not (static_ratings)" if alone else ""
+    return f"C0 [N] {said}{missing}"
 
 
 def unmodified(result: LifeResult) -> NDArray[np.bool_]:
