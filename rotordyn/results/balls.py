@@ -86,6 +86,17 @@ def overloaded(
     )
 
 
+def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
+    """A warning where loaded contacts that turn have no film (speeds, …), else nothing."""
+    at = np.argwhere(gone)
+    if not len(at):
+        return ""
+    return (
+        f"films count as 0 from {speed[at[0, 0]] * RPM.factor:.0f} rpm on, where the formula of "
+        "inlet heating ends for an oil this thick; take a thinner or a warmer one"
+    )
+
+
 def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     """A warning where heat lowers the dynamic rating at some speed (speeds, …), else nothing."""
     at = np.argwhere(factor < 1.0)

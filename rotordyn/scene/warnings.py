@@ -19,7 +19,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.results.balls import gripping, preloaded, pressed, slipping
+from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.scene.stability import instability
 
@@ -166,6 +166,10 @@ def _films_rule(scene: Scene) -> Iterator[str]:
     state = scene.unloaded if scene.conditions.films is not None else None
     if state is None or state.films is None:
         return
+    films = np.hypot(state.films.growth, state.films.axial)
+    turning = (state.usable & (state.films.speed > 0.0))[:, None]
+    if thick := no_film(turning & (films == 0.0) & (state.seat_load() != 0.0), state.films.speed):
+        yield thick
     without, load = state.films.without, state.seat_load()
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)

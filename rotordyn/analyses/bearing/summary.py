@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.results.balls import (
+    no_film,
     of_a_pair,
     overloaded,
     pressed,
@@ -201,6 +202,11 @@ def _shown(result: BearingMapResult) -> list[int]:
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
+def _turning(result: BearingMapResult) -> NDArray[np.bool_]:
+    """Where it turns under load (speeds, loads)."""
+    return (result.speed > 0.0)[:, None] & (result.equivalent_load > 0.0)
+
+
 def _beyond_life(result: BearingMapResult) -> Iterator[str]:
     """Where loads leave what is known of lives, from the first such load of the list on."""
     rating = np.asarray(result.dynamic_rating)
@@ -244,6 +250,7 @@ def warnings(result: BearingMapResult) -> list[str]:
         of_a_pair(result.dynamic_rating, result.groove_rating),
         softened(result.rating_factor, result.speed),
         *_beyond_life(result),
+        no_film(_turning(result) & (result.film == 0.0), result.speed),
         *_overheated(result),
     ]
     return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

@@ -9,7 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import HOUR, LifeResult
-from rotordyn.results.balls import LEAST_SAFETY, of_a_pair, overloaded, softened, unsafe
+from rotordyn.results.balls import (
+    LEAST_SAFETY,
+    no_film,
+    of_a_pair,
+    overloaded,
+    softened,
+    unsafe,
+)
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
 from rotordyn.results.headline import Number, ends
@@ -182,6 +189,9 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
             f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
+    loaded = turning & np.isfinite(result.equivalent_load[:, k])
+    if thick := no_film(loaded & (result.film[:, k] == 0.0), result.speed):
+        yield thick
     if where := _first(result, result.slips[:, k]):
         yield (
             f"the balls need more friction than that of the lubricant from {where} on: they slip, "

@@ -145,6 +145,15 @@ def test_static_rating_of_a_catalogue_scales_safety_and_fatigue_limit() -> None:
     assert (rated.life_factor[0, 1:] == plain.life_factor[0, 1:]).all()
 
 
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told() -> None:
+    thick = replace(OIL, viscosity_40=90e-3, viscosity_100=1e-3, temperature=40.0)
+    ours = of_grinding(LifeSpec(thick), rpm=(0, 100, 12000))
+    assert (ours.film[1] > 0.0).all()
+    assert (ours.film[2] == 0.0).all()
+    (said,) = (words for words in warnings(ours) if "films" in words)
+    assert said.startswith("bearings a, b, c, d: films count as 0 from 12000 rpm on")
+
+
 def test_whose_static_rating_is_used_is_said() -> None:
     plain, rated = (
         " ".join(" ".join(summary(of_grinding(LifeSpec(**given)))).split())

@@ -119,3 +119,14 @@ def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
     held = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
     soft = summary(answer(VEX70, Conditions(), np.array([0.0, 8e3]) * RPM, held))
     assert any("300 N: axial" in line for line in soft)
+
+
+@pytest.mark.parametrize("films", [False, True])
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) -> None:
+    """VG 460 at 40 °C: 13.2 (p/E′) L^0.42 is beyond 1 at 30 000 rpm, where the film was 0."""
+    thick = replace(OIL, viscosity_40=460e-6, viscosity_100=30e-6, temperature=40.0)
+    spec = BearingMapSpec((600.0,), lubricant=thick, films=films)
+    found = answer(VEX70, Conditions(), np.array([0.0, 2e4, 3e4]) * RPM, spec)
+    assert (found.film[:, 0] > 0.0).tolist() == [False, True, False]
+    (said,) = (words for words in result_warnings({"bearing": found}) if "films" in words)
+    assert "films count as 0 from 30000 rpm on, where the formula of inlet heating ends" in said
