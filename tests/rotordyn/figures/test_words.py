@@ -142,7 +142,8 @@ def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
 
 def test_circles_of_a_rose_that_a_curve_runs_along_have_no_names():
     azimuth = np.linspace(0.0, 2.0 * math.pi, 20, endpoint=False)
-    load = np.array([38.0, 62.0, 125.0])[:, None] * np.ones(20)
+    azimuth[-2:] = np.nan  # another bearing has two balls more
+    load = np.array([38.0, 62.0, 125.0])[:, None] * np.where(np.isfinite(azimuth), 1.0, np.nan)
     result = SimpleNamespace(
         axial_load=np.ones((3, 1)), bearing=("a",), ball_azimuth=azimuth[None],
         ball_inner_load=load[:, None], speed=np.arange(3.0),

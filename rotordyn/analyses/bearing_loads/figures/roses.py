@@ -83,11 +83,13 @@ def _name_circles(axes: Any, azimuth: Array, values: Array) -> None:
     axes.set_yticks(circles, labels=[""] * len(circles))
     paper: Any = {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.75}
     look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": FONT_SIZE - 2.0}
-    turns = [np.interp(ray, azimuth, row, period=2.0 * np.pi) for row in np.nan_to_num(values)]
-    room = {each: min(abs(each - at) for at in turns) for each in circles}
+    known = np.isfinite(azimuth)
+    rows = np.nan_to_num(values)[:, known]
+    turns = [np.interp(ray, azimuth[known], row, period=2.0 * np.pi) for row in rows]
+    room = {each: min((abs(each - at) for at in turns), default=high) for each in circles}
     few = circles if len(circles) <= MOST_NAMED else circles[1::2]
     free = [each for each in few if room[each] > CLEAR * (high - low)]
-    for each in free or [max(circles, key=room.__getitem__)]:
+    for each in free or sorted(circles, key=room.__getitem__)[-1:]:
         axes.text(ray, each, f"{each:g}", zorder=5, bbox=paper, **look)
 
 
