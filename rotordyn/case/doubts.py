@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rotordyn.analyses.unlimited import unlimited
 from rotordyn.case.case import Case
 from rotordyn.machine.plausibility import estimates, implausible, unopposed
-from rotordyn.results.text import by_variant
+from rotordyn.results.by_variant import by_variant
 
 
 def doubts(case: Case) -> Iterator[str]:

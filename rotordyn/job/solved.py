@@ -18,7 +18,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import DATE, Origin, Part, Results, inputs_of
 from rotordyn.job.solving import labelled, restricted, solve, solve_variants, unsolved
-from rotordyn.results.text import by_variant
+from rotordyn.results.by_variant import by_variant
 
 if TYPE_CHECKING:
     import xarray as xr

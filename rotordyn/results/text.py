@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,6 @@ from rotordyn.results.display import number
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
 WARNING = "WARNING: "
-MOST_NAMED = 3  # variants that one sentence names
 _NO_BREAK = "\u00a0"
 
 
@@ -22,30 +21,6 @@ def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[s
     shown = [f"{WARNING}{sentence}" for sentence in warnings]
     shown += [title, *(f"note       {sentence}" for sentence in notes)]
     return [part for line in shown for part in wrapped(line)]
-
-
-def by_variant(said: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
-    """What is ``said`` of variants by name, each sentence once, led by the names of its variants.
-
-    >>> by_variant({"a": ["low", "hot"], "b": ["low"], "c": []})
-    ('a, b: low', 'a: hot')
-    """
-    names: dict[str, list[str]] = {}
-    for name, sentences in said.items():
-        for sentence in dict.fromkeys(sentences):
-            names.setdefault(sentence, []).append(name)
-    return tuple(
-        f"{_listed(held, len(said))}: {sentence}" if any(held) else sentence
-        for sentence, held in names.items()
-    )
-
-
-def _listed(names: Sequence[str], of: int) -> str:
-    if len(names) <= MOST_NAMED:
-        return ", ".join(names)
-    if len(names) == of:
-        return f"all {of} variants"
-    return f"{names[0]}, {names[1]} and {len(names) - 2} more variants"
 
 
 def unbroken(entry: str) -> str:

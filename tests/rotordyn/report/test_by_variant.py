@@ -9,7 +9,7 @@ import pytest
 import rotordyn
 from rotordyn.case.doubts import doubts
 from rotordyn.machine.lumped import PointMass
-from rotordyn.results.text import by_variant
+from rotordyn.results.by_variant import by_variant
 
 
 @pytest.mark.parametrize(
