@@ -265,17 +265,20 @@ def _contacts(
 
 
 def under(result: BearingMapResult, place: int, axial: str = "") -> str:
-    """A load of the list in words: 250 N (with ``axial`` behind it, and that it is the one as
-    mounted where heat makes it another one at work), 2000 N radial, 300 N·m."""
+    """A load of the list in words: 250 N (with ``axial`` behind it), 2000 N radial, 300 N·m."""
     unit = declared(result)["load"].metadata["unit"]
     words = f"{result.load[place]:g} {unit}"
     if isinstance(result, RadialMapResult):
         return f"{words} radial"
-    if isinstance(result, MomentMapResult):
-        return words
+    return words if isinstance(result, MomentMapResult) else words + axial
+
+
+def mounted_under(result: BearingMapResult, place: int, axial: str = "") -> str:
+    """The same, and that it is the load as mounted where heat makes it another one at work."""
     given = result.load[place]
     work = result.axial_force[np.isfinite(result.ball_temperature[:, place]), place]
-    return words + axial + " as mounted" * bool((np.abs(work - given) > SAME * given).any())
+    differs = (np.abs(work - given) > SAME * given).any()
+    return under(result, place, axial) + " as mounted" * bool(differs)
 
 
 def tangent_error(result: BearingMapResult, tangent: str, dof: str) -> Array:

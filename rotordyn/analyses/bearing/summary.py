@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
-from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.bearing.solve import mounted_under, under
 from rotordyn.results.balls import (
     no_film,
     of_a_pair,
@@ -69,8 +69,8 @@ def cut_off(result: BearingMapResult) -> list[str]:
             rpm = result.speed[np.flatnonzero(share[:, column])[0]] * RPM.factor
             sentences.append(
                 f"contact ellipse passes {what} of the {ring} ring, first under "
-                f"{under(result, column)} at {rpm:.0f} rpm, up to {100.0 * share.max():.2g} % of "
-                "its length lost"
+                f"{mounted_under(result, column)} at {rpm:.0f} rpm, up to "
+                f"{100.0 * share.max():.2g} % of its length lost"
             )
     return sentences
 
@@ -87,7 +87,7 @@ def _stiffness(result: BearingMapResult) -> list[str]:
     for k in range(len(result.load)):
         words = [word for word in result.outcome[:, k] if word]
         if len(words) == len(result.speed):
-            lines.append(f"{INDENT}{under(result, k)}: {words[0]}")
+            lines.append(f"{INDENT}{mounted_under(result, k)}: {words[0]}")
             continue
         good = result.outcome[:, k] == ""
         axial, radial = (from_to(stiffness[good, k, i, i]) for i in (0, 1))
@@ -104,8 +104,8 @@ def _solved(result: BearingMapResult, k: int) -> str:
     the case."""
     good = result.outcome[:, k] == ""
     if good[[0, -1]].all():
-        return under(result, k)
-    return f"{under(result, k)}, at {from_to(result.speed[good] * RPM.factor, 0)} rpm"
+        return mounted_under(result, k)
+    return f"{mounted_under(result, k)}, at {from_to(result.speed[good] * RPM.factor, 0)} rpm"
 
 
 def _contacts(result: BearingMapResult) -> list[str]:
@@ -128,7 +128,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
             if load > 0.0
         ]
         lines.append(
-            f"{INDENT}{under(result, k)}: {place if result.ball.size > 1 else ''}"
+            f"{INDENT}{mounted_under(result, k)}: {place if result.ball.size > 1 else ''}"
             f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
         )
     return lines
@@ -167,8 +167,8 @@ def _heat(result: BearingMapResult) -> list[str]:
             f"speed limit {limit:.0f} rpm" if np.isfinite(limit) else "no speed limit up to there"
         )
         text = (
-            f"{under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls {balls}, rings "
-            f"{inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; {ends}"
+            f"{mounted_under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls "
+            f"{balls}, rings {inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; {ends}"
         )
         lines.append(f"{'warm       ' if not lines else INDENT}{text}")
     return lines
@@ -222,7 +222,7 @@ def _beyond_life(result: BearingMapResult) -> Iterator[str]:
         first = next((k for k in range(count) if check(slice(k, k + 1))), None)
         if first is not None:
             more = " and more" * (first + 1 < count)
-            yield f"under {under(result, first)}{more}: {check(slice(first, None))}"
+            yield f"under {mounted_under(result, first)}{more}: {check(slice(first, None))}"
 
 
 def _overheated(result: BearingMapResult) -> Iterator[str]:
@@ -231,14 +231,15 @@ def _overheated(result: BearingMapResult) -> Iterator[str]:
         k = int(np.nanargmin(result.speed_limit))
         yield (
             f"temperatures reach no balance above {result.speed_limit[k] * RPM.factor:.0f} rpm "
-            f"under {under(result, k)}: cool the rings better, or lower the preload or the speed"
+            f"under {mounted_under(result, k)}: cool the rings better, or lower the preload or the "
+            "speed"
         )
 
 
 def warnings(result: BearingMapResult) -> list[str]:
     """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
     peak = np.fmax(result.inner_pressure, result.outer_pressure)
-    loads = [f"under {under(result, k)}" for k in range(len(result.load))]
+    loads = [f"under {mounted_under(result, k)}" for k in range(len(result.load))]
     sentences = [
         pressed(load, result.speed, values) for load, values in zip(loads, peak.T, strict=True)
     ]

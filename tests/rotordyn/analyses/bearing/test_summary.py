@@ -9,7 +9,7 @@ import pytest
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.bearing.summary import cut_off, summary
+from rotordyn.analyses.bearing.summary import cut_off, numbers, summary
 from rotordyn.analyses.bearing.tables import LAYOUTS
 from rotordyn.report.tables import tidy_columns
 from rotordyn.report.warnings import result_warnings
@@ -130,3 +130,13 @@ def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) 
     assert (found.film[:, 0] > 0.0).tolist() == [False, True, False]
     (said,) = (words for words in result_warnings({"bearing": found}) if "films" in words)
     assert "films count as 0 from 30000 rpm on, where the formula of inlet heating ends" in said
+
+
+def test_numbers_of_a_load_have_one_name_however_it_is_held() -> None:
+    spec = BearingMapSpec((300.0,), heat_flow=FLOW, lubricant=OIL)
+    soft = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
+    speed = np.array([0.0, 8e3]) * RPM
+    rigid, sprung = (answer(VEX70, Conditions(), speed, each) for each in (spec, soft))
+    assert any("as mounted" in line for line in summary(rigid))
+    one, other = ({each.words for each in numbers(found, None)} for found in (rigid, sprung))  # type: ignore[arg-type]
+    assert one == other
