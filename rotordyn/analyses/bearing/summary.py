@@ -168,7 +168,8 @@ def _heat(result: BearingMapResult) -> list[str]:
         )
         text = (
             f"{mounted_under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls "
-            f"{balls}, rings {inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; {ends}"
+            f"{balls}, rings {inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; "
+            f"{ends}"
         )
         lines.append(f"{'warm       ' if not lines else INDENT}{text}")
     return lines
