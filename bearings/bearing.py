@@ -103,7 +103,15 @@ PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-
 BALLS = Measure("count", "number of balls", 3, 500)
 CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
 MATERIAL = Measure("material", "elastic constants and density")
+THINNEST = 0.1  # wall of a ring over the diameter of the ball
 SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
+
+
+def ring_limits(pitch_diameter: float, ball_diameter: float, angle: float) -> tuple[float, float]:
+    """Largest bore and least outside diameter of rings whose walls are a tenth of the ball's
+    diameter where it touches them at contact ``angle`` [rad]; thin-section rings have a quarter."""
+    reach = ball_diameter * (math.cos(angle) + 2.0 * THINNEST)
+    return pitch_diameter - reach, pitch_diameter + reach
 
 
 @dataclass(frozen=True, slots=True)
@@ -275,6 +283,11 @@ class BallBearing:
     def outer_raceway_radius(self) -> float:
         """Radius of the ball's contact on the outer race, (dm + D cos α)/2 [m]."""
         return 0.5 * (self.pitch_diameter + self.ball_diameter * math.cos(self.free_angle))
+
+    @property
+    def ring_limits(self) -> tuple[float, float]:
+        """Largest bore and least outside diameter that leave rings beside the balls [m]."""
+        return ring_limits(self.pitch_diameter, self.ball_diameter, self.free_angle)
 
     @property
     def largest_static_growth(self) -> float:

@@ -29,10 +29,10 @@ class Film:
     """Films of a state, by contact (…, balls, contacts); NaN where there is no state.
 
     ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them, 0 without load or
-    speed; ``heating``: φT, by which it thins them; ``stiffness``: dQ/dh at constant speed [N/m], in
-    series with that of the contact. ``growth`` (…, balls) [m]: by which the films make a ball
-    appear larger, hi + ho of the most loaded contact of each race; with four contacts a ball grows
-    along both its diagonals.
+    speed; ``heating``: φT, by which it thins them, 0 where its formula has no value;
+    ``stiffness``: dQ/dh at constant speed [N/m], in series with that of the contact. ``growth``
+    (…, balls) [m]: by which the films make a ball appear larger, hi + ho of the most loaded contact
+    of each race; with four contacts a ball grows along both its diagonals.
     """
 
     least: Array
@@ -77,7 +77,8 @@ def hamrock_dowson(
 def inlet_heating(
     pressure: ArrayLike, modulus: float, loading: ArrayLike, slip: ArrayLike = 0.0
 ) -> Array:
-    """Factor φT on the film thickness, Gupta (1992).
+    """Factor φT on the film thickness, Gupta (1992); 0 where the formula ends, from
+    13.2 (p/E') L^0.42 = 1 on.
 
     ``pressure``: peak [Pa]; ``loading`` L = η β u²/k; ``slip`` S: sliding over entrainment.
     """

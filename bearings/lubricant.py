@@ -14,6 +14,7 @@ from bearings.errors import InvalidBearing, shown
 
 KELVIN = 273.15
 THICKEST = 0.1  # m²/s at 40 °C; the thickest gear oils have 0.0032
+_MOST_DECADES = 50.0  # of ν + 0.7 [mm²/s]; colder, the line of ASTM D341 soon overflows
 _SHIFT = 0.7  # mm²/s, of ASTM D341
 
 
@@ -66,8 +67,12 @@ class Lubricant:
         """ν [m²/s] at a temperature [°C] after ASTM D341: log log(ν + 0.7) linear in log T."""
         slope, level = self._line()
         kelvin = np.asarray(celsius, float) + KELVIN
-        if not (kelvin > 0.0).all():
-            raise InvalidBearing(f"lubricant: no temperature is {shown(celsius)} °C")
+        coldest = 10.0 ** ((level - math.log10(_MOST_DECADES)) / slope)
+        if (cold := kelvin[~(kelvin > coldest)]).size:
+            raise InvalidBearing(
+                f"lubricant: no temperature of an oil: given {cold[0] - KELVIN:.6g} °C; allowed: "
+                f"above {coldest - KELVIN:.6g} °C, below which this oil has no viscosity"
+            )
         return np.asarray(1e-6 * (10.0**10.0 ** (level - slope * np.log10(kelvin)) - _SHIFT))
 
     @checked

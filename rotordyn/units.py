@@ -106,6 +106,7 @@ KINDS: dict[str, tuple[str, ...]] = {
 }
 
 _ALSO = {"pressure": ("N/m^2",), "kinematic viscosity": ("cSt",)}  # spelt so as well
+_ZERO_IN_FAHRENHEIT = {"temperature": 32.0, "temperature difference": 0.0}
 _MEANT = {"C": ("degC", "K"), "c": ("degC", "K"), "Celsius": ("degC", "K")}
 
 _NUMBER = re.compile(
@@ -155,7 +156,8 @@ def _unit_for(kind: str, text: str, given: object) -> Unit:
         unit = parse_unit(text)
     except InvalidInput:
         raise InvalidInput(
-            f"unknown unit '{text}': given {shown(given)}; {_allowed(kind)}{_hint(text, kind)}"
+            f"unknown unit '{text}': given {shown(given)}; {_allowed(kind)}"
+            f"{_fahrenheit(text, kind, given) or _hint(text, kind)}"
         ) from None
     if unit.dimension not in _dimensions(kind):
         raise InvalidInput(
@@ -272,6 +274,18 @@ def _dimensions(kind: str) -> frozenset[Dimension]:
 def _allowed(kind: str) -> str:
     names = [unit or "a plain number" for unit in KINDS[kind]]
     return f"allowed: {', '.join(names)}"
+
+
+def _fahrenheit(text: str, kind: str, given: object) -> str:
+    """What degrees Fahrenheit, whose zero no unit here has, are in the unit of ``kind``."""
+    match = _NUMBER.fullmatch(_ungrouped(written(given)))
+    if text.lower().removeprefix("°").removeprefix("deg").strip() not in ("f", "fahrenheit"):
+        return ""
+    if match is None or kind not in _ZERO_IN_FAHRENHEIT:
+        return ""
+    number = float(f"{match[1]}e{match[2] or 0}")
+    value = (number - _ZERO_IN_FAHRENHEIT[kind]) / 1.8
+    return f"; Fahrenheit is not read (did you mean {value:.6g} {KINDS[kind][0]}?)"
 
 
 def _hint(text: str, kind: str) -> str:

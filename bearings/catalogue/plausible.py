@@ -11,8 +11,10 @@ import math
 import numpy as np
 
 from bearings.arrays import Array
+from bearings.bearing import ring_limits
 from bearings.catalogue.printed import Catalogue
 from bearings.catalogue.races import Insides
+from bearings.errors import InvalidBearing
 
 BALL_SHARE = (0.265, 0.035)  # D/(outside diameter − bore): mean and standard deviation
 FILL = (0.77, 0.08)  # Z D/(π dm) likewise
@@ -29,7 +31,18 @@ def plausible(given: Catalogue) -> tuple[Insides, Array]:
     """All combinations, flat arrays of equal length, and the logarithm of how usual each is."""
     pitch = given.pitch_diameter or 0.5 * (given.bore + given.outside_diameter)
     section = given.outside_diameter - given.bore
-    diameters = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
+    usual_ones = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
+    diameters = [each for each in usual_ones if _within(given, pitch, each)]
+    if not diameters:
+        largest, least = (
+            1e3 * each for each in ring_limits(pitch, usual_ones[0], given.contact_angle)
+        )
+        raise InvalidBearing(
+            f"no ring left beside balls of {usual_ones[0] * 1e3:.4g} mm on a pitch circle of "
+            f"{pitch * 1e3:.4g} mm: given bore {given.bore * 1e3:g} mm, outside_diameter "
+            f"{given.outside_diameter * 1e3:g} mm; allowed: a bore below {largest:.4g} mm, an "
+            f"outside diameter above {least:.4g} mm"
+        )
     pairs = [
         (diameter, count)
         for diameter in diameters
@@ -66,6 +79,12 @@ def _diameters(section: float) -> list[float]:
     step = _STEP * (1 if high < 0.007 else 2 if high < 0.0254 else 4)
     steps = range(math.ceil(low / step), math.floor(high / step) + 1)
     return [step * k for k in steps] or [BALL_SHARE[0] * section]
+
+
+def _within(given: Catalogue, pitch: float, diameter: float) -> bool:
+    """Whether balls of a diameter leave both rings a wall."""
+    largest, least = ring_limits(pitch, diameter, given.contact_angle)
+    return given.bore < largest and given.outside_diameter > least
 
 
 def _counts(diameter: float, pitch: float) -> range:

@@ -35,7 +35,7 @@ REFERENCE = 20.0  # °C, at which bearings are measured
 
 class Conductances(NamedTuple):
     """Of heat [W/K]: inner ring to shaft, outer ring to housing, balls to oil, and balls to either
-    ring through contacts and film."""
+    ring through contacts and film, where 1 is a guess."""
 
     inner_shaft: float
     outer_housing: float

@@ -53,20 +53,25 @@ def pair_rating(single: float, rows: int) -> float:
 
 @checked
 def dynamic_load(
-    radial: ArrayLike, axial: ArrayLike, contact_angle: float, axial_over_static: ArrayLike = 0.0
+    radial: ArrayLike,
+    axial: ArrayLike,
+    contact_angle: float,
+    axial_over_static: ArrayLike | None = None,
 ) -> Array:
     """P of a single-row angular-contact bearing, X Fr + Y Fa where Fa/Fr > e, else Fr [N].
 
     ``contact_angle`` [rad], to whole degrees: 15° or one of the table, 20° to 45° by 5°;
-    ``axial_over_static``: i Fa/C0, which a bearing of 15° asks for.
+    ``axial_over_static``: i Fa/C0, which a bearing of 15° needs.
 
     Raises
     ------
-    InvalidBearing : an angle the table does not have
+    InvalidBearing : an angle the table does not have, 15° without ``axial_over_static``
     """
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
     degrees = round(math.degrees(contact_angle))
     if degrees == 15:
+        if axial_over_static is None:
+            raise InvalidBearing("a contact angle of 15° needs axial_over_static, i Fa/C0: give it")
         share = np.asarray(axial_over_static, float)
         e, y = (np.interp(share, _SHALLOW[:, 0], _SHALLOW[:, k]) for k in (1, 2))
         x: Array | float = 0.44

@@ -145,11 +145,16 @@ def answer_bearing(
         return result
 
     results, stop = _answered(analyses, solve, progress)
+    flows = [flow for spec in analyses.values() for flow in spec.heat_flows]
     return Answers(
         results,
         seconds,
         dict.fromkeys(seconds, ""),
-        warnings=tuple(estimates({"": bearing})),
+        warnings=(
+            *estimates({"": bearing}),
+            *(guess for flow in flows for guess in flow.guesses()),
+        ),
+        notes=tuple(flow.note for flow in flows),
         stop=stop,
     )
 

@@ -48,10 +48,7 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     if node.child("estimate") is not None:
-        estimate = estimated(reading, node)
-        if estimate is not None:
-            _rings(reading.faults, node, estimate)
-        return estimate
+        return estimated(reading, node)
     kind = node.child("kind")
     model = bearing_class(kind.value if kind else None)
     values = reading.fields(model, node)

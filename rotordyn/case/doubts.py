@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from rotordyn.analyses.unlimited import unlimited
 from rotordyn.case.case import Case
 from rotordyn.machine.plausibility import estimates, implausible, unopposed
+from rotordyn.results.by_variant import by_variant
 
 
 def doubts(case: Case) -> Iterator[str]:
-    """Sentences that a run will warn of, or end with, led by the variant where there are any."""
-    for name, each in (case.variants or {"": case}).items():
-        for sentence in _of_one(each):
-            yield f"{name}: {sentence}" if name else sentence
+    """Sentences that a run will warn of, or end with, led by the variants where there are any."""
+    yield from by_variant(
+        {name: [*_of_one(each)] for name, each in (case.variants or {"": case}).items()}
+    )
 
 
 def _of_one(case: Case) -> Iterator[str]:

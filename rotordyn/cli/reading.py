@@ -23,7 +23,7 @@ def check(arguments: argparse.Namespace) -> int:
     questions = ", ".join(case.analyses)
     compared = f"; {_counted(len(case.variants), 'variant')}" if case.variants else ""
     speeds = _counted(len(case.speeds), "speed")
-    sentences = dict.fromkeys(doubts(case))
+    sentences = [*doubts(case)]
     for sentence in sentences:
         say(f"WARNING: {sentence}")
     found = f"fine, with {_counted(len(sentences), 'warning')}" if sentences else "fine"

@@ -18,6 +18,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import DATE, Origin, Part, Results, inputs_of
 from rotordyn.job.solving import labelled, restricted, solve, solve_variants, unsolved
+from rotordyn.results.by_variant import by_variant
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,13 +65,8 @@ class Solution:
         }
 
     def sentences(self, of: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
-        """What is ``of`` of every part, each sentence once, led by the name of the variant."""
-        sentences = {
-            f"{part}: {sentence}" if part else sentence: None
-            for part, (_, answers) in self.parts.items()
-            for sentence in of(answers)
-        }
-        return tuple(sentences)
+        """What is ``of`` of every part, each sentence once, led by the names of its variants."""
+        return by_variant({part: of(answers) for part, (_, answers) in self.parts.items()})
 
 
 class SolvedResults(Results):

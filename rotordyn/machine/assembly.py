@@ -160,20 +160,22 @@ def _set(spindle: Spindle) -> Faults:
 
 def _held_twice(spindle: Spindle) -> Faults:
     """Two supports that hold one DOF of a station, or one that holds x beside bearings."""
-    taken: dict[str, list[LinearSupport]] = {}
+    taken: dict[tuple[str, frozenset[str]], list[LinearSupport]] = {}
     for support in spindle.supports:
         for dof in support.rigid:
-            for other in taken.get(dof, ()):
+            alike = taken.setdefault((dof, frozenset(support.ends)), [])
+            for other in alike:
                 if abs(support.x - other.x) <= SLACK:
                     yield (
                         ("supports",),
                         f"supports '{other.name}' and '{support.name}' both hold {dof} there",
                     )
-            taken.setdefault(dof, []).append(support)
-    if "x" in taken and spindle.seats:
+            alike.append(support)
+    along = taken.get(("x", frozenset((SPINDLE, GROUND))))
+    if along and spindle.seats:
         yield (
             ("supports",),
-            f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
+            f"support '{along[0].name}' holds x rigidly beside bearings, whose preload moves "
             "the shaft along: give it a stiffness xx",
         )
 

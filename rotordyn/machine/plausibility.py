@@ -11,6 +11,7 @@ from itertools import pairwise
 
 from bearings.bearing import BallBearing
 from rotordyn.machine.housing import Rows
+from rotordyn.machine.implausible_bodies import UNLIKE, implausible_bodies
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.matrix import Entries, acts, entry_name
 from rotordyn.machine.seat import BearingSeat
@@ -27,19 +28,14 @@ SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less than thes
 SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
-LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
-TWICE = 0.1  # of a disc's mass that the shaft has as well
 NEAR = 1e-6  # [m] between a point and an end
-UNLIKE = 1.25  # diameter of the shaft over the bore on it; some count inner rings as shaft
-DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 
 
 def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     """Sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
     yield from _lengths(spindle)
-    yield from _discs(spindle)
+    yield from implausible_bodies(spindle)
     yield from _tip(spindle)
-    yield from _masses(spindle)
     yield from _bores(spindle)
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
@@ -151,25 +147,6 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
         yield f"the shaft is {whole:.4g} m long: check the units of its sections"
 
 
-def _discs(spindle: Spindle) -> Iterator[str]:
-    for disc in spindle.discs:
-        under = spindle.shaft.diameters_at(disc.x)[0]
-        if disc.inner_diameter > LOOSE * under:
-            yield (
-                f"disc {disc.name} does not touch the shaft: its bore is "
-                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft below it "
-                f"{under * 1e3:.4g} mm"
-            )
-            continue
-        shared = max(min(under, disc.outer_diameter) ** 2 - disc.inner_diameter**2, 0.0)
-        if shared > TWICE * (disc.outer_diameter**2 - disc.inner_diameter**2):
-            yield (
-                f"disc {disc.name} and the shaft fill the same space: its bore is "
-                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "
-                "so that mass is counted twice; let the bore be the shaft's diameter"
-            )
-
-
 def _tip(spindle: Spindle) -> Iterator[str]:
     """A tip that stayed where it was when a section of the tool became longer."""
     start, end = spindle.shaft.reach
@@ -179,20 +156,6 @@ def _tip(spindle: Spindle) -> Iterator[str]:
             f"point tip lies {behind * 1e3:.4g} mm behind the front end: give it as `front` in the "
             "points of the tool, which follows its sections, or call it otherwise"
         )
-
-
-def _masses(spindle: Spindle) -> Iterator[str]:
-    """Inertias far below those of any body of that mass, as of a number in kg mm²."""
-    for body in spindle.masses:
-        ball = 0.4 * body.mass * (0.75 * body.mass / (math.pi * DENSEST)) ** (2.0 / 3.0)
-        for word in ("polar", "diametral"):
-            inertia = getattr(body, f"{word}_inertia")
-            if 0.0 < inertia < TIGHT * ball:
-                yield (
-                    f"mass {body.name}: its {word} inertia of {inertia:.3g} kg m^2 is far below "
-                    f"that of any body of {body.mass:.4g} kg (a ball of tungsten has {ball:.2g}): "
-                    "check its unit"
-                )
 
 
 def _bores(spindle: Spindle) -> Iterator[str]:

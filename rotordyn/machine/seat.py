@@ -163,8 +163,8 @@ def no_ring_left(
 ) -> Iterator[tuple[str, float, str]]:
     """Of each diameter [m] that leaves no ring beside the balls: ``bore`` or ``outside``, its size,
     and what is allowed."""
-    inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
-    if bore is not None and bore >= inner:
-        yield "bore", bore, f"below {format_quantity(inner, 'mm')}"
-    if outside is not None and outside <= outer:
-        yield "outside", outside, f"above {format_quantity(outer, 'mm')}"
+    largest, least = bearing.ring_limits
+    if bore is not None and bore >= largest:
+        yield "bore", bore, f"below {format_quantity(largest, 'mm')}"
+    if outside is not None and outside <= least:
+        yield "outside", outside, f"above {format_quantity(least, 'mm')}"

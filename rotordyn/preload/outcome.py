@@ -122,10 +122,10 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     loose = np.flatnonzero((net.response.slope[row] <= 0.0) & network.both_ways)
     if loose.size:
         return (
-            f"bearing {names[loose[0]]} stands within its play at {rpm:.0f} rpm, where no ball is "
-            "pressed and it holds nothing, so that all that is linear about this state would "
-            "leave it out, however the shaft is held elsewhere: let a spring or an axial force "
-            "load it, or take away its play"
+            f"bearing {names[loose[0]]} stands within its play at {rpm:.0f} rpm: no ball is "
+            "pressed, and without loads across the axis nothing says where in it the shaft lies, "
+            "though it may well be held elsewhere: let a spring or an axial force load the "
+            "bearing, take away its play, or give what lies across (gravity, loads)"
         )
     if not net.converged[row]:
         return _unbalanced(network.arrangement, rpm)

@@ -9,6 +9,7 @@ from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
 from rotordyn.results.display import RPM
 
 GRIP = 0.1  # friction coefficient
+LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
 PAIR = 1.4  # times the rating of the grooves: that of a pair is 1.62 times
 DOFS = ("x", "y", "z", "thy", "thz")
 BALL_QUANTITIES = (
@@ -56,6 +57,43 @@ def of_a_pair(rating: float, of_grooves: float) -> str:
     return (
         f"dynamic rating {rating:.0f} N is {ratio:.2f} times that of the grooves; give that of one "
         "bearing: a pair has 1.62 times as much"
+    )
+
+
+def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
+    """A warning where the static safety (speeds, …) leaves the range of lives, else nothing."""
+    at = np.argwhere(safety < LEAST_SAFETY)
+    if not len(at):
+        return ""
+    return (
+        f"static safety {np.nanmin(safety):.2g} is below {LEAST_SAFETY:g} from "
+        f"{speed[at[0, 0]] * RPM.factor:.0f} rpm on, and life is shorter than computed; lower the "
+        "load or take a larger bearing"
+    )
+
+
+def overloaded(
+    load: NDArray[np.float64], rating: NDArray[np.float64], speed: NDArray[np.float64]
+) -> str:
+    """A warning where the equivalent load (speeds, …) is beyond half the dynamic rating [N], up to
+    which ISO/TS 16281 knows lives, else nothing."""
+    at = np.argwhere(2.0 * load > rating)
+    if not len(at):
+        return ""
+    return (
+        f"equivalent load above half the dynamic rating from {speed[at[0, 0]] * RPM.factor:.0f} "
+        "rpm on: life is shorter than computed; lower the load"
+    )
+
+
+def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
+    """A warning where loaded contacts that turn have no film (speeds, …), else nothing."""
+    at = np.argwhere(gone)
+    if not len(at):
+        return ""
+    return (
+        f"films count as 0 from {speed[at[0, 0]] * RPM.factor:.0f} rpm on, where the formula of "
+        "inlet heating ends for an oil this thick; take a thinner or a warmer one"
     )
 
 

@@ -322,7 +322,8 @@ def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
     ties = [
         support
         for support in supports
-        if set(support.ends) != {SPINDLE, GROUND} and any("x" in pair for pair in support.stiffness)
+        if set(support.ends) != {SPINDLE, GROUND}
+        and any("x" in pair for pair in (*support.stiffness, support.rigid))
     ]
     reached, further = set[str](), {SPINDLE}
     while further:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
 MOUNTINGS = ("rigid", "spring")
 LEAVING = ("inner_shaft", "outer_housing", "balls_oil")
+BALLS = ("balls_inner", "balls_outer")
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,8 +29,12 @@ class HeatFlow(Description):
     housing: Annotated[Temperature, "of the housing"]
     oil: Annotated[Temperature, "of the oil where it comes in"]
     balls_oil: Annotated[ThermalConductance, "from the balls to the oil that leaves"] = 0.0
-    balls_inner: Annotated[ThermalConductance, "from the balls to the inner ring"] = 1.0
-    balls_outer: Annotated[ThermalConductance, "from the balls to the outer ring"] = 1.0
+    balls_inner: Annotated[
+        ThermalConductance | None, "from the balls to the inner ring; by default 1 W/K, a guess"
+    ] = None
+    balls_outer: Annotated[
+        ThermalConductance | None, "from the balls to the outer ring; by default 1 W/K, a guess"
+    ] = None
 
     def _faults(self) -> Faults:
         leaving = sum(getattr(self, name) for name in LEAVING)
@@ -37,10 +43,32 @@ class HeatFlow(Description):
 
     @property
     def conductances(self) -> Conductances:
-        """Conductances in the form of ``bearings.heat``."""
+        """Conductances in the form of ``bearings.heat``, its guesses where they are not given."""
         from bearings.heat.temperature import Conductances
 
-        return Conductances(*(getattr(self, name) for name in Conductances._fields))
+        given = {name: getattr(self, name) for name in Conductances._fields}
+        return Conductances(**{name: g for name, g in given.items() if g is not None})
+
+    @property
+    def note(self) -> str:
+        """A sentence with the conductances."""
+        c = self.conductances
+        return (
+            f"heat of a bearing flows off through {c.inner_shaft:g} W/K from inner ring to shaft, "
+            f"{c.outer_housing:g} from outer ring to housing, {c.balls_oil:g} from balls to oil, "
+            f"{c.balls_inner:g} and {c.balls_outer:g} from balls to inner and outer ring"
+        )
+
+    def guesses(self) -> Iterator[str]:
+        """A sentence where conductances are guesses."""
+        missing = [name for name in BALLS if getattr(self, name) is None]
+        if missing:
+            taken = getattr(self.conductances, missing[0])
+            yield (
+                f"heat_flow: {' and '.join(missing)}, not given, {'are' if missing[1:] else 'is'} "
+                f"taken as {taken:g} W/K, a guess that temperatures of the balls, preload, life "
+                "and speed limits hang on: give values, and vary them by a factor of five"
+            )
 
     @property
     def surroundings(self) -> Surroundings:

@@ -142,7 +142,10 @@ class Scene(Statics):
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about choices of the case without which results are misread."""
-        return (*frame_notes(self.conditions.formulation), *friction_notes(self), *ring_notes(self))
+        flow = self.conditions.heat_flow
+        frame = frame_notes(self.conditions.formulation)
+        flows = () if flow is None else (flow.note,)
+        return (*frame, *friction_notes(self), *ring_notes(self), *flows)
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from rotordyn.machine.assembly import unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.heat_flow import HeatFlow
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,11 @@ class Spec(Description):
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:
         """What of a single bearing contradicts it, likewise."""
+        return ()
+
+    @property
+    def heat_flows(self) -> tuple[HeatFlow, ...]:
+        """How it lets heat flow off, where it says so itself."""
         return ()
 
 

@@ -141,7 +141,7 @@ class Statics(Staged):
         NoSolution : none has
         """
         if all(self.outcome):
-            raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
+            raise NoSolution(f"no speed of the case has a usable state: {self.outcome[0]}")
 
     @property
     def usable(self) -> Indices:

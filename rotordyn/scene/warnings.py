@@ -20,7 +20,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.preload.unshortened import shortening_load
-from rotordyn.results.balls import gripping, preloaded, pressed, slipping
+from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.scene.stability import instability
 
@@ -43,6 +43,8 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"the ring grows without the {on}; raise its interference"
         )
     yield from _yielding(scene)
+    if scene.conditions.heat_flow is not None:
+        yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
         yield (
             "history: no sleeve has friction, so that nothing is left of what happened before; "
@@ -166,6 +168,10 @@ def _films_rule(scene: Scene) -> Iterator[str]:
     state = scene.unloaded if scene.conditions.films is not None else None
     if state is None or state.films is None:
         return
+    films = np.hypot(state.films.growth, state.films.axial)
+    turning = (state.usable & (state.films.speed > 0.0))[:, None]
+    if thick := no_film(turning & (films == 0.0) & (state.seat_load() != 0.0), state.films.speed):
+        yield thick
     without, load = state.films.without, state.seat_load()
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)

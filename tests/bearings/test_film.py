@@ -163,6 +163,18 @@ def test_viscosity_goes_through_its_two_points() -> None:
     assert OIL.thinning(60.0) == pytest.approx(float(step), rel=1e-4)
 
 
+def test_temperatures_below_those_of_any_oil_are_named() -> None:
+    """The one of many that is too cold, and from which on the oil has a viscosity."""
+    with pytest.raises(InvalidBearing, match=r"given -273 °C; allowed: above -[12]\d\d") as refused:
+        OIL.kinematic([40.0, -273.0, 20.0])
+    coldest = float(str(refused.value).split("above ")[1].split(" °C")[0])
+    assert np.isfinite(OIL.kinematic(coldest + 0.01))
+    with pytest.raises(InvalidBearing, match="no temperature of an oil"):
+        OIL.kinematic(coldest - 0.01)
+    with pytest.raises(InvalidBearing, match="given nan °C"):
+        OIL.kinematic(np.nan)
+
+
 def test_viscosity_of_a_known_oil() -> None:
     """An ISO VG 68 oil of viscosity index 95, 8.5 mm²/s at 100 °C, has some 20 mm²/s at 70 °C."""
     assert Lubricant(68e-6, 8.5e-6).kinematic(70.0) == pytest.approx(20e-6, rel=0.05)

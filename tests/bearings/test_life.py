@@ -191,6 +191,7 @@ def test_static_rating_is_the_load_that_dents() -> None:
         (lambda: life.mean_life([-1.0, 2.0], [1.0, 1.0]), "shares"),
         (lambda: life.static_rating(VEX70, 0.0), "pressure"),
         (lambda: life.dynamic_load(1.0, 1.0, 0.3), "no factors X and Y"),
+        (lambda: life.dynamic_load(1.0, 1.0, math.radians(15.0)), "15° needs axial_over_static"),
         (lambda: life.equivalent_static(1.0, 1.0, 1.3), "no factor Y0"),
         (lambda: life.pair_rating(1.0, 0), "rows"),
         (lambda: life.basic_life(-1.0, 1.0), "rating must not be negative"),

@@ -183,3 +183,26 @@ def test_only_groups_of_three_digits_are_one_number(text: str) -> None:
 def test_degrees_that_are_meant(kind: str, unit: str) -> None:
     with pytest.raises(InvalidInput, match=rf"unknown unit 'C'.*\(did you mean {unit}\?\)"):
         units.parse("40 C", kind)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "meant"),
+    [
+        ("95 °F", "temperature", "35 degC"),
+        ("1.4e2 degF", "temperature", "60 degC"),
+        ("-40 F", "temperature", "-40 degC"),
+        ("50 Fahrenheit", "temperature difference", "27.7778 K"),
+    ],
+)
+def test_degrees_fahrenheit_are_named_in_the_unit_that_is_read(
+    text: str, kind: str, meant: str
+) -> None:
+    """The boiling point has 212, the freezing point 32 of them; a difference of 180 is 100 K."""
+    with pytest.raises(InvalidInput, match=rf"Fahrenheit is not read \(did you mean {meant}\?\)"):
+        units.parse(text, kind)
+
+
+def test_fahrenheit_means_nothing_of_other_kinds() -> None:
+    with pytest.raises(InvalidInput, match="unknown unit 'F'") as refused:
+        units.parse("3 F", "force")
+    assert "Fahrenheit" not in str(refused.value)

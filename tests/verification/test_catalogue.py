@@ -253,6 +253,8 @@ CONTRADICTIONS = [
     (dict(outside_diameter=0.072), "outside_diameter 72 mm must be well above bore 70 mm"),
     (dict(ball_diameter=0.03), "ball_diameter 30 mm does not fit a section of 20 mm"),
     (dict(pitch_diameter=0.12), "pitch_diameter 120 mm must lie between bore and outside_diameter"),
+    (dict(pitch_diameter=0.071), "no ring left beside balls of .* on a pitch circle of 71 mm"),
+    (dict(ball_diameter=0.0199, balls=12), "no ring left .* 19.9 mm .* a bore below 67.98 mm"),
     (dict(contact_angle=25.0), "contact_angle must lie"),
     (dict(contact_angle=math.radians(4.9)), "at least 5°, got 4.9"),
     (dict(preloads=[190.0, -5.0, 3.0]), "positive numbers"),
@@ -284,6 +286,30 @@ def test_rating_of_a_pair_given_for_one_is_doubted(given: dict[str, Any]) -> Non
 
 def test_a_contact_angle_just_above_the_least() -> None:
     assert estimate(**RINGS, contact_angle=math.radians(5.1), dynamic_rating=40e3).doubt == ""
+
+
+def test_balls_on_a_pitch_circle_out_of_the_middle_leave_both_rings_a_wall() -> None:
+    """Without rings in the way the likeliest ball would be 0.265 times the section, 10.6 mm."""
+    found = estimate(**RINGS, contact_angle=0.4, pitch_diameter=0.0815)
+    assert 0.5 * (found.pitch_diameter - 0.07) > found.ball_diameter * (0.5 * math.cos(0.4) + 0.1)
+    assert estimate(**RINGS, contact_angle=0.4).ball_diameter > found.ball_diameter
+
+
+def test_an_estimate_lies_within_its_spread() -> None:
+    """Grooves tighter than the grid of insides are reached by refining alone."""
+    true = known(24, 9.525e-3, 25.0, False, 0.5075, 0.5085)
+    found = estimate(
+        **RINGS,
+        contact_angle=true.contact_angle,
+        hybrid=False,
+        dynamic_rating=life.dynamic_rating(true),
+        static_rating=life.static_rating(true),
+        ball_diameter=true.ball_diameter,
+        balls=true.balls,
+    )
+    assert found.inner_conformity < 0.508
+    for name, (low, high) in found.spread.items():
+        assert low <= getattr(found, name) <= high, name
 
 
 def test_rings_alone_give_a_wide_estimate() -> None:

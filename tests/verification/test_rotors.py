@@ -173,6 +173,28 @@ def test_no_other_rotor_ties_a_spindle_with_bearings_to_ground_along_its_axis() 
         replace(base, spindle=ring_on(mfw2310(), foot=""), analyses={"campbell": CampbellSpec()})
 
 
+def test_what_holds_another_rotor_rigidly_along_does_not_hold_the_shaft() -> None:
+    """Beside bearings, at the very station of a support of the shaft that holds the same DOF."""
+    bare, along = mfw2310(), LinearSupport("own", 0.2, rigid=("x", "thx"), holds="ring")
+    on_ring = every_way("around", 0.2, 1e8, "ring", "ground")
+    ring = replace(ring_on(bare), supports=(*bare.supports, along, on_ring))
+    twist = LinearSupport("twist", 0.2, rigid=("thx",))
+    found, expected = (
+        Scene(machine, Conditions(axial_force=0.0), np.array([24000.0]) * RPM, 3000.0)
+        for machine in (replace(ring, supports=(*ring.supports, twist)), bare)
+    )
+    assert found.preload.net.response.load == pytest.approx(expected.preload.net.response.load)
+    ours, theirs = (system_of(each, "axial").pole[0] for each in (found, expected))
+    theirs = theirs[np.abs(theirs) < 2.0 * math.pi * 3000.0]
+    assert len(theirs)
+    assert np.abs(ours[:, None] / theirs - 1.0).min(axis=0).max() < 1e-6
+    tied = replace(along, name="tie", against="spindle")
+    replace(ring, supports=(on_ring, tied))
+    machine = replace(ring, supports=(along, replace(tied, x=0.205), on_ring))
+    with pytest.raises(InvalidInput, match="'own', 'tie' tie the shaft along the axis to ground"):
+        replace(case("mfw2310"), spindle=machine, analyses={"campbell": CampbellSpec()})
+
+
 # --- closed form of two rigid rotors -------------------------------------------------------------
 
 SPRINGS = (("a", 0.05, 2e7), ("b", 0.45, 1e7))  # inner rotor to ground

@@ -68,6 +68,15 @@ def test_films_raise_preload_and_stiffness_and_none_is_at_rest(case):
     np.testing.assert_allclose(wet.preload.films.without, bare, rtol=1e-12)
 
 
+def test_films_beyond_the_formula_of_inlet_heating_are_told(case):
+    thick = replace(OILED, viscosity_40=20e-3, viscosity_100=0.5e-3, temperature=40.0)
+    for oil, said in ((OILED, False), (thick, True)):
+        found = scene(case, oil)
+        assert (found.preload.films.growth[1:] == 0.0).any() == said
+        words = "films count as 0 from 8000 rpm on"
+        assert any(words in each for each in found.warnings) == said
+
+
 def test_loads_across_the_axis_act_on_films(case):
     """A weight of nothing leaves the state as it is, a real one its axial sum nearly."""
     still, weighed = scene(case), scene(case, gravity="-y")

@@ -28,6 +28,7 @@ SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
 RESULTS = {AXIAL: BearingMapResult, RADIAL: RadialMapResult, MOMENT: MomentMapResult}
 PLACES = {AXIAL: 0, RADIAL: 1, MOMENT: 4}  # of a component in (Fx, Fy, Fz, My, Mz)
 TILTS = [3, 4]
+SAME = 1e-3  # of a load: what a spring holds at work but for rounding
 
 
 def answer(
@@ -270,6 +271,14 @@ def under(result: BearingMapResult, place: int, axial: str = "") -> str:
     if isinstance(result, RadialMapResult):
         return f"{words} radial"
     return words if isinstance(result, MomentMapResult) else words + axial
+
+
+def mounted_under(result: BearingMapResult, place: int, axial: str = "") -> str:
+    """The same, and that it is the load as mounted where heat makes it another one at work."""
+    given = result.load[place]
+    work = result.axial_force[np.isfinite(result.ball_temperature[:, place]), place]
+    differs = (np.abs(work - given) > SAME * given).any()
+    return under(result, place, axial) + " as mounted" * bool(differs)
 
 
 def tangent_error(result: BearingMapResult, tangent: str, dof: str) -> Array:

@@ -11,7 +11,7 @@ from rotordyn.description import Faults, ascending, repeated
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
-from rotordyn.scene.heat_flow import MountedHeatFlow
+from rotordyn.scene.heat_flow import HeatFlow, MountedHeatFlow
 from rotordyn.scene.lubrication import ELLIPSE, LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Spec
 
@@ -124,6 +124,10 @@ class BearingMapSpec(Spec):
         if self.flexible_rings is None:
             return bearing
         return replace(bearing, rings=self.flexible_rings.bodies(bearing))
+
+    @property
+    def heat_flows(self) -> tuple[HeatFlow, ...]:
+        return () if self.heat_flow is None else (self.heat_flow,)
 
     @property
     def swept(self) -> str:

@@ -8,8 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
-from rotordyn.analyses.bearing.solve import under
-from rotordyn.results.balls import of_a_pair, pressed, slipping, softened
+from rotordyn.analyses.bearing.solve import mounted_under, under
+from rotordyn.results.balls import (
+    no_film,
+    of_a_pair,
+    overloaded,
+    pressed,
+    slipping,
+    softened,
+    unsafe,
+)
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
 from rotordyn.results.headline import Number, ends
@@ -61,8 +69,8 @@ def cut_off(result: BearingMapResult) -> list[str]:
             rpm = result.speed[np.flatnonzero(share[:, column])[0]] * RPM.factor
             sentences.append(
                 f"contact ellipse passes {what} of the {ring} ring, first under "
-                f"{under(result, column)} at {rpm:.0f} rpm, up to {100.0 * share.max():.2g} % of "
-                "its length lost"
+                f"{mounted_under(result, column)} at {rpm:.0f} rpm, up to "
+                f"{100.0 * share.max():.2g} % of its length lost"
             )
     return sentences
 
@@ -79,15 +87,25 @@ def _stiffness(result: BearingMapResult) -> list[str]:
     for k in range(len(result.load)):
         words = [word for word in result.outcome[:, k] if word]
         if len(words) == len(result.speed):
-            lines.append(f"{INDENT}{under(result, k)}: {words[0]}")
+            lines.append(f"{INDENT}{mounted_under(result, k)}: {words[0]}")
             continue
-        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
+        good = result.outcome[:, k] == ""
+        axial, radial = (from_to(stiffness[good, k, i, i]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
-            f"{INDENT}{under(result, k)}: axial {axial}, radial {radial}; pressure up to "
+            f"{INDENT}{_solved(result, k)}: axial {axial}, radial {radial}; pressure up to "
             f"{pressure:.2f} GPa"
         )
     return lines
+
+
+def _solved(result: BearingMapResult, k: int) -> str:
+    """A load, with the first and the last speed that it has a state at where they are not those of
+    the case."""
+    good = result.outcome[:, k] == ""
+    if good[[0, -1]].all():
+        return mounted_under(result, k)
+    return f"{mounted_under(result, k)}, at {from_to(result.speed[good] * RPM.factor, 0)} rpm"
 
 
 def _contacts(result: BearingMapResult) -> list[str]:
@@ -110,7 +128,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
             if load > 0.0
         ]
         lines.append(
-            f"{INDENT}{under(result, k)}: {place if result.ball.size > 1 else ''}"
+            f"{INDENT}{mounted_under(result, k)}: {place if result.ball.size > 1 else ''}"
             f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
         )
     return lines
@@ -124,7 +142,7 @@ def _life(result: BearingMapResult) -> list[str]:
         if not good.any():
             continue
         life = f"{from_to(result.revolutions[good, k] * 1e-6, 0)} million revolutions"
-        text = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
+        text = f"{_solved(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
         if np.isfinite(result.viscous_heat[good, k]).any():
             heat = (result.contact_heat + result.viscous_heat)[good, k]
             text += f", heat {from_to(heat, 0)} W (order of magnitude)"
@@ -149,8 +167,9 @@ def _heat(result: BearingMapResult) -> list[str]:
             f"speed limit {limit:.0f} rpm" if np.isfinite(limit) else "no speed limit up to there"
         )
         text = (
-            f"{under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls {balls}, rings "
-            f"{inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; {ends}"
+            f"{mounted_under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls "
+            f"{balls}, rings {inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; "
+            f"{ends}"
         )
         lines.append(f"{'warm       ' if not lines else INDENT}{text}")
     return lines
@@ -184,20 +203,44 @@ def _shown(result: BearingMapResult) -> list[int]:
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
+def _turning(result: BearingMapResult) -> NDArray[np.bool_]:
+    """Where it turns under load (speeds, loads)."""
+    return (result.speed > 0.0)[:, None] & (result.equivalent_load > 0.0)
+
+
+def _beyond_life(result: BearingMapResult) -> Iterator[str]:
+    """Where loads leave what is known of lives, from the first such load of the list on."""
+    rating = np.asarray(result.dynamic_rating)
+
+    def low(at: slice) -> str:
+        return unsafe(result.static_safety[:, at], result.speed)
+
+    def high(at: slice) -> str:
+        return overloaded(result.equivalent_load[:, at], rating, result.speed)
+
+    count = len(result.load)
+    for check in (low, high):
+        first = next((k for k in range(count) if check(slice(k, k + 1))), None)
+        if first is not None:
+            more = " and more" * (first + 1 < count)
+            yield f"under {mounted_under(result, first)}{more}: {check(slice(first, None))}"
+
+
 def _overheated(result: BearingMapResult) -> Iterator[str]:
     """Where temperatures run away first."""
     if np.isfinite(result.speed_limit).any():
         k = int(np.nanargmin(result.speed_limit))
         yield (
             f"temperatures reach no balance above {result.speed_limit[k] * RPM.factor:.0f} rpm "
-            f"under {under(result, k)}: cool the rings better, or lower the preload or the speed"
+            f"under {mounted_under(result, k)}: cool the rings better, or lower the preload or the "
+            "speed"
         )
 
 
 def warnings(result: BearingMapResult) -> list[str]:
     """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
     peak = np.fmax(result.inner_pressure, result.outer_pressure)
-    loads = [f"under {under(result, k)}" for k in range(len(result.load))]
+    loads = [f"under {mounted_under(result, k)}" for k in range(len(result.load))]
     sentences = [
         pressed(load, result.speed, values) for load, values in zip(loads, peak.T, strict=True)
     ]
@@ -208,6 +251,8 @@ def warnings(result: BearingMapResult) -> list[str]:
     sentences += [
         of_a_pair(result.dynamic_rating, result.groove_rating),
         softened(result.rating_factor, result.speed),
+        *_beyond_life(result),
+        no_film(_turning(result) & (result.film == 0.0), result.speed),
         *_overheated(result),
     ]
     return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

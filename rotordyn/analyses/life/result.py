@@ -37,7 +37,8 @@ class LifeResult:
     ``dynamic_rating``: the one used. ``rating_factor``: of temperature, on ``dynamic_rating``,
     below 1 above 150 °C. ``set_life``: until the first bearing fails. ``spectrum_life``,
     ``spectrum_set_life``, ``spectrum_safety``: under the load spectrum, NaN without one.
-    ``static_safety``: (4.2 GPa over the peak pressure)³. ``shoulder_margin``: least angle from the
+    ``static_safety``: (4.2 GPa over the peak pressure)³, times C0 used over that of the grooves
+    (``static_rating``, ``groove_static_rating``). ``shoulder_margin``: least angle from the
     end of a contact ellipse to the shoulder, NaN where no shoulder diameter is known;
     ``lost_load``: share of a ball's load that the shoulder takes away. ``viscosity_ratio`` κ,
     ``film``: least thickness, 0 without load, ``film_ratio`` Λ, and heat are NaN without a
@@ -126,6 +127,10 @@ class LifeResult:
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
     rating_factor: Array = quantity(*BY, unit="1", label="factor on the dynamic rating by heat")
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")
+    groove_static_rating: Array = quantity(
+        "bearing", unit="N", label="static load rating of the grooves"
+    )
+    fatigue_limit: Array = quantity("bearing", unit="N", label="fatigue load limit Cu")
     set_life: Array = quantity(
         "speed", unit="s", label="life of the set", printed=HOURS, infinite=(AT_REST, NO_LOAD)
     )

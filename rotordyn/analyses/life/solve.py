@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,15 +35,16 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     state, seats = scene.preload, scene.spindle.seats
     good = np.array([word == "" for word in scene.outcome])
     ratings = _ratings(scene.spindle, spec)
-    of_model: dict[tuple[int, float], Values] = {}
+    of_model: dict[tuple[int, float, float], Values] = {}
     columns: list[Values] = []
     warm, rows = _temperatures(scene), scene.bearing_row
     hot = _rating_factor(spec, warm)[rows]
     oil_at = _oil_temperatures(scene, spec, warm)
-    for (balls, column), rating in zip(state.seat_states(), ratings[0], strict=True):
-        key = (id(balls), float(rating))
+    for k, (balls, column) in enumerate(state.seat_states()):
+        rated = ratings.of(k)
+        key = (id(balls), rated.dynamic, rated.static)
         if key not in of_model:
-            of_model[key] = _of_bearings(balls, float(rating), spec, oil_at[id(balls)])
+            of_model[key] = _of_bearings(balls, rated, spec, oil_at[id(balls)])
         columns.append({name: values[:, column] for name, values in of_model[key].items()})
 
     def joined(name: str) -> NDArray[Any]:
@@ -55,15 +56,22 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     fields = {name: joined(name) for name in columns[0]}
     for name in ("revolutions", "life", "modified_life"):
         fields[name] = fields[name] * hot**3
-    spectrum, safety, unloaded = _spectrum(scene, spec, ratings[0])
+    spectrum, safety, unloaded = _spectrum(scene, spec, ratings)
     oil = spec.lubricant
     return LifeResult(
         speed=scene.speed,
         bearing=tuple(seat.name for seat in seats),
         outcome=scene.outcome,
-        dynamic_rating=ratings[0],
-        groove_rating=ratings[1],
-        static_rating=ratings[2],
+        dynamic_rating=ratings.dynamic,
+        groove_rating=ratings.of_grooves,
+        static_rating=ratings.static,
+        groove_static_rating=ratings.static_of_grooves,
+        fatigue_limit=np.array(
+            [
+                bearings.life.fatigue_load_limit(static, seat.bearing.pitch_diameter)
+                for static, seat in zip(ratings.static.tolist(), seats, strict=True)
+            ]
+        ),
         ring_stress=np.where(good[:, None], stressed[rows], np.nan),
         rating_factor=np.where(good[:, None], hot, np.nan),
         set_life=bearings.life.set_life(fields["life"], axis=1),
@@ -114,22 +122,44 @@ def _oil_temperatures(scene: Scene, spec: LifeSpec, warm: Array) -> dict[int, Ar
     return oiled
 
 
-def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
-    """C used, C of the grooves and C0 of every bearing [N]."""
-    grooves = np.array([bearings.life.dynamic_rating(seat.bearing) for seat in spindle.seats])
-    used = np.array(
-        [
-            spec.dynamic_ratings.get(seat.name, computed)
-            for seat, computed in zip(spindle.seats, grooves, strict=True)
-        ]
-    )
-    static = np.array([bearings.life.static_rating(seat.bearing) for seat in spindle.seats])
-    return used, grooves, static
+class _Rated(NamedTuple):
+    """C and C0 of one bearing [N], C0 over that of its grooves."""
+
+    dynamic: float
+    static: float
+    static_share: float
 
 
-def _of_bearings(state: BearingState, rating: float, spec: LifeSpec, oil: Array) -> Values:
+class _Ratings(NamedTuple):
+    """C and C0 used, and those of the grooves, of every bearing (bearings,) [N]."""
+
+    dynamic: Array
+    of_grooves: Array
+    static: Array
+    static_of_grooves: Array
+
+    def of(self, k: int) -> _Rated:
+        """Of bearing number ``k``."""
+        static = float(self.static[k])
+        return _Rated(float(self.dynamic[k]), static, static / float(self.static_of_grooves[k]))
+
+
+def _ratings(spindle: Spindle, spec: LifeSpec) -> _Ratings:
+    found: list[Array] = []
+    for given, computed in (
+        (spec.dynamic_ratings, bearings.life.dynamic_rating),
+        (spec.static_ratings, bearings.life.static_rating),
+    ):
+        grooves = [computed(seat.bearing) for seat in spindle.seats]
+        pairs = zip(spindle.seats, grooves, strict=True)
+        used = [given.get(seat.name, value) for seat, value in pairs]
+        found += [np.array(used), np.array(grooves)]
+    return _Ratings(*found)
+
+
+def _of_bearings(state: BearingState, rated: _Rated, spec: LifeSpec, oil: Array) -> Values:
     """Every quantity of the bearings of one model over speed (speeds, bearings)."""
-    lived = bearings.life.life_of(state, rating)
+    lived = bearings.life.life_of(state, rated.dynamic)
     cut = bearings.truncation(state)
     orders = bearings.life.frequencies(state)
     hertz = np.asarray(state.speed) / (2.0 * math.pi)
@@ -141,7 +171,7 @@ def _of_bearings(state: BearingState, rating: float, spec: LifeSpec, oil: Array)
         "life": life,
         "limiting": lived.limiting,
         "equivalent_load": lived.equivalent_load,
-        "static_safety": bearings.life.static_safety(state),
+        "static_safety": bearings.life.static_safety(state) * rated.static_share,
         "pressure": np.asarray(state.contact_pressure).max(axis=(-2, -1)),
         "ellipse_length": cut.major.max(axis=(-2, -1)),
         "shoulder_margin": _least(cut.shoulder_margin),
@@ -151,7 +181,7 @@ def _of_bearings(state: BearingState, rating: float, spec: LifeSpec, oil: Array)
         "outer": orders.outer,
         "inner": orders.inner,
         "ball": orders.ball,
-        **_oiled(state, lived, life, spec, oil),
+        **_oiled(state, lived, life, spec, oil, rated.static),
     }
 
 
@@ -161,8 +191,10 @@ def _oiled(
     life: Array,
     spec: LifeSpec,
     at: Array,
+    static: float,
 ) -> Values:
-    """What depends on the lubricant, the oil ``at`` its temperatures [°C]; NaN without one."""
+    """What depends on the lubricant, the oil ``at`` its temperatures [°C], and C0 ``static`` [N];
+    NaN without one."""
     lubricant = spec.lubricant
     if lubricant is None:
         nothing = {name: np.full_like(life, np.nan) for name in OIL_FIELDS}
@@ -177,7 +209,6 @@ def _oiled(
     )
     pitch = state.operation.grooves.pitch_diameter
     kappa = bearings.life.viscosity_ratio(lubricant.oil.kinematic(at), state.speed, pitch)
-    static = bearings.life.static_rating(state.operation.grooves)
     limit = bearings.life.fatigue_load_limit(static, pitch)
     factor = bearings.life.life_factor(kappa, lubricant.contamination, limit, lived.equivalent_load)
     if is_thrust(state.operation.grooves):
@@ -214,13 +245,13 @@ def _least(margin: Array) -> Array:
     return np.where(np.isfinite(least), least, np.nan)
 
 
-def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> tuple[Array, Array, Array]:
+def _spectrum(scene: Scene, spec: LifeSpec, ratings: _Ratings) -> tuple[Array, Array, Array]:
     """Life [s] and least static safety of every bearing under the load spectrum, and the share of
     the time in which it turns without any load; NaN without a spectrum (bearings,)."""
     if not spec.spectrum:
-        nothing = np.full(len(rating), np.nan)
+        nothing = np.full(len(ratings.static), np.nan)
         return nothing, nothing, nothing
-    steps = [_step(scene, spec, place, rating) for place in range(len(spec.spectrum))]
+    steps = [_step(scene, spec, place, ratings) for place in range(len(spec.spectrum))]
     lives, safety, idle = (np.array(each) for each in zip(*steps, strict=True))
     shares = np.array([step.share for step in spec.spectrum])
     turning = shares * [step.speed > 0.0 for step in spec.spectrum]
@@ -229,7 +260,7 @@ def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> tuple[Array, Array
 
 
 def _step(
-    scene: Scene, spec: LifeSpec, place: int, rating: Array
+    scene: Scene, spec: LifeSpec, place: int, ratings: _Ratings
 ) -> tuple[list[float], list[float], list[bool]]:
     """Life of every bearing under one step alone [s], infinite at rest, its static safety, and
     whether its inner ring presses on no ball; with the loads of the conditions besides.
@@ -250,10 +281,11 @@ def _step(
             f"life: spectrum.{place + 1} at {step.speed * RPM.factor:.6g} rpm has no physical "
             f"solution: {there.outcome[0]}; change the loads or the speed of this step"
         )
-    hot = rating * _rating_factor(spec, _temperatures(there))[0]
+    hot = ratings.dynamic * _rating_factor(spec, _temperatures(there))[0]
     lives, safety, idle = [], [], []
-    for seat, (balls, column), rated in zip(
-        scene.spindle.seats, there.preload.seat_states(), hot, strict=True
+    share = ratings.static / ratings.static_of_grooves
+    for seat, (balls, column), rated, more in zip(
+        scene.spindle.seats, there.preload.seat_states(), hot, share, strict=True
     ):
         state, at = balls, column
         if step.radial.get(seat.name, 0.0) > 0.0:
@@ -265,7 +297,7 @@ def _step(
                 f"{step.radial[seat.name]:.6g} N; allowed: what the bearing bears; lower it"
             )
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
-        safety.append(float(bearings.life.static_safety(state).flat[at]))
+        safety.append(float(more * bearings.life.static_safety(state).flat[at]))
         pressed = np.reshape(state.inner_load, (-1, np.shape(state.inner_load)[-1]))[at]
         idle.append(not (pressed > 0.0).any())
     return lives, safety, idle

@@ -47,6 +47,10 @@ class LifeSpec(Spec):
         Mapping[Name, Load],
         "C of a catalogue, of ONE bearing each, by name; by default from the grooves",
     ] = field(default_factory=dict)
+    static_ratings: Annotated[
+        Mapping[Name, Load],
+        "C0 of a catalogue, likewise, for the static safety and Cu of the modified life",
+    ] = field(default_factory=dict)
     reliability: Annotated[float, Choice(RELIABILITIES), "of the modified life"] = 0.90
     target: Annotated[Duration | None, "life that every bearing shall reach, a warning if not"] = (
         None
@@ -74,7 +78,9 @@ class LifeSpec(Spec):
     def faults_on(self, setting: Setting) -> Faults:
         names = [seat.name for seat in setting.spindle.seats]
         places: list[tuple[str | int, ...]] = [
-            ("dynamic_ratings", name) for name in self.dynamic_ratings
+            (key, name)
+            for key in ("dynamic_ratings", "static_ratings")
+            for name in getattr(self, key)
         ]
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]

@@ -9,7 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import HOUR, LifeResult
-from rotordyn.results.balls import of_a_pair, softened
+from rotordyn.results.balls import (
+    LEAST_SAFETY,
+    no_film,
+    of_a_pair,
+    overloaded,
+    softened,
+    unsafe,
+)
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
 from rotordyn.results.headline import Number, ends
@@ -17,7 +24,7 @@ from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
-LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
+
 LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
 
 
@@ -57,7 +64,9 @@ def summary(result: LifeResult) -> list[str]:
         )
         lines.append(f"warm       at {rpm:.0f} rpm {parts} °C")
     low, pressure = np.nanmin(result.static_safety), np.nanmax(result.pressure) / 1e9
-    lines.append(f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa")
+    lines.append(
+        f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa; {_static(result)}"
+    )
     orders = [
         f"{part} {_range(getattr(result, name)[_last(result)], 3)}"
         for part, name in (
@@ -69,6 +78,22 @@ def summary(result: LifeResult) -> list[str]:
     ]
     lines.append(f"defects    × speed at {rpm:.0f} rpm: {', '.join(map(unbroken, orders))}")
     return lines
+
+
+def _static(result: LifeResult) -> str:
+    """C0 and Cu of every bearing, whose they are, and where C is given and C0 is not."""
+    groups: dict[str, list[str]] = {}
+    alone = []
+    for k, name in enumerate(result.bearing):
+        used, grooves = result.static_rating[k], result.groove_static_rating[k]
+        of = "of the grooves" if used == grooves else "as given"
+        words = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
+        groups.setdefault(words, []).append(name)
+        if used == grooves and result.dynamic_rating[k] != result.groove_rating[k]:
+            alone.append(name)
+    said = ", ".join(unbroken(f"{'/'.join(names)} {words}") for words, names in groups.items())
+    missing = f"; {', '.join(alone)}: C is given and C0 is not (static_ratings)" if alone else ""
+    return f"C0 [N] {said}{missing}"
 
 
 def unmodified(result: LifeResult) -> NDArray[np.bool_]:
@@ -164,6 +189,9 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
             f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
+    loaded = turning & np.isfinite(result.equivalent_load[:, k])
+    if thick := no_film(loaded & (result.film[:, k] == 0.0), result.speed):
+        yield thick
     if where := _first(result, result.slips[:, k]):
         yield (
             f"the balls need more friction than that of the lubricant from {where} on: they slip, "
@@ -179,12 +207,8 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
 
 
 def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
-    if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
-        yield (
-            f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
-            f"from {where} on, and life is shorter than computed; lower the load or take a larger "
-            "bearing"
-        )
+    if low := unsafe(result.static_safety[:, k], result.speed):
+        yield low
     if result.spectrum_unloaded[k] > 0.0:
         yield (
             f"the load spectrum leaves it without any load for "
@@ -196,11 +220,8 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
             f"static safety {result.spectrum_safety[k]:.2g} under the load spectrum is below "
             f"{LEAST_SAFETY:g}; lower the load or take a larger bearing"
         )
-    if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
-        yield (
-            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
-            "than computed; lower the load"
-        )
+    if high := overloaded(result.equivalent_load[:, k], result.dynamic_rating[k], result.speed):
+        yield high
 
 
 def _first(result: LifeResult, where: NDArray[np.bool_]) -> str:

@@ -121,6 +121,54 @@ def test_catalogue_rating_scales_life_with_its_cube() -> None:
     assert np.isnan(plain.spectrum_set_life)
 
 
+def test_static_rating_of_a_catalogue_scales_safety_and_fatigue_limit() -> None:
+    """S0 = C0/P0 and Cu = C0/22 go with C0, a_ISO by Cu; basic lives do not know of it."""
+    step, dirty = (LoadStep(share=1.0, speed=6000 * RPM),), replace(OIL, contamination=0.02)
+    spec = LifeSpec(dirty, spectrum=step)
+    plain = of_grinding(spec)
+    rated = of_grinding(replace(spec, static_ratings={"a": 30_000.0}))
+    ratio = 30_000.0 / plain.groove_static_rating[0]
+    assert plain.static_rating == pytest.approx(plain.groove_static_rating)
+    assert rated.static_rating[0] == 30_000.0
+    for name in ("static_safety", "spectrum_safety"):
+        ours, theirs = (np.atleast_2d(getattr(each, name))[0] for each in (rated, plain))
+        assert ours == pytest.approx(theirs * [ratio, 1.0, 1.0, 1.0])
+    assert (rated.life == plain.life).all()
+    seat = grinding().seats[0]
+    limit = life.fatigue_load_limit(30_000.0, seat.bearing.pitch_diameter)
+    assert rated.fatigue_limit[0] == pytest.approx(limit)
+    factor = life.life_factor(
+        plain.viscosity_ratio[0, 0], dirty.contamination, limit, plain.equivalent_load[0, 0]
+    )
+    assert rated.life_factor[0, 0] == pytest.approx(float(factor))
+    assert rated.life_factor[0, 0] != pytest.approx(plain.life_factor[0, 0], rel=0.01)
+    assert (rated.life_factor[0, 1:] == plain.life_factor[0, 1:]).all()
+
+
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told() -> None:
+    thick = replace(OIL, viscosity_40=90e-3, viscosity_100=1e-3, temperature=40.0)
+    ours = of_grinding(LifeSpec(thick), rpm=(0, 100, 12000))
+    assert (ours.film[1] > 0.0).all()
+    assert (ours.film[2] == 0.0).all()
+    (said,) = (words for words in warnings(ours) if "films" in words)
+    assert said.startswith("bearings a, b, c, d: films count as 0 from 12000 rpm on")
+
+
+def test_whose_static_rating_is_used_is_said() -> None:
+    plain, rated = (
+        " ".join(" ".join(summary(of_grinding(LifeSpec(**given)))).split())
+        for given in (
+            {"dynamic_ratings": {"a": 20_000.0, "b": 20_000.0}, "static_ratings": {"b": 3e4}},
+            {"dynamic_ratings": {"a": 20_000.0}, "static_ratings": {"a": 3e4}},
+        )
+    )
+    assert "b 30000 as given (Cu 1364)" in plain
+    assert "of the grooves (Cu" in plain
+    assert "; a: C is given and C0 is not (static_ratings)" in plain
+    assert "a 30000 as given" in rated
+    assert "C0 is not" not in rated
+
+
 def test_hot_ratings_shorten_lives_with_their_cube() -> None:
     """C falls to 0.73 at 200 °C, whatever it is of: the speeds of the case or a load spectrum."""
     spectrum = (LoadStep(share=1.0, speed=6000 * RPM),)
@@ -334,6 +382,7 @@ def test_impossible_questions(make: Any, sentence: str) -> None:
     ("changes", "sentence"),
     [
         ("dynamic_ratings: {front: 20 kN}", "unknown bearing: given 'front'; allowed: a, b, c, d"),
+        ("static_ratings: {rear: 20 kN}", "unknown bearing: given 'rear'; allowed: a, b, c, d"),
         (
             "spectrum: [{share: 100 %, speed: 100 rpm, radial: {x: 1 N}}]",
             "unknown bearing: given 'x'",

@@ -140,6 +140,22 @@ def test_circles_of_a_rose_are_named_where_balls_carry_least(towards):
     assert len(axes.texts) > 1
 
 
+def test_circles_of_a_rose_that_a_curve_runs_along_have_no_names():
+    azimuth = np.linspace(0.0, 2.0 * math.pi, 20, endpoint=False)
+    azimuth[-2:] = np.nan  # another bearing has two balls more
+    load = np.array([38.0, 62.0, 125.0])[:, None] * np.where(np.isfinite(azimuth), 1.0, np.nan)
+    result = SimpleNamespace(
+        axial_load=np.ones((3, 1)), bearing=("a",), ball_azimuth=azimuth[None],
+        ball_inner_load=load[:, None], speed=np.arange(3.0),
+    )  # fmt: skip
+    axes = rose_figure(result).axes[0]
+    named = [float(text.get_text()) for text in axes.texts]
+    high = axes.get_ylim()[1]
+    assert named
+    assert min(abs(each - at) for each in named for at in load[:, 0]) > 0.08 * high
+    assert {38.0, 62.0, 125.0} & {*named} == set()
+
+
 @pytest.mark.parametrize(
     ("runs", "panels"),
     [

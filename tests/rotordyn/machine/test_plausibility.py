@@ -13,7 +13,7 @@ from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.plausibility import implausible, undamped, unopposed
-from rotordyn.machine.shaft import Section
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
@@ -73,6 +73,39 @@ def test_youngs_modulus_given_in_gigapascal() -> None:
 def test_discs_that_float_or_count_mass_twice() -> None:
     assert "does not touch the shaft" in _said(_disc(bore=2.0))
     assert "mass is counted twice" in _said(_disc(bore=0.0))
+
+
+def test_a_disc_floats_from_a_quarter_of_play_on_as_a_bearing_does() -> None:
+    """Unless another disc fills the gap, or the shaft is thicker somewhere below it."""
+    loose = _disc(bore=1.36)
+    assert "disc rim does not touch the shaft" in _said(loose)
+    assert not _said(_disc(bore=1.2))
+    (rim,) = loose.discs
+    bush = Disc("bush", rim.x, rim.inner_diameter, rim.inner_diameter / 1.36, 0.02, STEEL)
+    assert not _said(replace(loose, discs=(rim, bush)))
+    beside = replace(bush, x=rim.x + 0.03)
+    assert "disc rim does not touch" in _said(replace(loose, discs=(rim, beside)))
+
+
+def test_a_disc_over_a_step_sits_on_its_thicker_side() -> None:
+    sections = (Section(0.2, 0.066, 0.0, STEEL), Section(0.2, 0.09, 0.0, STEEL))
+    stepped = Spindle("stepped", Shaft(0.0, sections))
+    on = Disc("hub", 0.195, 0.2, 0.09, 0.02, STEEL)
+    assert "hub" not in _said(replace(stepped, discs=(on,)))
+    off = replace(on, x=0.189)
+    assert "disc hub does not touch" in _said(replace(stepped, discs=(off,)))
+
+
+@pytest.mark.parametrize(("apart", "said"), [(0.0, True), (0.017, True), (0.019, False)])
+def test_two_discs_in_the_same_space(apart: float, said: bool) -> None:
+    """From a tenth of the smaller one on: 2 mm of 20 mm."""
+    machine = _disc(bore=1.0)
+    (rim,) = machine.discs
+    other = replace(rim, name="fan", x=rim.x + apart)
+    words = _said(replace(machine, discs=(rim, other)))
+    assert ("discs rim and fan fill the same space" in words) == said
+    around = replace(rim, name="fan", inner_diameter=rim.outer_diameter, outer_diameter=0.3)
+    assert not _said(replace(machine, discs=(rim, around)))
 
 
 def test_bearings_that_overlap() -> None:
@@ -158,6 +191,15 @@ def test_a_mass_with_the_inertia_of_a_smaller_one(polar: float, said: bool) -> N
     pulley = PointMass("pulley", machine.seats[0].x, 14.0, polar, 0.045)
     words = _said(replace(machine, masses=(pulley,)))
     assert ("mass pulley: its polar inertia of 9e-08 kg m^2 is far below" in words) == said
+
+
+@pytest.mark.parametrize(("inertia", "said"), [(0.02, False), (1.0, False), (7.0, True)])
+def test_a_mass_with_the_inertia_of_one_metres_away(inertia: float, said: bool) -> None:
+    machine = mfw2310()
+    pulley = PointMass("pulley", machine.seats[0].x, 1.1, inertia, inertia)
+    words = _said(replace(machine, masses=(pulley,)))
+    assert ("diametral inertia of 7 kg m^2 is that of 1.1 kg at 2.52 m from" in words) == said
+    assert said or "pulley" not in words
 
 
 def _elastic(

@@ -13,7 +13,7 @@ from rotordyn.analyses.bearing.figures.groove_ends import (
     loaded_contacts,
 )
 from rotordyn.analyses.bearing.result import BearingMapResult
-from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.bearing.solve import mounted_under
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_figure
 from rotordyn.results.display import DEGREE, RPM
@@ -57,7 +57,7 @@ def azimuth_figure(result: BearingMapResult) -> Figure:
             column.append(add_axes(figure, boxes[2 * len(columns) + place], below, word))
             _deflections(column[-1], result, load)
         upper.set_ylim(0.0, max(top, 1e-9) * 1.06)
-        words = f"{under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
+        words = f"{mounted_under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
         upper.set_title(words, fontsize=FONT_SIZE, pad=3.0)
         for axes in column:
             axes.set_xlim(-8.0, 368.0)

@@ -14,7 +14,7 @@ from rotordyn.analyses.bearing.figures.groove_ends import (
     loaded_contacts,
 )
 from rotordyn.analyses.bearing.result import BearingMapResult, along_load
-from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.bearing.solve import mounted_under
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
@@ -98,7 +98,7 @@ def _sweep(result: BearingMapResult) -> Sweep:
         names = tuple(f"{rpm[k]:.0f} rpm" for k in rows)
         return Sweep(result.load, axis_label(result, "load"), rows, names, True)
     rows = tuple(evenly(result.load.size, MOST_CURVES).tolist())
-    names = tuple(under(result, k, " axial") for k in rows)
+    names = tuple(mounted_under(result, k, " axial") for k in rows)
     return Sweep(rpm, "speed [rpm]", rows, names, False)
 
 
@@ -201,6 +201,6 @@ def _map(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
             )  # fmt: skip
     rows = range(shown.shape[1])
     rpm = result.speed * RPM.factor
-    names = [f"{rpm[k]:.0f} rpm" if run.over_load else under(result, k) for k in rows]
+    names = [f"{rpm[k]:.0f} rpm" if run.over_load else mounted_under(result, k) for k in rows]
     axes.set_yticks(list(rows), names)
     axes.set_ylim(-0.5, len(names) - 0.5)

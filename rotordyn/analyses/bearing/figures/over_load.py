@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult, along_load, longest, motion
-from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.bearing.solve import mounted_under
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
@@ -177,6 +177,6 @@ def _curves(
             draw_runs(axes, result.load, values[row], ball[row], label=name, **look)
         return
     for place in range(result.load.size):
-        name = under(result, place, " axial") if label else None
+        name = mounted_under(result, place, " axial") if label else None
         look = {**line_of(place, dash), **marked(place)}
         draw_runs(axes, rpm, values[:, place], ball[:, place], label=name, **look)

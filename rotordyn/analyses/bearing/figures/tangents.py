@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
-from rotordyn.analyses.bearing.solve import tangent_error, under
+from rotordyn.analyses.bearing.solve import mounted_under, tangent_error
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
@@ -80,7 +80,7 @@ def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = 
 def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
     rpm = result.speed * RPM.factor
     for column in range(result.load.size):
-        axes.plot(rpm, error[:, column], label=under(result, column), **line_of(column))
+        axes.plot(rpm, error[:, column], label=mounted_under(result, column), **line_of(column))
     speed_ticks(axes, float(rpm[-1]))
 
 
@@ -134,7 +134,7 @@ def _map(axes: Axes, result: BearingMapResult, error: Array) -> ContourSet | Non
     axes.clabel(lines, fmt="%g", fontsize=FONT_SIZE - 1.5)
     row, column = np.unravel_index(np.nanargmax(np.abs(error)), error.shape)
     peak = f"× largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "
-    axes.set_title(peak + under(result, int(column)), fontsize=FONT_SIZE - 1.0, pad=3.0)
+    axes.set_title(peak + mounted_under(result, int(column)), fontsize=FONT_SIZE - 1.0, pad=3.0)
     axes.plot(
         rpm[row], result.load[column], marker="x", color=BLACK, mew=1.4, clip_on=False, zorder=6
     )

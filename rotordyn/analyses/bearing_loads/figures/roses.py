@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 ACROSS = 3
 SIDE = 52.0  # mm
+CLEAR = 0.08  # of the radius, between a name and a curve
 MOST_NAMED = 4  # circles; of more, every other
 LEGEND = 4.0  # mm, above the line of words
 
@@ -71,8 +72,8 @@ def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) ->
 
 
 def _name_circles(axes: Any, azimuth: Array, values: Array) -> None:
-    """Values of the circles over the curves, along the ray between two angles that these reach
-    least."""
+    """Values of circles beside the curves, along the ray between two angles that these reach
+    least; of circles that are all near one, the farthest."""
     rays = np.radians(np.arange(22.5, 360.0, 45.0))
     near = np.cos(azimuth[:, None] - rays) > np.cos(np.radians(25.0))  # (balls, rays)
     size = np.nan_to_num(values).max(axis=0)
@@ -82,7 +83,13 @@ def _name_circles(axes: Any, azimuth: Array, values: Array) -> None:
     axes.set_yticks(circles, labels=[""] * len(circles))
     paper: Any = {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.75}
     look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": FONT_SIZE - 2.0}
-    for each in circles if len(circles) <= MOST_NAMED else circles[1::2]:
+    known = np.isfinite(azimuth)
+    rows = np.nan_to_num(values)[:, known]
+    turns = [np.interp(ray, azimuth[known], row, period=2.0 * np.pi) for row in rows]
+    room = {each: min((abs(each - at) for at in turns), default=high) for each in circles}
+    few = circles if len(circles) <= MOST_NAMED else circles[1::2]
+    free = [each for each in few if room[each] > CLEAR * (high - low)]
+    for each in free or sorted(circles, key=room.__getitem__)[-1:]:
         axes.text(ray, each, f"{each:g}", zorder=5, bbox=paper, **look)
 
 

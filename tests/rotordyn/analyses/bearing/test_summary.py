@@ -9,13 +9,14 @@ import pytest
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.bearing.summary import cut_off, summary
+from rotordyn.analyses.bearing.summary import cut_off, numbers, summary
 from rotordyn.analyses.bearing.tables import LAYOUTS
 from rotordyn.report.tables import tidy_columns
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
-from tests.oracles.known_bearings import RPM
+from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
+from tests.rotordyn.analyses.bearing.test_bearing_map import FLOW, OIL
 from tests.rotordyn.figures import samples
 
 OUTER = Conditions(kinematics="outer")
@@ -80,3 +81,62 @@ def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
         assert str(columns[column][0]) == value
     if "load" in layout.rows:
         assert columns["moment [N·m]"][-1] == "300"
+
+
+def test_life_beyond_its_validity_is_told_as_of_a_spindle() -> None:
+    """P above C/2 and S0 below 2, of VEX70 from some 15 kN on."""
+    loads = (300.0, 12e3, 16e3, 20e3)
+    found = answer(VEX70, Conditions(), np.array([100.0, 200.0]), BearingMapSpec(loads))
+    assert (found.equivalent_load > 0.5 * found.dynamic_rating).any(axis=0).tolist() == [
+        *(False, False, True, True)
+    ]
+    low, high = (word for word in result_warnings({"bearing": found}) if "than computed" in word)
+    assert low == (
+        f"under 16000 N and more: static safety {found.static_safety.min():.2g} is below 2 from "
+        "955 rpm on, and life is shorter than computed; lower the load or take a larger bearing"
+    )
+    assert high == (
+        "under 16000 N and more: equivalent load above half the dynamic rating from 955 rpm on: "
+        "life is shorter than computed; lower the load"
+    )
+    light = answer(VEX70, Conditions(), np.array([100.0]), BearingMapSpec(loads[:2]))
+    assert not any("than computed" in word for word in result_warnings({"bearing": light}))
+
+
+def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
+    """Between rigid rings it warms until there is no balance: the load as mounted is another one at
+    work, and values are those up to the last speed with a state."""
+    spec = BearingMapSpec((300.0,), heat_flow=FLOW, lubricant=OIL)
+    found = answer(VEX70, Conditions(), np.array([0.0, 8e3, 16e3, 24e3]) * RPM, spec)
+    lines = [line for line in summary(found) if "300 N" in line]
+    stiffness, life, warm = lines
+    assert "300 N as mounted, at 0 → 16000 rpm: axial" in stiffness
+    assert "none" not in stiffness
+    assert "300 N as mounted, at 0 → 16000 rpm: L10r" in life
+    assert "300 N as mounted: at 16000 rpm balls" in warm
+    (hot,) = (word for word in result_warnings({"bearing": found}) if "no balance" in word)
+    assert "under 300 N as mounted: cool" in hot
+    held = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
+    soft = summary(answer(VEX70, Conditions(), np.array([0.0, 8e3]) * RPM, held))
+    assert any("300 N: axial" in line for line in soft)
+
+
+@pytest.mark.parametrize("films", [False, True])
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) -> None:
+    """VG 460 at 40 °C: 13.2 (p/E′) L^0.42 is beyond 1 at 30 000 rpm, where the film was 0."""
+    thick = replace(OIL, viscosity_40=460e-6, viscosity_100=30e-6, temperature=40.0)
+    spec = BearingMapSpec((600.0,), lubricant=thick, films=films)
+    found = answer(VEX70, Conditions(), np.array([0.0, 2e4, 3e4]) * RPM, spec)
+    assert (found.film[:, 0] > 0.0).tolist() == [False, True, False]
+    (said,) = (words for words in result_warnings({"bearing": found}) if "films" in words)
+    assert "films count as 0 from 30000 rpm on, where the formula of inlet heating ends" in said
+
+
+def test_numbers_of_a_load_have_one_name_however_it_is_held() -> None:
+    spec = BearingMapSpec((300.0,), heat_flow=FLOW, lubricant=OIL)
+    soft = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
+    speed = np.array([0.0, 8e3]) * RPM
+    rigid, sprung = (answer(VEX70, Conditions(), speed, each) for each in (spec, soft))
+    assert any("as mounted" in line for line in summary(rigid))
+    one, other = ({each.words for each in numbers(found, None)} for found in (rigid, sprung))  # type: ignore[arg-type]
+    assert one == other
