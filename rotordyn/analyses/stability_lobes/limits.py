@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
-from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, ZERO_ORDER
+from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
@@ -27,6 +27,7 @@ Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
 AT_ONCE = 1_000_000  # samples of all speeds that are solved together
+TAU = 2.0 * math.pi
 PARTS = 20  # in which progress is reported
 TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
 NOT_MODES = (
@@ -45,13 +46,25 @@ class Limits:
     progress: Callable[[str], None] = lambda _: None
 
     def of(self, operation: Operation, change: Change = UNCHANGED) -> list[Limit]:
-        """The limits of an operation, with modes changed as a whole.
+        """The limits of an operation, with modes changed as a whole, which lets none grow or decay
+        that did not: 0 where the machine is unstable by itself.
 
         Raises
         ------
         InvalidInput : a change, or process damping, of a machine whose receptance is no sum of
             modes
         """
+        own = self.tip.growing[self.rows]
+        found = [Limit(0.0, pole.imag * change.highest / TAU, WITHOUT_CUT) for pole in own.tolist()]
+        rest = np.flatnonzero(own == 0.0)
+        if rest.size:
+            stable = replace(self, rows=self.rows[rest], speed=self.speed[rest])
+            for row, limit in zip(rest.tolist(), stable._cut(operation, change), strict=True):
+                found[row] = limit
+        return found
+
+    def _cut(self, operation: Operation, change: Change) -> list[Limit]:
+        """The same of a machine that is stable by itself."""
         spec = operation.spec
         if spec.method == ZERO_ORDER or spec.turning is not None:
             return self._mean(operation, change)
@@ -108,7 +121,7 @@ class Limits:
             asked = omega * change.highest
             depth, at = zero_order(receptance, mean, delays[part], asked, sampled)
             found += [
-                Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
+                Limit(float(a), float(w) / TAU, HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)
             ]
         return found

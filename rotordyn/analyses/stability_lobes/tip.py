@@ -22,6 +22,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import WELL_CONDITIONED
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
+from rotordyn.scene.stability import fastest_growth
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -91,6 +92,11 @@ class Tip:
             shapes.append(np.where(twice[..., None], 0.5 * shape, shape))
             participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ both)
         return TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
+
+    @cached_property
+    def growing(self) -> Complex:
+        """Pole of the fastest motion that grows without a cut (s,) [rad/s], 0 where none does."""
+        return fastest_growth([motions for motions, *_ in self._parts], self.count)
 
     def at(self, row: int) -> Tip:
         """The tip at one of the speeds."""

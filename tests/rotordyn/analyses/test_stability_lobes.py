@@ -722,3 +722,52 @@ def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
         result = SimpleNamespace(depth=np.array(depth), pocket_depth=np.zeros(0))
         (number,) = numbers(result, None)
         assert number.value == pytest.approx(least, nan_ok=True)
+
+
+GROWING = MACHINE.replace("600 N s/m", "20 N s/m").replace(
+    "  points:", "  damping: {rotor: [4 %], internal: 100 %}\n  points:"
+)
+TURNED = {"teeth": 0, "tangential": "null", "radial": "null", "turning": "{force: 2 GPa}"}
+
+
+@pytest.mark.parametrize(
+    ("machine", "given"),
+    [
+        (GROWING, {}),
+        (GROWING, {"method": "zero-order", "interval": "{stiffness: 10 %, damping: 20 %}"}),
+        (GROWING, TURNED),
+        (GROWING.replace("zz: 1e8 N/m}", "zz: 1e8 N/m}\n      loss_factor: 0.001"), {}),
+    ],
+    ids=["multi-frequency", "zero-order", "turning", "loss factor"],
+)
+def test_a_machine_that_is_unstable_without_a_cut_has_no_stable_depth(case, machine, given):
+    """Against the growing mode of the Campbell diagram; modes above it take no part."""
+    asked = {"speeds": "[9000 rpm, 60000 rpm]", "max_frequency": "2000 Hz", **given}
+    machine = machine.replace("[9000 rpm, 18000", "[9000 rpm, 60000")
+    both = "campbell: {max_frequency: 2000 Hz}\n  stability_lobes:"
+    results = rotordyn.run(case(machine.replace("stability_lobes:", both), **asked))
+    modes, found = results["campbell"], results["stability_lobes"]
+    assert (modes.damping_ratio.values[0] > 0.0).all()
+    grown = int(np.nanargmin(modes.damping_ratio.values[1]))
+    assert modes.damping_ratio.values[1, grown] < -1e-3
+    assert found.loss.values.tolist() == ["hopf", "without a cut"]
+    assert found.depth.values[0] > 0.0
+    assert found.depth.values[1] == found.least.values[1] == found.most.values[1] == 0.0
+    hertz = modes.frequency.values[1, grown]
+    assert found.chatter.values[1] == pytest.approx(hertz, rel=1e-5)
+    assert found.mode_damping.values[1] == pytest.approx(modes.damping_ratio.values[1, grown])
+    assert float(found.modelled) == 2000.0
+    said = " ".join(results.warnings)
+    assert "unstable by itself, without a cut, at 1 of 2 speeds of the cutter" in said
+    assert "no depth of cut" not in results.summary
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_machine_pushed_away_by_a_support_has_no_stable_depth(case, tmp_path):
+    """Its motion does not swing, and nothing is left to draw."""
+    results = rotordyn.run(case(MACHINE.replace("yy: 1e8 N/m", "yy: -1e7 N/m")))
+    found = results["stability_lobes"]
+    assert found.depth.values.tolist() == found.chatter.values.tolist() == [0.0, 0.0]
+    assert "where a motion that does not swing grows" in " ".join(results.warnings)
+    assert "no depth is stable" in results.summary
+    results.save(tmp_path / "out")
