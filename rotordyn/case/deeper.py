@@ -30,12 +30,12 @@ def leads(kind: Any, way: tuple[str, ...]) -> bool:
     (True, False)
     """
     for field in keys_of(kind):
-        length = len(field.keys)
+        own, rest = way[: len(field.keys)], way[len(field.keys) :]
         if way == field.keys[: len(way)]:
             return True
-        if length and way[:length] == field.keys and len(way) > length:
-            if any(leads(inner, way[length:]) for inner in kinds_of(field.annotation)):
-                return True
+        inner = kinds_of(field.annotation) if own and own == field.keys else []
+        if any(leads(each, rest) for each in inner):
+            return True
     return False
 
 
