@@ -1,4 +1,7 @@
-"""The fixed points x = f(x) of many affine functions at once, by GMRES (Saad and Schultz 1986)."""
+"""The fixed points x = f(x) of many affine functions at once, by GMRES (Saad and Schultz 1986).
+
+Theory: docs/theory/statics.md.
+"""
 
 from __future__ import annotations
 
