@@ -27,16 +27,18 @@ def bent(moved: Array, apart: Array) -> Array:
 
 
 def on_deformed(
-    forces: SectionForces, line: Array, axial: Array, bend: Array, length: Array
+    forces: SectionForces, line: Array, axial: Array, bend: Array, pulled: Array, length: Array
 ) -> tuple[SectionForces, SectionForces, Array]:
     """Of section ``forces`` of the straight shaft: those of the bent one; the same with the forces
     that shear it in place of those along the axes; and the line loads that go with these.
 
-    ``axial`` (states, elements) [N], tension positive; ``bend`` (states, elements, 4);
+    ``axial`` (states, elements) [N], tension positive; ``bend`` (states, elements, 4); ``pulled``
+    (states, elements, 2): forces along y and z of a drawbar that runs straight beside the shaft;
     ``length`` (elements,) [m].
     """
     force, h = axial[..., None], length[:, None]
-    couple = force * bend[..., :2] * np.array([-1.0, 1.0])  # about z by y, about y by z
+    turned = force * bend[..., :2] + pulled * h
+    couple = turned * np.array([-1.0, 1.0])  # about z by y, about y by z
     later = behind(couple)
     front, rear, sheared = forces.front.copy(), forces.rear.copy(), []
     curvature = bend[..., [3, 2]] * np.array([1.0, -1.0]) / h
@@ -47,7 +49,7 @@ def on_deformed(
     ):
         each[..., [5, 4]] += moment
         own = each.copy()
-        own[..., 1:3] -= force * along
+        own[..., 1:3] -= force * along + pulled
         sheared.append(own)
     loads = np.broadcast_to(line, (*axial.shape, 2, 3)).copy()
     loads[..., 1:] += (force * curvature)[..., None, :]

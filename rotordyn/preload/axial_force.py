@@ -47,14 +47,13 @@ class AxialForce:
             force = force - self.gravity * mass_in_front(self.spindle.shaft, x)
         return np.asarray(force)
 
-    def bending(self, x: Array, *, guided: bool = False) -> Array:
+    def bending(self, x: Array) -> Array:
         """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
 
-        A drawbar ``guided`` everywhere, as one without contacts is, takes part with its tension,
-        which cancels its compression.
+        A drawbar guided everywhere takes part with its tension, which cancels its compression.
         """
         bar = self.spindle.drawbar
-        if bar is None or (bar.contacts and not guided):
+        if bar is None or bar.contacts:
             return self.at(x)
         return self.at(x) + bar.force * ((bar.start < x) & (x < bar.end))
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -80,14 +81,15 @@ def at_rest(
         free=free,
         scale=length_scale(spindle),
     )
-    axial, whole = _axial(scene, mesh), resultant(loads, x)
+    axial, taut, whole = _axial(scene, mesh), _taut(scene, mesh), resultant(loads, x)
 
     def within(acting: Array, bend: Array) -> tuple[SectionForces, Array]:
         """Forces of the bent shaft, and displacements with its front end held."""
         straight = section_forces(x, acting, line)
         if axial is None:
             return straight, elastic_line(x, give, straight, line)
-        forces, sheared, loads = on_deformed(straight, line, axial, bend, mesh.length)
+        pulled = taut @ bend[..., :2]
+        forces, sheared, loads = on_deformed(straight, line, axial, bend, pulled, mesh.length)
         return forces, elastic_line(x, give, sheared, loads, forces.front)
 
     def solve(bend: Array) -> AtRest:
@@ -120,12 +122,21 @@ def at_rest(
 
 
 def _axial(scene: Scene, mesh: Mesh) -> Array | None:
-    """Axial force that acts on bending (usable, elements) [N]; None where none does. A drawbar is
-    taken as guided everywhere."""
+    """Axial force that acts on bending (usable, elements) [N]; None where none does."""
     if not scene.conditions.axial_stiffening:
         return None
-    force = scene.shaft_force.bending(mesh.middle, guided=True)[scene.bearing_row[scene.usable]]
+    force = scene.shaft_force.bending(mesh.middle)[scene.bearing_row[scene.usable]]
     return force if force.any() else None
+
+
+def _taut(scene: Scene, mesh: Mesh) -> Array:
+    """Tension of a drawbar that runs straight between its contacts times the inclination of each
+    element's part of it, per motion of rear against front ends (elements, elements) [N/m]."""
+    taut, bar = np.zeros((mesh.nodes - 1, mesh.nodes - 1)), scene.spindle.drawbar
+    for low, high in pairwise(bar.contacts if bar else ()):
+        part = slice(mesh.node_of(low), mesh.node_of(high))
+        taut[part, part] = bar.force / (high - low) if bar else 0.0
+    return taut
 
 
 def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:

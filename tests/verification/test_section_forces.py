@@ -568,12 +568,36 @@ def test_a_shaft_under_axial_force_has_the_stiffness_of_the_equation_of_motion(
     )
     conditions = Conditions(tension=tension, element_length=0.001)
     load = PointLoad(0.0, Fy=100.0)
-    static = solved(spindle, load, conditions=conditions)
-    pairs = tuple((Port("nose", way), Port("nose", "y")) for way in "yz")
-    spec = FrfSpec(frequencies=(0.01, 0.02), pairs=pairs)
-    found = answer_spindle(spindle, conditions, (0.0,), {"frf": spec}, lambda name: None)
-    moved = 100.0 * found.results["frf"].receptance[0, :, 0]
+    static, moved = solved(spindle, load, conditions=conditions), receptance(spindle, conditions)
     first = solved(spindle, load, conditions=replace(conditions, axial_stiffening=False))
     assert abs(at(first, "deflection_y", 0.0) / moved[0].real - 1.0) > 0.2
     own = [at(static, name, 0.0) for name in ("deflection_y", "deflection_z")]
     assert own == pytest.approx(moved.real, rel=1e-5)
+
+
+def receptance(spindle: Spindle, conditions: Conditions) -> Any:
+    """Motion of the nose in y and z by 100 N in y."""
+    pairs = tuple((Port("nose", way), Port("nose", "y")) for way in "yz")
+    spec = FrfSpec(frequencies=(0.01, 0.02), pairs=pairs)
+    found = answer_spindle(spindle, conditions, (0.0,), {"frf": spec}, lambda name: None)
+    return 100.0 * found.results["frf"].receptance[0, :, 0]
+
+
+@pytest.mark.parametrize("guides", [(), (0.15, 0.35), "everywhere"])
+def test_a_drawbar_pulls_straight_between_its_guides(guides: Any) -> None:
+    """What it presses together its tension holds straight, where it is guided."""
+    across = {("y", "y"): 1e8, ("z", "z"): 1e8}
+    spindle = Spindle(
+        "bar",
+        Shaft(0.0, (Section(0.5, 0.03, 0.012, STEEL),), KAPPA),
+        supports=(
+            LinearSupport("a", 0.05, stiffness={**across, ("x", "x"): 5e7}),
+            LinearSupport("b", 0.35, stiffness=across),
+        ),
+        drawbar=Drawbar(force=3e4, start=0.02, end=0.48, guides=guides),
+        points={"nose": 0.25},
+    )
+    conditions = Conditions(element_length=0.002)
+    moved = receptance(spindle, conditions)[0].real
+    found = solved(spindle, PointLoad(0.25, Fy=100.0), conditions=conditions)
+    assert at(found, "deflection_y", 0.25) == pytest.approx(moved, rel=1e-6)
