@@ -181,9 +181,8 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
 
 def accuracy(result: StabilityLobesResult) -> list[str]:
     """By how much limits change with a finer model."""
-    return [
-        f"limits within {rounded_up(result.error)} by modes up to {number(result.modelled, 0)} Hz"
-    ]
+    within = f"within {rounded_up(result.error)}" if np.isfinite(result.error) else "not known"
+    return [f"limits {within} by modes up to {number(result.modelled, 0)} Hz"]
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
@@ -220,10 +219,11 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     sentences += _skipped(result)
     if result.error > result.error_asked:
+        percent = f"by {number(100.0 * result.error, 0)} %"
+        much = percent if np.isfinite(result.error) else "from none or to none"
         sentences.append(
-            f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with "
-            f"modes above {number(result.modelled, 0)} Hz: raise max_frequency, or give damping to "
-            "such modes"
+            f"stability_lobes: limits still change {much} with modes above "
+            f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
         )
     elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
         sentences.append(

@@ -20,7 +20,7 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
-from rotordyn.analyses.stability_lobes.summary import numbers
+from rotordyn.analyses.stability_lobes.summary import accuracy, numbers, warnings
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -835,3 +835,23 @@ def test_a_machine_pushed_away_by_a_support_has_no_stable_depth(case, tmp_path):
     assert "where a motion that does not swing grows" in " ".join(results.warnings)
     assert "no depth is stable" in results.summary
     results.save(tmp_path / "out")
+
+
+def test_a_limit_that_only_a_finer_model_has_is_told():
+    """One that is 0 or infinite with one of both models."""
+    result = SimpleNamespace(
+        error=math.inf,
+        error_asked=0.05,
+        modelled=4000.0,
+        cutting_outcome=("",),
+        loss=("hopf",),
+        depth=np.array([1e-3]),
+        chatter=np.array([500.0]),
+        waves=np.array([1.0]),
+        cutting_speed=np.array([500.0]),
+    )
+    assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]
+    (told,) = warnings(result)
+    assert "limits still change from none or to none with modes above 4000 Hz" in told
+    assert converged._apart(0.0, 1e-3) == converged._apart(1e-3, math.inf) == math.inf
+    assert converged._apart(0.0, 0.0) == converged._apart(math.inf, math.inf) == 0.0
