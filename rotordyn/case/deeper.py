@@ -1,4 +1,4 @@
-"""Keys that stand one level down from where they were looked for."""
+"""Keys that stand further down than where they were looked for."""
 
 from __future__ import annotations
 
@@ -21,3 +21,29 @@ def deeper(kind: Any, name: str) -> str:
             if of_bearing or name in {each.keys[0] for each in keys_of(inner) if each.keys}:
                 return ".".join((*outer.keys, name))
     return ""
+
+
+def leads(kind: Any, way: tuple[str, ...]) -> bool:
+    """Whether mappings in one another lead along these keys of ``kind`` to a field or a group.
+
+    >>> leads(Spindle, ("damping", "rotor")), leads(Spindle, ("damping", "roter"))
+    (True, False)
+    """
+    for field in keys_of(kind):
+        own, rest = way[: len(field.keys)], way[len(field.keys) :]
+        if way == field.keys[: len(way)]:
+            return True
+        inner = kinds_of(field.annotation) if own and own == field.keys else []
+        if any(leads(each, rest) for each in inner):
+            return True
+    return False
+
+
+def nested(name: str) -> str:
+    """A key with dots, as mappings in one another.
+
+    >>> nested("damping.rotor")
+    'damping: {rotor: …}'
+    """
+    first, *rest = name.split(".")
+    return f"{first}: {{{nested('.'.join(rest))}}}" if rest else f"{first}: …"

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, get_args, get_origin
 
 from bearings.bearing import BallBearing
 from rotordyn import units
-from rotordyn.case.deeper import deeper
+from rotordyn.case.deeper import deeper, leads, nested
 from rotordyn.case.document import TIGHT
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, keys_of, kinds_with
@@ -258,6 +258,9 @@ class Reading:
             held = [f for other in others for f in keys_of(other) if f.keys[:1] == (name,)]
             if issubclass(kind, BallBearing):
                 self._key_of_bearing(node, name, known)
+            elif "." in name and leads(kind, (*place, *name.split("."))):
+                words = f"keys stand in one another: write {nested(name)}"
+                self.faults.at_key(child, f"unknown key: given {units.shown(name)}; {words}")
             elif held and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 *above, last = node.path.split(".")  # an item is called by its list

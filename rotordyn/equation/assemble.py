@@ -80,11 +80,7 @@ def assemble(
         if pulled is not None and component.lines[0].body == SPINDLE and component.bends:
             stiffness[:, at, at] += geometric_stiffness(structure.slopes(component), pulled)
     damping += spin * whole.gyroscopic
-    for y, z in planes_of(whole):
-        in_y, in_z = whole.slices[y], whole.slices[z]
-        turning = components[y].turning
-        stiffness[:, in_y, in_z] += spin * turning
-        stiffness[:, in_z, in_y] -= spin * turning.T
+    stiffness += spin * whole.turning
     links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
     links += [(link, pull) for link in structure.drawbar] if force is not None else []
     connections, bodies = _joined(whole, links, state), stiffness.copy()

@@ -44,17 +44,20 @@ def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
     return replace(shaft, joints=joints)
 
 
-def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array) -> Array:
+def elastic_line(
+    x: Array, give: Compliance, forces: SectionForces, line: Array, joined: Array | None = None
+) -> Array:
     """Displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held, at a joint of the
     part in front; exact.
 
-    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``.
+    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``; ``joined``
+    (…, elements, 6): forces of joints at front ends, where these are others.
     """
     h = np.diff(x)
     qx, qy, qz = np.moveaxis(line[..., 1, :], -1, 0)
     rx, ry, rz = np.moveaxis((line[..., 0, :] - line[..., 1, :]) / h[:, None], -1, 0)
     n, ty, tz, mt, my, mz = np.moveaxis(forces.rear, -1, 0)
-    jump = np.moveaxis(forces.front * give.joints, -1, 0)
+    jump = np.moveaxis((forces.front if joined is None else joined) * give.joints, -1, 0)
     apart_x, apart_y, apart_z, twisted, tilted_y, tilted_z = jump
 
     def strain(give: Array, k: int, *series: Array) -> Array:

@@ -26,6 +26,7 @@ from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
+from rotordyn.equation.term import LinkMatrices
 
 STRAINED = 1e-13  # of a link's largest motion: less is rounding
 T = TypeVar("T", bound=Matrix)
@@ -60,6 +61,35 @@ class Linear:
             polar = self.structure.gyroscopic(self.components[y], self.components[z])
             whole[first, other], whole[other, first] = polar, -polar.T
         return whole
+
+    @cached_property
+    def turning(self) -> Array:
+        """N (n, n): what of ``stiffness`` damping in turning parts adds per unit of speed."""
+        whole = np.zeros((self.size, self.size))
+        for y, z in planes_of(self):
+            first, other, own = self.slices[y], self.slices[z], self.components[y].turning
+            whole[first, other], whole[other, first] = own, -own.T
+        return whole
+
+    def scaled(self, stiffness: Array, damping: Array) -> Linear:
+        """With factors (s,) on all stiffness and on all damping; the gyroscopic effect stays."""
+        stiff, damped, spin = (each[:, None, None] for each in (stiffness, damping, self.speed))
+        turning, gyroscopic = spin * self.turning, spin * self.gyroscopic
+
+        def held(matrix: Array) -> Array:
+            return np.asarray(stiff * (matrix - turning) + damped * turning)
+
+        def link(each: Connection) -> Connection:
+            own = each.matrices
+            return each._replace(matrices=LinkMatrices(stiff * own.stiffness, damped * own.damping))
+
+        return replace(
+            self,
+            stiffness=held(self.stiffness),
+            damping=damped * (self.damping - gyroscopic) + gyroscopic,
+            connections=tuple(link(each) for each in self.connections),
+            bodies=None if self.bodies is None else held(self.bodies),
+        )
 
     @property
     def size(self) -> int:

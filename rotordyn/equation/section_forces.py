@@ -36,10 +36,10 @@ def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
     h = np.diff(x)[:, None]
     begin, end = line[..., 0, :], line[..., 1, :]
     along, arm = (begin + end) * h / 2.0, (begin + 2.0 * end) * h / 6.0
-    force_rear = _behind(point[..., 1:, :3]) + point[..., 1:, :3] + _behind(along)
+    force_rear = behind(point[..., 1:, :3]) + point[..., 1:, :3] + behind(along)
     force_front = force_rear + along
     gain = h * _lever(force_rear) + h * _lever(arm)
-    moment_rear = _behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + _behind(gain)
+    moment_rear = behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + behind(gain)
     return SectionForces(
         np.concatenate([force_front, moment_rear + gain], axis=-1),
         np.concatenate([force_rear, moment_rear], axis=-1),
@@ -51,7 +51,7 @@ def _lever(force: Array) -> Array:
     return np.stack([np.zeros_like(force[..., 0]), -force[..., 2], force[..., 1]], axis=-1)
 
 
-def _behind(values: Array) -> Array:
+def behind(values: Array) -> Array:
     """Sum over all later elements."""
     total = np.zeros_like(values)
     total[..., :-1, :] = np.cumsum(values[..., :0:-1, :], axis=-2)[..., ::-1, :]

@@ -99,22 +99,19 @@ def _worst(errors: ModeErrors, branches: list[Branch], band: Band) -> float:
 def _largest(
     errors: Array, branches: list[Branch], band: Band, *, overdamped: bool = False
 ) -> float:
-    """The largest of errors (usable, modes) within the band, of modes that swing or of those that
-    hardly do."""
+    """The largest of errors (usable, modes) within the band, of modes that swing, or where they
+    hardly do; those that hardly do at most speeds are shown nowhere."""
     judged = np.array([_judged(b, band, overdamped=overdamped) for b in branches], dtype=bool)
     return float(np.nanmax(errors[judged.reshape(errors.shape[::-1]).T], initial=0.0))
 
 
 def _judged(branch: Branch, band: Band, *, overdamped: bool) -> Flags:
-    """Speeds (usable,) at which a mode swings within the band; or at which it is there and hardly
-    swings."""
+    """Speeds (usable,) at which a mode that is shown swings within the band, or hardly does."""
     with np.errstate(invalid="ignore"):
         ratio = -branch.pole.real / np.abs(branch.pole)
-        if overdamped:
-            chosen = (ratio > OVERDAMPED) | branch.overdamped
-        else:
-            chosen = (ratio <= OVERDAMPED) & (not branch.overdamped)
-        return np.asarray((branch.frequency <= band.max_frequency) & chosen)
+        chosen = (ratio > OVERDAMPED) == overdamped
+        inside = branch.frequency <= band.max_frequency
+        return np.asarray(inside & chosen & (not branch.overdamped))
 
 
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:

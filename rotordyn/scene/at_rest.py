@@ -1,20 +1,23 @@
 """The shaft at rest under static loads on its bearings and supports, at every usable speed.
 
-Linear and of first order: bearings act with the tangent of their preload state. A shaft of further
-rotors is not among them.
+Linear: bearings act with the tangent of their preload state, and the axial force of that state acts
+on the bent shaft. A shaft of further rotors is not among them.
 
 Theory: docs/theory/statics.md.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rotordyn.arrays import Array
+from rotordyn.equation.deformed import BENT, bent, on_deformed
 from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.equation.holding import (
     free_names,
@@ -29,6 +32,7 @@ from rotordyn.equation.reactions import Held, reactions
 from rotordyn.equation.section_forces import SectionForces, section_forces
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.affine import fixed_points
 from rotordyn.scene.conditions import gravity_vector
 
 if TYPE_CHECKING:
@@ -69,9 +73,6 @@ def at_rest(
     loads = on_nodes(point, line, x)
     free = require_balance(spindle, x, loads)
     give = compliance(spindle, mesh, rigid=scene.rigid)
-    loose = elastic_line(x, give, section_forces(x, point, line), line)[:, nodes]
-    if offset is not None:
-        loose = loose + offset
     held = Held(
         stiffness=held_stiffness(scene.rotor, scene.state),
         rigid=rigidly_held(spindle).ravel(),
@@ -80,15 +81,62 @@ def at_rest(
         free=free,
         scale=length_scale(spindle),
     )
-    push, front = reactions(held, loose.reshape(states, -1), resultant(loads, x))
-    push = push.reshape(states, -1, 6)
-    whole = point.copy()
-    for k, node in enumerate(nodes):
-        whole[:, node] += push[:, k]
-    forces = section_forces(x, whole, line)
-    moved = elastic_line(x, give, forces, line)
-    moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
-    return AtRest(forces, moved, forces.front * give.joints, push)
+    axial, taut, whole = _axial(scene, mesh), _taut(scene, mesh), resultant(loads, x)
+
+    def within(acting: Array, bend: Array) -> tuple[SectionForces, Array]:
+        """Forces of the bent shaft, and displacements with its front end held."""
+        straight = section_forces(x, acting, line)
+        if axial is None:
+            return straight, elastic_line(x, give, straight, line)
+        pulled = taut @ bend[..., :2]
+        forces, sheared, loads = on_deformed(straight, line, axial, bend, pulled, mesh.length)
+        return forces, elastic_line(x, give, sheared, loads, forces.front)
+
+    def solve(bend: Array) -> AtRest:
+        forces, moved = within(point, bend)
+        loose, gathered = moved[:, nodes], whole.copy()
+        gathered[:, 4:] += (forces.front - section_forces(x, point, line).front)[:, 0, 4:]
+        if offset is not None:
+            loose = loose + offset
+        push, front = reactions(held, loose.reshape(states, -1), gathered)
+        push = push.reshape(states, -1, 6)
+        acting = point.copy()
+        for k, node in enumerate(nodes):
+            acting[:, node] += push[:, k]
+        forces, moved = within(acting, bend)
+        moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
+        return AtRest(forces, moved, forces.front * give.joints, push)
+
+    shape = states, mesh.nodes - 1, len(BENT)
+    if axial is None:
+        return solve(np.zeros(shape))
+    # displacements and rotations alike in size
+    unit = np.array([1.0, 1.0, *[1.0 / (x[-1] - x[0])] * 2])
+
+    def again(bend: Array) -> Array:
+        found = solve(bend.reshape(shape) * unit)
+        return (bent(found.moved, found.apart) / unit).reshape(states, -1)
+
+    found = fixed_points(again, math.prod(shape[1:]), states)
+    return solve(found.reshape(shape) * unit)
+
+
+def _axial(scene: Scene, mesh: Mesh) -> Array | None:
+    """Axial force that acts on bending (usable, elements) [N]; None where none does."""
+    if not scene.conditions.axial_stiffening:
+        return None
+    force = scene.shaft_force.bending(mesh.middle)[scene.bearing_row[scene.usable]]
+    return force if force.any() else None
+
+
+def _taut(scene: Scene, mesh: Mesh) -> Array:
+    """Tension of a drawbar that runs straight between its contacts times the inclination of each
+    element's part of it, per motion of rear against front ends (elements, elements) [N/m]."""
+    taut, bar = np.zeros((mesh.nodes - 1, mesh.nodes - 1)), scene.spindle.drawbar
+    for low, high in pairwise(bar.contacts if bar else ()):
+        part = slice(mesh.node_of(low), mesh.node_of(high))
+        taut[part, part] = bar.force / (high - low) if bar else 0.0
+    return taut
 
 
 def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:

@@ -7,20 +7,26 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from rotordyn.arrays import Array
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM, number
 
 STRAIGHT = 1e-2  # of the growth: a motion that turns less while it grows e-fold does not swing
 
 
-def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
-    """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
-    fastest = np.full(len(speed), 0j)
+def fastest_growth(systems: Iterable[FreeMotions], count: int) -> Complex:
+    """The pole that grows fastest at every speed (``count``,) [rad/s], 0 where none does."""
+    fastest = np.full(count, 0j)
     for modes in (one for one in systems if one.pole.size):
         pole = np.where(modes.growing, modes.pole, 0.0)
         first = np.take_along_axis(pole, pole.real.argmax(axis=-1)[..., None], axis=-1)[..., 0]
         fastest = np.where(first.real > fastest.real, first, fastest)
+    return fastest
+
+
+def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
+    """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
+    fastest = fastest_growth(systems, len(speed))
     at = np.flatnonzero(fastest.real > 0.0)
     if not at.size:
         return []

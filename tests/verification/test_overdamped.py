@@ -26,9 +26,10 @@ SPEEDS, RATIOS = (0.0, 50.0, 100.0, 150.0), (0.2, 0.5, 0.8, 0.995)
 
 
 @pytest.mark.parametrize("damping", [2e4, 5e4])
-def test_the_error_of_an_overdamped_mode_is_said(damping: float) -> None:
+def test_the_error_of_an_overdamped_mode_is_known(damping: float) -> None:
     """Against all eigenvalues of fine elements; a pole that the finer model has nowhere near is
-    not taken for a good one."""
+    not taken for a good one. It is left out of figures and lists, which is no reason to warn of
+    those that are in them."""
     ends = (("a", 0.0, 2e7), ("b", 0.35, 5e7))
     supports = tuple(
         LinearSupport(
@@ -47,6 +48,29 @@ def test_the_error_of_an_overdamped_mode_is_said(damping: float) -> None:
     error = np.abs(pole.imag - nearest.imag) / np.abs(nearest)
     assert slow.sum() >= 2
     assert (told > 0.3 * error).all()
+    assert found.mostly_overdamped[slow].all()
+    assert (told > 1e-5).any()
+    assert not found.unconverged
+
+
+def test_the_error_of_a_mode_that_is_overdamped_at_some_speeds_is_said() -> None:
+    """Of three speeds it is so at one, and listed."""
+    damping, speeds = (9.9e3, 9.9e3, 3e4), (0.0, 1000.0, 2000.0)
+    supports = tuple(
+        LinearSupport(
+            name,
+            x,
+            {("y", "y"): k, ("z", "z"): k},
+            {("y", "y"): damping, ("z", "z"): damping},
+            speeds=speeds,
+        )
+        for name, x, k in (("a", 0.0, 2e7), ("b", 0.35, 5e7))
+    )
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    spindle = Spindle("damped", shaft, supports=supports)
+    scene = Scene(spindle, Conditions(accuracy=1e-5), np.array(speeds), 3000.0)
+    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    assert (found.overdamped.any(axis=0) & ~found.mostly_overdamped).any()
     assert "overdamped" in found.unconverged
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,8 +17,10 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import (
     Conditions,
+    FrfSpec,
     LineLoad,
     PointLoad,
+    Port,
     PreloadSpec,
     SectionForcesSpec,
     StiffnessSpec,
@@ -505,3 +508,96 @@ def test_moments_and_tilts_of_both_planes_share_one_sense() -> None:
     free = solved(beam(held("l", 0.0, *PINNED), held("r", L, *SLIDING)), PointLoad(0.5, My=50.0))
     give = at(free, "slope_y", 0.5) / 50.0
     assert turned.reaction[0, 2, 4] == pytest.approx(-50.0 * give / (give + 1 / 2e4), rel=1e-9)
+
+
+def beam_column(share: float, load: float) -> tuple[float, float]:
+    """Deflection and moment at mid-span of a pinned column without shear, under an axial force of
+    ``share`` times its buckling load, compression positive (Timoshenko, Theory of Elastic
+    Stability)."""
+    force = share * math.pi**2 * E * INERTIA / L**2
+    u = 0.5 * L * cmath.sqrt(force / (E * INERTIA))
+    tangent = cmath.tan(u)
+    deflection = load * L / (4.0 * force) * (tangent / u - 1.0)
+    return deflection.real, (0.25 * load * L * tangent / u).real
+
+
+@pytest.mark.parametrize("share", [0.6, 0.99, -0.5, -20.0])
+def test_an_axial_force_bends_a_column_on_or_holds_it_straight(share: float) -> None:
+    column = beam(held("a", 0.0, *PINNED), held("b", L, *SLIDING))
+    column = replace(column, shaft=replace(column.shaft, shear_coefficient="none"))
+    tension = -share * math.pi**2 * E * INERTIA / L**2
+    load = PointLoad(L / 2, Fy=60.0, Fz=80.0)
+    found = solved(column, load, conditions=Conditions(tension=tension))
+    deflection, moment = beam_column(share, 100.0)
+    near = {"rel": 1e-5 if share < 0.9 else 1e-4}
+    assert at(found, "deflection_y", L / 2) == pytest.approx(0.6 * deflection, **near)
+    assert at(found, "deflection_z", L / 2) == pytest.approx(0.8 * deflection, **near)
+    assert at(found, "bending_moment_z", L / 2) == pytest.approx(-0.6 * moment, **near)
+    assert at(found, "bending_moment_y", L / 2) == pytest.approx(0.8 * moment, **near)
+    # forces are along the axes: the supports carry halves of the load, whatever the axial force
+    assert found.reaction[0, :, 1] == pytest.approx([-30.0, -30.0], rel=1e-9)
+    assert at(found, "shear_force_y", L / 2) == pytest.approx(30.0, rel=1e-9)
+    first = solved(column, load, conditions=Conditions(tension=tension, axial_stiffening=False))
+    straight = solved(column, load)
+    for name in ("deflection_y", "bending_moment_y", "shear_force_z"):
+        assert getattr(first, name) == pytest.approx(getattr(straight, name), rel=1e-12)
+
+
+@pytest.mark.parametrize("tension", [-1.4e5, 3e5])
+def test_a_shaft_under_axial_force_has_the_stiffness_of_the_equation_of_motion(
+    tension: float,
+) -> None:
+    """A stepped hollow shaft with a cone, shear and a joint on soft supports that couple, by the
+    receptance of a fine mesh at next to no frequency."""
+    sections = (
+        Section(0.1, 0.02, 0.0, STEEL),
+        Section(0.15, 0.03, 0.01, STEEL, rear_outer_diameter=0.04),
+        Section(0.1, 0.025, 0.0, STEEL),
+    )
+    tilt = {("thy", "thy"): 2e3, ("thz", "thz"): 2e3, ("x", "x"): 3e7, ("thx", "thx"): 1e3}
+    across = {("y", "y"): 4e7, ("z", "z"): 3e7}
+    spindle = Spindle(
+        "stepped",
+        Shaft(0.0, sections, KAPPA),
+        supports=(
+            LinearSupport("f", 0.1, stiffness={**across, ("y", "z"): 5e6, **tilt}),
+            LinearSupport("r", 0.3, stiffness=across),
+        ),
+        joints=(Joint("j", 0.25, radial=1e8, tilt=3e4, axial=2e8, torsion=2e4),),
+        points={"nose": 0.0},
+    )
+    conditions = Conditions(tension=tension, element_length=0.001)
+    load = PointLoad(0.0, Fy=100.0)
+    static, moved = solved(spindle, load, conditions=conditions), receptance(spindle, conditions)
+    first = solved(spindle, load, conditions=replace(conditions, axial_stiffening=False))
+    assert abs(at(first, "deflection_y", 0.0) / moved[0].real - 1.0) > 0.2
+    own = [at(static, name, 0.0) for name in ("deflection_y", "deflection_z")]
+    assert own == pytest.approx(moved.real, rel=1e-5)
+
+
+def receptance(spindle: Spindle, conditions: Conditions) -> Any:
+    """Motion of the nose in y and z by 100 N in y."""
+    pairs = tuple((Port("nose", way), Port("nose", "y")) for way in "yz")
+    spec = FrfSpec(frequencies=(0.01, 0.02), pairs=pairs)
+    found = answer_spindle(spindle, conditions, (0.0,), {"frf": spec}, lambda name: None)
+    return 100.0 * found.results["frf"].receptance[0, :, 0]
+
+
+@pytest.mark.parametrize("guides", [(), (0.15, 0.35), "everywhere"])
+def test_a_drawbar_pulls_straight_between_its_guides(guides: Any) -> None:
+    """What it presses together its tension holds straight, where it is guided."""
+    across = {("y", "y"): 1e8, ("z", "z"): 1e8}
+    spindle = Spindle(
+        "bar",
+        Shaft(0.0, (Section(0.5, 0.03, 0.012, STEEL),), KAPPA),
+        supports=(
+            LinearSupport("a", 0.05, stiffness={**across, ("x", "x"): 5e7}),
+            LinearSupport("b", 0.35, stiffness=across),
+        ),
+        drawbar=Drawbar(force=3e4, start=0.02, end=0.48, guides=guides),
+        points={"nose": 0.25},
+    )
+    conditions = Conditions(element_length=0.002)
+    moved = receptance(spindle, conditions)[0].real
+    found = solved(spindle, PointLoad(0.25, Fy=100.0), conditions=conditions)
+    assert at(found, "deflection_y", 0.25) == pytest.approx(moved, rel=1e-6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -354,3 +355,15 @@ def _case(spindle: Spindle, spec: StaticSagSpec, conditions: Conditions | None =
         speeds=(0.0,),
         analyses={"static_sag": spec},
     )
+
+
+@pytest.mark.parametrize("share", [0.5, -3.0])
+def test_sag_under_an_axial_force(share: float) -> None:
+    """A pinned column without shear that carries its weight, at mid-span, under a share of its
+    buckling load, compression positive (Timoshenko, Theory of Elastic Stability)."""
+    column = beam(held("l", 0.0), LinearSupport("r", L, rigid=("y", "z")), shear="none")
+    force = share * math.pi**2 * EI / L**2
+    k = cmath.sqrt(force / EI)
+    sag = W / force * ((1.0 / cmath.cos(k * L / 2.0) - 1.0) / k**2 - L**2 / 8.0)
+    found = solved(column, "middle", Conditions(tension=-force))
+    assert found.sag[0, 0, 0] == pytest.approx(-sag.real, rel=1e-5)

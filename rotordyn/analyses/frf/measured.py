@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import as_quantity
+from rotordyn.numerics.line_peak import line_peak
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -37,7 +38,7 @@ def measured_fields(
     count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
     axis = np.full((count, longest), np.nan)
     response = np.full((count, longest), complex(np.nan, np.nan))
-    beside = np.full((4, count, PEAKS), np.nan)
+    beside = np.full((5, count, PEAKS), np.nan)
     frac = np.full(count, np.nan)
     for row, one in enumerate(spec.measured):
         at_frequency, measured = np.array(one.frequency), as_quantity(one, spec.quantity)
@@ -54,8 +55,9 @@ def measured_fields(
             grid = np.unique(np.concatenate([frequency, at[known], valleys]))
             curve = np.abs(computed(near, grid)[pair])
             curve[np.searchsorted(grid, at[known])] = np.abs(high[known])
-            beside[:, row] = _beside(at_frequency[inside], np.abs(measured[inside]), grid, curve)
-    names = ("measured_peak", "measured_peak_amplitude", "computed_peak", "computed_peak_amplitude")
+            beside[:, row] = _beside(at_frequency[inside], measured[inside], grid, curve)
+    of_measured = ("measured_peak", "measured_peak_amplitude", "measured_peak_error")
+    names = (*of_measured, "computed_peak", "computed_peak_amplitude")
     return {
         "measured": tuple(one.name for one in spec.measured),
         "peak": np.arange(1, PEAKS + 1),
@@ -97,16 +99,17 @@ def _stands_out(amplitude: Array, top: int) -> bool:
     return True
 
 
-def _beside(at: Array, measured: Array, frequency: Array, computed: Array) -> Array:
-    """The highest measured peaks, ascending, each with the computed peak nearest to it (4, peaks).
+def _beside(at: Array, measured: Complex, frequency: Array, computed: Array) -> Array:
+    """The highest measured peaks, ascending, each with the computed peak nearest to it (5, peaks).
 
-    Rows: measured frequency and amplitude, computed frequency and amplitude.
+    Rows: measured frequency, amplitude and its error, computed frequency and amplitude.
     """
-    rows = np.full((4, PEAKS), np.nan)
-    tops, others = np.sort(peaks_of(measured)[:PEAKS]), peaks_of(computed)
-    for column, top in enumerate(tops):
-        rows[:2, column] = at[top], measured[top]
+    rows = np.full((5, PEAKS), np.nan)
+    tops, others = np.sort(peaks_of(np.abs(measured))[:PEAKS]), peaks_of(computed)
+    for column, top in enumerate(tops.tolist()):
+        peak = line_peak(at, measured, top)
+        rows[:3, column] = peak
         if others.size:
-            near = others[np.abs(np.log(frequency[others] / at[top])).argmin()]
-            rows[2:, column] = frequency[near], computed[near]
+            near = others[np.abs(np.log(frequency[others] / peak.frequency)).argmin()]
+            rows[3:, column] = frequency[near], computed[near]
     return rows

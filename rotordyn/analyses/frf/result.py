@@ -163,6 +163,14 @@ class FrequencyResponse:
         label="amplitude of the measured peak",
         absent=(Absence("behind the last peak", last="peak"),),
     )
+    measured_peak_error: Array = quantity(
+        "measured",
+        "peak",
+        unit="1",
+        label="standard error of that amplitude",
+        absent=(Absence("where the highest line is the peak", by=("measured", "peak")),),
+        infinite=(Absence("where lines are too wide for the peak", by=("measured", "peak")),),
+    )
     computed_peak: Array = quantity(
         "measured",
         "peak",

@@ -126,7 +126,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY
     ]
-    sentences += _driving_points(result)
+    sentences += [*_wide_lines(result), *_driving_points(result)]
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         pair = result.pair[int(result.error.argmax())]
@@ -135,6 +135,20 @@ def warnings(result: FrequencyResponse) -> list[str]:
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
     return [*sentences, *_hardly_damped(result)]
+
+
+def _wide_lines(result: FrequencyResponse) -> Iterator[str]:
+    """Measured peaks of which no more than the highest line is known."""
+    for name, at, error in zip(
+        result.measured, result.measured_peak, result.measured_peak_error, strict=True
+    ):
+        if (wide := np.isinf(error)).any():
+            peaks = ", ".join(number(each) for each in at[wide])
+            yield (
+                f"measured response {name}: its lines are too wide for the peaks at {peaks} Hz, "
+                "whose heights are those of the highest lines and may be too low: measure with "
+                "closer lines"
+            )
 
 
 def _driving_points(result: FrequencyResponse) -> Iterator[str]:

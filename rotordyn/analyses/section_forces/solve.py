@@ -1,7 +1,7 @@
 """Section forces, elastic line, stress and twist of the shaft under static loads.
 
-First-order theory: equilibrium of the undeformed shaft, bearings as linear springs about their
-preload state. What that state puts on the shaft along its axis is part of N and of the reactions.
+Bearings are linear springs about their preload state, whose axial force acts on the bent shaft.
+What that state puts on the shaft along its axis is part of N and of the reactions.
 """
 
 from __future__ import annotations

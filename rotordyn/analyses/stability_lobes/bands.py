@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from itertools import product
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limits import Limits
-from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
+from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.spec import Interval
+from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 LEAST, MOST = 2, 64  # halves of steps over the interval of stiffness, at most
-PER_LOBE = 16.0  # of these as lobes pass: there the least limit is found within 2 %
+PER_LOBE = 16.0  # of these as lobes pass
+PER_PEAK = 0.5  # of these over the damping ratio of a peak
+HALVINGS = 3  # of a step beside the least limit found
 
 
 def band(
@@ -33,24 +36,50 @@ def band(
     ``known``: limits of every operation without any change. Where lobes are close, at low speeds, a
     change of stiffness moves several past a speed: it is looked at in steps short beside them.
     """
-    share = interval.coefficients
-    if share and not all(each.divides for each in operations):
-        factors = 1.0 - share, 1.0 + share
+    share_of = interval.coefficients
+    if share_of and not all(each.divides for each in operations):
+        factors = 1.0 - share_of, 1.0 + share_of
         scaled = [each.times(factor) for factor in factors for each in operations]
         known = [*known, *(limits.of(each) for each in scaled)]
-        operations, share = [*operations, *scaled], 0.0
+        operations, share_of = [*operations, *scaled], 0.0
     nominal = np.array([[limit.depth for limit in each] for each in known])
     least, most = nominal.min(axis=0), nominal.max(axis=0)
-    for operation, own in zip(operations, known, strict=True):
-        wanted = _halves(limits, operation, own, interval.stiffness)
+
+    def look(rows: Rows, share: Array, ratio: float) -> Array:
+        """Least limits at some speeds, each with its ``share`` of the interval of stiffness."""
+        change = Change(1.0 + share * interval.stiffness, np.full(len(rows), ratio))
+        part = limits.changed(rows, change)
+        depth = np.array([[one.depth for one in part.of(each)] for each in operations])
+        least[rows] = np.minimum(least[rows], depth.min(axis=0))
+        most[rows] = np.maximum(most[rows], depth.max(axis=0))
+        return np.asarray(depth.min(axis=0))
+
+    wanted = _halves(limits, operations, known, interval.stiffness)
+    ratios = sorted({1.0 - interval.damping, 1.0 + interval.damping})
+    for ratio in ratios if interval.stiffness or interval.damping else ():
+        lowest, place = np.full(len(wanted), np.inf), np.zeros(len(wanted))
         for steps in _steps(interval.stiffness, int(wanted.max(initial=0))):
             rows = np.flatnonzero(wanted >= steps.of)
-            part = replace(limits, rows=limits.rows[rows], speed=limits.speed[rows])
-            for change in _changes(steps.shares, interval):
-                depth = np.array([limit.depth for limit in part.of(operation, change)])
-                least[rows] = np.minimum(least[rows], depth)
-                most[rows] = np.maximum(most[rows], depth)
-    return least / (1.0 + share), most / (1.0 - share)
+            for share in steps.shares:
+                _keep(lowest, place, rows, np.full(len(rows), share), partial(look, ratio=ratio))
+        if ratio == ratios[0] and interval.stiffness:  # least damping, lowest limits
+            every = np.arange(len(wanted))
+            for halving in range(1, HALVINGS + 1):
+                for side in (-1.0, 1.0):
+                    beside = np.clip(place + side / wanted / 2.0**halving, -1.0, 1.0)
+                    _keep(lowest, place, every, beside, partial(look, ratio=ratio))
+    return least / (1.0 + share_of), most / (1.0 - share_of)
+
+
+def _keep(
+    lowest: Array, place: Array, rows: Rows, share: Array, look: Callable[[Rows, Array], Array]
+) -> None:
+    """Look at shares of the interval, and keep the ``place`` of the lowest limit of each speed."""
+    depth = look(rows, share)
+    better = depth < lowest[rows]
+    lowest[rows], place[rows] = (
+        np.where(better, new, old[rows]) for new, old in ((depth, lowest), (share, place))
+    )
 
 
 class _Steps(NamedTuple):
@@ -74,21 +103,20 @@ def _steps(stiffness: float, most: int) -> Iterator[_Steps]:
 
 
 def _halves(
-    limits: Limits, operation: Operation, known: Sequence[Limit], stiffness: float
+    limits: Limits,
+    operations: Sequence[Operation],
+    known: Sequence[Sequence[Limit]],
+    stiffness: float,
 ) -> NDArray[np.int_]:
-    """Parts (s,), a power of two, into which half of the interval is cut at each speed."""
-    frequency = np.array([limit.frequency for limit in known])
-    highest = np.nanmax(frequency, initial=0.0)
-    waves = np.where(np.isnan(frequency), highest, frequency)
-    waves = waves * operation.delays(limits.speed).max(axis=1)
-    passing = waves * (math.sqrt(1.0 + stiffness) - math.sqrt(1.0 - stiffness))
-    parts = np.clip(0.5 * PER_LOBE * passing, LEAST, MOST)
+    """Parts (s,), a power of two, into which half of the interval is cut at each speed: short
+    beside the lobes, and beside the peaks of the receptance."""
+    passing = np.zeros(len(limits.rows))
+    for operation, own in zip(operations, known, strict=True):
+        frequency = np.array([limit.frequency for limit in own])
+        frequency = np.where(np.isnan(frequency), np.nanmax(frequency, initial=0.0), frequency)
+        passing = np.maximum(passing, frequency * operation.delays(limits.speed).max(axis=1))
+    passing = passing * (math.sqrt(1.0 + stiffness) - math.sqrt(1.0 - stiffness))
+    assert isinstance(limits.tip, Tip)
+    narrow = PER_PEAK * stiffness / np.abs(limits.tip.least_damped[limits.rows])
+    parts = np.clip(np.maximum(0.5 * PER_LOBE * passing, narrow), LEAST, MOST)
     return np.asarray(2 ** np.ceil(np.log2(parts)), dtype=int)
-
-
-def _changes(shares: Sequence[float], interval: Interval) -> Iterator[Change]:
-    damping = {1.0 + step * interval.damping: None for step in (-1.0, 1.0)}
-    for share, ratio in product(shares, damping):
-        change = Change(1.0 + share * interval.stiffness, ratio)
-        if change != UNCHANGED:
-            yield change

@@ -136,6 +136,8 @@ def _change(
 
 
 def _apart(one: float, other: float) -> float:
-    """Difference over the smaller depth; none if both are infinite."""
+    """Difference over the smaller depth; none if both are infinite, or both 0."""
     small, large = sorted((one, other))
-    return 0.0 if small == large else large / small - 1.0
+    if small == large:
+        return 0.0
+    return large / small - 1.0 if small > 0.0 else math.inf

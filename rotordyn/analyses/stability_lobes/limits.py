@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limit import sampled_limit
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
-from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
+from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
-from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, ZERO_ORDER
+from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
@@ -27,6 +27,7 @@ Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
 AT_ONCE = 1_000_000  # samples of all speeds that are solved together
+TAU = 2.0 * math.pi
 PARTS = 20  # in which progress is reported
 TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
 NOT_MODES = (
@@ -44,22 +45,45 @@ class Limits:
     speed: Array
     progress: Callable[[str], None] = lambda _: None
 
-    def of(self, operation: Operation, change: Change = UNCHANGED) -> list[Limit]:
-        """The limits of an operation, with modes changed as a whole.
+    def changed(self, rows: Rows, change: Change) -> Limits:
+        """The same at some of the speeds, of a machine that is changed as a whole.
 
         Raises
         ------
-        InvalidInput : a change, or process damping, of a machine whose receptance is no sum of
-            modes
+        InvalidInput : a receptance that is no sum of modes
         """
+        assert isinstance(self.tip, Tip)
+        if self.tip.modes is None:
+            raise InvalidInput(NOT_MODES.format(what="leave interval out"))
+        tip = self.tip.changed(self.rows[rows], change)
+        return Limits(tip, np.arange(len(rows)), self.speed[rows], self.progress)
+
+    def of(self, operation: Operation) -> list[Limit]:
+        """The limits of an operation, 0 where the machine is unstable by itself.
+
+        Raises
+        ------
+        InvalidInput : process damping of a machine whose receptance is no sum of modes
+        """
+        own = self.tip.growing[self.rows]
+        found = [Limit(0.0, pole.imag / TAU, WITHOUT_CUT) for pole in own.tolist()]
+        rest = np.flatnonzero(own == 0.0)
+        if rest.size:
+            stable = replace(self, rows=self.rows[rest], speed=self.speed[rest])
+            for row, limit in zip(rest.tolist(), stable._cut(operation), strict=True):
+                found[row] = limit
+        return found
+
+    def _cut(self, operation: Operation) -> list[Limit]:
+        """The same of a machine that is stable by itself."""
         spec = operation.spec
         if spec.method == ZERO_ORDER or spec.turning is not None:
-            return self._mean(operation, change)
+            return self._mean(operation)
         if isinstance(self.tip, Tip) and self.tip.modes is None:
-            return self._sampled(self.tip, operation, change)
+            return self._sampled(self.tip, operation)
         assert self.tip.modes is not None
-        tops = self.tip.tops[self.rows] * change.highest
-        tips = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
+        tops = self.tip.tops[self.rows]
+        tips = [self.tip.modes.at(row) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
         every = [*zip(tips, tops.tolist(), processes, strict=True)]
         # numpy leaves the interpreter free while it solves for eigenvalues
@@ -74,9 +98,9 @@ class Limits:
                 self.progress(f"{len(every)} of {count} speeds")
         return every
 
-    def _sampled(self, tip: Tip, operation: Operation, change: Change) -> list[Limit]:
+    def _sampled(self, tip: Tip, operation: Operation) -> list[Limit]:
         """Limits of a receptance that is no sum of modes."""
-        if operation.spec.process_damping > 0.0 or change != UNCHANGED:
+        if operation.spec.process_damping > 0.0:
             what = "leave process_damping and interval out, or take method: zero-order"
             raise InvalidInput(NOT_MODES.format(what=what))
 
@@ -90,7 +114,7 @@ class Limits:
         every = [*zip(self.rows.tolist(), self.speed.tolist(), strict=True)]
         return self._reported(each_in_threads(lambda one: limit(*one), every))
 
-    def _mean(self, operation: Operation, change: Change) -> list[Limit]:
+    def _mean(self, operation: Operation) -> list[Limit]:
         """Zero-order limits, solved together for speeds whose tooth periods are similar."""
         delays = operation.delays(self.speed)
         period = delays.max(axis=1)
@@ -100,15 +124,14 @@ class Limits:
             omega = self._samples(self.rows[part], period[part])
             mean = operation.mean(self.speed[part])
             directions, top = mean.cutting.shape[-1], float(omega[:, -1].max())
-            receptance = self._receptance(self.rows[part], change, top, directions)
+            receptance = self._receptance(self.rows[part], top, directions)
             sampled = receptance
             if self.tip.modes is None:
                 known = self._samples(self.rows[part], period[part], MOST_SAMPLES)
                 sampled = partial(_between, receptance, known)
-            asked = omega * change.highest
-            depth, at = zero_order(receptance, mean, delays[part], asked, sampled)
+            depth, at = zero_order(receptance, mean, delays[part], omega, sampled)
             found += [
-                Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
+                Limit(float(a), float(w) / TAU, HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)
             ]
         return found
@@ -129,15 +152,11 @@ class Limits:
         omega.sort(axis=1)
         return omega
 
-    def _receptance(
-        self, rows: Rows, change: Change, top: float, directions: int
-    ) -> Callable[[Array], Complex]:
+    def _receptance(self, rows: Rows, top: float, directions: int) -> Callable[[Array], Complex]:
         """Receptance (s, f, directions, 2) by frequencies (s, f) up to ``top`` [rad/s]."""
         modes = self.tip.modes
         if modes is not None:
-            return modes.changed(change).of(rows, top * change.highest, directions).receptance
-        if change != UNCHANGED:
-            raise InvalidInput(NOT_MODES.format(what="leave interval out"))
+            return modes.of(rows, top, directions).receptance
         assert isinstance(self.tip, Tip)
         return partial(_summed, self.tip, rows, directions)
 

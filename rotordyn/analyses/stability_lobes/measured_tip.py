@@ -95,6 +95,11 @@ class MeasuredTip:
         return pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])][None]
 
     @property
+    def growing(self) -> Complex:
+        """None (1,): a sum of modes that drives the tip is refused."""
+        return np.zeros(1, dtype=complex)
+
+    @property
     def tops(self) -> Array:
         """The highest frequency that is known (1,) [rad/s]."""
         return self.omega[-1:]

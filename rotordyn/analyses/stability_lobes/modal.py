@@ -29,29 +29,10 @@ def feed_and_normal(feed: float) -> Array:
 
 
 class Change(NamedTuple):
-    """Factors on all stiffness and on all damping ratios of the model."""
+    """Factors (s,) on all stiffness and on all damping ratios of the machine."""
 
-    stiffness: float
-    damping: float
-
-    @property
-    def highest(self) -> float:
-        """Factor on all natural frequencies."""
-        return math.sqrt(self.stiffness)
-
-    def poles(self, pole: Complex) -> tuple[Complex, Array]:
-        """Changed poles, and the factors on their residues: modal masses stay. Real poles keep
-        their damping, and a mode that would become overdamped keeps its own."""
-        size = np.abs(pole)
-        ratio = np.where(pole.imag > 0.0, self.damping, 1.0) * -pole.real / size
-        ratio = np.where((pole.imag > 0.0) & (ratio >= 1.0), -pole.real / size, ratio)
-        own = -ratio + 1j * np.sqrt(np.maximum(1.0 - ratio**2, 0.0))
-        turning = np.where(pole.imag > 0.0, pole.imag, 1.0)
-        larger = np.where(pole.imag > 0.0, turning / (size * np.maximum(own.imag, 1e-300)), 1.0)
-        return self.highest * size * own, larger / self.highest
-
-
-UNCHANGED = Change(1.0, 1.0)
+    stiffness: Array
+    damping: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,12 +73,6 @@ class ModalTip:
         static = -2.0 * np.tensordot(1.0 / self.pole[far], residue, axes=1).real
         parts = self.pole[near], self.shape[near], self.participation[near]
         return ModalTip(*parts, self.constant + static)
-
-    def changed(self, change: Change) -> ModalTip:
-        """With stiffness or damping changed as a whole."""
-        pole, larger = change.poles(self.pole)
-        shape = self.shape * larger[:, None]
-        return ModalTip(pole, shape, self.participation, self.constant / change.stiffness)
 
 
 def of_residues(pole: Complex, residue: Complex, constant: Array) -> ModalTip:

@@ -32,8 +32,9 @@ ANGLES = 181  # at which the cutting force is largest
 
 class Limit(NamedTuple):
     """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
-    just beyond, that of the largest motion; ``kind`` "hopf", "flip" (period doubling) or "fold" (of
-    uneven teeth: vibration that repeats with them)."""
+    just beyond, that of the largest motion; ``kind`` "hopf", "flip" (period doubling), "fold" (of
+    uneven teeth: vibration that repeats with them) or "without a cut" (a mode that grows by
+    itself)."""
 
     depth: float
     frequency: float

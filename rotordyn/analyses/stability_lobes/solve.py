@@ -68,7 +68,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     removal = operations[0].removal(speeds, depth)
     loss = np.full(len(speeds), NONE, dtype=object)
     loss[place] = [limit.kind for limit in own]
-    nearest = [_nearest(limits.tip.poles[r], o.frequency) for r, o in zip(rows, own, strict=True)]
+    poles = np.column_stack([limits.tip.poles, limits.tip.growing])
+    nearest = [_nearest(poles[r], o.frequency) for r, o in zip(rows, own, strict=True)]
     modes = _spread(place, len(speeds), np.array(nearest))
     deepest = pockets(speeds, depth)
     of_file = () if spec.workpiece is None else spec.pairs
@@ -144,7 +145,7 @@ def _spread(place: Rows, count: int, values: Array) -> Array:
 
 def _nearest(pole: Complex, hertz: float) -> tuple[float, float]:
     """Frequency [Hz] and damping ratio of the mode next to a chatter frequency."""
-    known = pole[np.isfinite(pole)]
+    known = pole[np.isfinite(pole) & (pole != 0.0)]
     if not math.isfinite(hertz) or not known.size:
         return math.nan, math.nan
     own = known[np.abs(known.imag - 2.0 * math.pi * hertz).argmin()]

@@ -38,6 +38,7 @@ METHODS = (MULTI_FREQUENCY, ZERO_ORDER)
 MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
+WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
 OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix")
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
 SAME = 1e-6  # of a diameter that is given twice

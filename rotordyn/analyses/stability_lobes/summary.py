@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
-from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, WITHOUT_CUT
 from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array
+from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
@@ -25,12 +25,6 @@ def summary(result: StabilityLobesResult) -> list[str]:
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
         return [*_material(result), none, *_band(result)]
-    row = int(np.nanargmin(result.depth))
-    least = (
-        f"chatter    stable up to {_depth(result.depth[row])}{_speeds(result)}, limited at "
-        f"{_rpm(result, row)} by the mode at "
-        f"{number(result.mode_frequency[row])} Hz (chatter at {number(result.chatter[row])} Hz)"
-    )
     pockets = [
         unbroken(
             f"{_depth(depth)} at {number(speed * RPM.factor, 0)} rpm "
@@ -43,15 +37,30 @@ def summary(result: StabilityLobesResult) -> list[str]:
             strict=True,
         )
     ]
-    lines = [*_material(result), least, *_band(result), *_unlimited(result)]
+    lines = [*_material(result), *_least(result), *_band(result), *_unlimited(result)]
     if pockets:
         lines.append(f"pockets    {'; '.join(pockets)}")
     return lines + _even(result) + _at_rest(result) + _measured(result)
 
 
-def _speeds(result: StabilityLobesResult) -> str:
-    many = int((~np.isnan(result.depth)).sum())
-    return f" at all {many} speeds" if many > 1 else ""
+def _least(result: StabilityLobesResult) -> list[str]:
+    """The least limit of the cut, and of how many speeds it is."""
+    depth, growing = result.depth, _growing(result)
+    depth = np.where(growing, np.nan, depth)
+    if not np.isfinite(depth).any():
+        return ["chatter    no depth is stable: the machine is unstable without a cut"]
+    row, many = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
+    speeds = f" at {'the other' if growing.any() else 'all'} {many} speeds" if many > 1 else ""
+    return [
+        f"chatter    stable up to {_depth(depth[row])}{speeds}, limited at {_rpm(result, row)} by "
+        f"the mode at {number(result.mode_frequency[row])} Hz (chatter at "
+        f"{number(result.chatter[row])} Hz)"
+    ]
+
+
+def _growing(result: StabilityLobesResult) -> Flags:
+    """Speeds at which the machine is unstable by itself."""
+    return np.array(result.loss) == WITHOUT_CUT
 
 
 def _material(result: StabilityLobesResult) -> list[str]:
@@ -72,7 +81,8 @@ def _band(result: StabilityLobesResult) -> list[str]:
     """The least limit over intervals and sources."""
     if not banded(result) or not np.isfinite(result.least).any():
         return []
-    row = int(np.nanargmin(result.least))
+    least = np.where(_growing(result), np.inf, result.least)
+    row = int(np.nanargmin(least))
     return [
         f"band       over intervals and sources stable up to {_depth(result.least[row])}, limited "
         f"at {_rpm(result, row)}"
@@ -171,9 +181,8 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
 
 def accuracy(result: StabilityLobesResult) -> list[str]:
     """By how much limits change with a finer model."""
-    return [
-        f"limits within {rounded_up(result.error)} by modes up to {number(result.modelled, 0)} Hz"
-    ]
+    within = f"within {rounded_up(result.error)}" if np.isfinite(result.error) else "not known"
+    return [f"limits {within} by modes up to {number(result.modelled, 0)} Hz"]
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
@@ -184,6 +193,15 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         sentences.append(
             f"stability_lobes: no limit at {len(failed)} of {len(result.depth)} speeds of the "
             f"cutter, first at {_rpm(result, failed[0])}: {result.cutting_outcome[failed[0]]}"
+        )
+    growing = np.flatnonzero(_growing(result))
+    if growing.size:
+        first, hertz = growing[0], result.chatter[growing[0]]
+        what = f"the mode at {number(hertz)} Hz" if hertz > 0.0 else "a motion that does not swing"
+        sentences.append(
+            "stability_lobes: unstable by itself, without a cut, at "
+            f"{growing.size} of {len(result.depth)} speeds of the cutter, first at "
+            f"{_rpm(result, first)}, where {what} grows: no depth is stable there"
         )
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
@@ -201,10 +219,11 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     sentences += _skipped(result)
     if result.error > result.error_asked:
+        percent = f"by {number(100.0 * result.error, 0)} %"
+        much = percent if np.isfinite(result.error) else "from none or to none"
         sentences.append(
-            f"stability_lobes: limits still change by {number(100.0 * result.error, 0)} % with "
-            f"modes above {number(result.modelled, 0)} Hz: raise max_frequency, or give damping to "
-            "such modes"
+            f"stability_lobes: limits still change {much} with modes above "
+            f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
         )
     elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
         sentences.append(
@@ -218,8 +237,9 @@ def warnings(result: StabilityLobesResult) -> list[str]:
 def _skipped(result: StabilityLobesResult) -> list[str]:
     """That lobes pass unseen between speeds, at each of which another number of waves fits between
     two teeth."""
-    speed, chatter = result.cutting_speed, np.fmax(result.chatter[1:], result.chatter[:-1])
-    delay = result.waves / result.chatter * speed  # times speed: the longest pitch
+    speed, chatter = result.cutting_speed, np.where(_growing(result), np.nan, result.chatter)
+    delay = result.waves / chatter * speed  # times speed: the longest pitch
+    chatter = np.fmax(chatter[1:], chatter[:-1])
     if not np.isfinite(delay).any():
         return []
     passing = chatter * np.nanmax(delay) * np.abs(np.diff(1.0 / speed))

@@ -14,18 +14,21 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.modal import feed_and_normal, frequencies_near
+from rotordyn.analyses.stability_lobes.modal import Change, feed_and_normal, frequencies_near
 from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE, STIFF
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
-from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.arrays import Indices
+from rotordyn.equation.free_motion import FreeMotions, free_motions
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import WELL_CONDITIONED
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
+from rotordyn.scene.stability import fastest_growth
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
+HIGH = 0.25  # of the highest peak
 BEYOND = 1.5  # times the highest mode that matters
 
 
@@ -56,8 +59,12 @@ class Tip:
 
     @property
     def count(self) -> int:
-        """Usable speeds."""
-        return len(self.scene.usable)
+        """Speeds."""
+        return len(self._speed)
+
+    @property
+    def _speed(self) -> Array:
+        return self._parts[0][0].linear.speed
 
     @property
     def _turn(self) -> Array:
@@ -92,12 +99,28 @@ class Tip:
             participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ both)
         return TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
 
+    @cached_property
+    def growing(self) -> Complex:
+        """Pole of the fastest motion that grows without a cut (s,) [rad/s], 0 where none does."""
+        return fastest_growth([motions for motions, *_ in self._parts], self.count)
+
     def at(self, row: int) -> Tip:
         """The tip at one of the speeds."""
         one = Tip(self.scene, self.point, self.feed, self.highest)
         chosen = np.array([row])
         parts = [(motions.at(chosen), *rest) for motions, *rest in self._parts]
         one.__dict__["_parts"] = parts
+        return one
+
+    def changed(self, rows: Indices, change: Change) -> Tip:
+        """The tip at some of the speeds, its machine changed as a whole."""
+        stiffness, damping = change.stiffness, change.damping * np.sqrt(change.stiffness)
+        highest = self.highest * math.sqrt(float(change.stiffness.max()))
+        one = Tip(self.scene, self.point, self.feed, highest)
+        one.__dict__["_parts"] = [
+            (free_motions(motions.linear.at(rows).scaled(stiffness, damping)), *rest)
+            for motions, *rest in self._parts
+        ]
         return one
 
     @cached_property
@@ -122,7 +145,7 @@ class Tip:
         if not bare.any():
             return
         row, column = np.argwhere(bare)[0]
-        rpm = self.scene.speed[self.scene.usable[row]] * RPM.factor
+        rpm = self._speed[row] * RPM.factor
         hertz = pole[row, column].imag / (2.0 * math.pi)
         raise InvalidInput(
             f"stability_lobes: nothing damps the mode at {hertz:.5g} Hz and {rpm:.0f} rpm, and "
@@ -130,11 +153,23 @@ class Tip:
         )
 
     @cached_property
-    def tops(self) -> Array:
-        """Highest frequency that matters at every speed (s,) [rad/s]."""
+    def _peaks(self) -> Array:
+        """Largest receptance at the frequency of each mode (s, k) [m/N], 0 in place of others."""
         at = np.nan_to_num(self.poles.imag, nan=1.0)
         size = np.abs(self.receptance(at)).max(axis=(2, 3))
-        size = np.where(np.isnan(self.poles.imag), 0.0, size)
+        return np.where(np.isnan(self.poles.imag), 0.0, size)
+
+    @property
+    def least_damped(self) -> Array:
+        """Least damping ratio of the modes with high peaks at every speed (s,)."""
+        high = self._peaks > HIGH * self._peaks.max(axis=1, keepdims=True)
+        ratio = -self.poles.real / np.abs(self.poles)
+        return np.asarray(np.where(high, ratio, np.inf).min(axis=1))
+
+    @cached_property
+    def tops(self) -> Array:
+        """Highest frequency that matters at every speed (s,) [rad/s]."""
+        at, size = np.nan_to_num(self.poles.imag, nan=1.0), self._peaks
         matters = size > np.minimum(NEGLIGIBLE * size.max(axis=1, keepdims=True), STIFF)
         highest = np.where(matters, at, 0.0).max(axis=1)
         if not (highest > 0.0).all():

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change, ModalTip
+from rotordyn.analyses.stability_lobes.modal import ModalTip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -32,15 +32,6 @@ class TipModes:
         kept = np.isfinite(self.pole[row])
         parts = self.pole[row, kept], self.shape[row, kept], self.participation[row, kept]
         return ModalTip(*parts) if self.constant is None else ModalTip(*parts, self.constant[row])
-
-    def changed(self, change: Change) -> TipModes:
-        """With stiffness or damping changed as a whole."""
-        if change == UNCHANGED:
-            return self
-        pole, larger = change.poles(np.where(np.isfinite(self.pole), self.pole, -1.0))
-        pole = np.where(np.isfinite(self.pole), pole, self.pole)
-        constant = None if self.constant is None else self.constant / change.stiffness
-        return TipModes(pole, self.shape * larger[..., None], self.participation, constant)
 
     def of(self, rows: NDArray[np.intp], top: float, directions: int = 2) -> TipSums:
         """Sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion in

@@ -189,7 +189,7 @@ def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -
 
 def _height(depths: Sequence[Array]) -> float:
     """Highest depth drawn [mm]."""
-    known = np.concatenate([each[np.isfinite(each)] for each in depths])
+    known = np.concatenate([each[np.isfinite(each) & (each > 0.0)] for each in depths])
     if not known.size:
         return 1.0
     return float(min(ROOM * known.max(), HIGH * np.median(known)))

@@ -462,3 +462,29 @@ def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
         assert f"as {kind}: look whether it is another quantity" in said
         assert not told(turned, error=0.1)  # the tip of a tool on a measured spindle
     assert not told(values.conj(), "a.y / b.y")
+
+
+def test_peaks_of_a_coarse_record_of_the_same_machine_are_its_own(tmp_path: Path) -> None:
+    """Lines of 0.5 Hz, the highest of which has a tenth of a peak at rest; at 1000 rpm two peaks
+    stand nearer to each other than lines, which is told."""
+    result = solve(case(tmp_path)).results["frf"]
+    lines, found = [], []
+    for rpm, values in zip((0, 1000), result.receptance[:, 0], strict=True):
+        rows = "".join(
+            f"{at:.9g},{value.real * 1e6:.9g},{value.imag * 1e6:.9g}\n"
+            for at, value in zip(result.frequency, values, strict=True)
+        )
+        (tmp_path / "tap.csv").write_text("frequency [Hz],real [um/N],imag [um/N]\n" + rows)
+        asked = MEASURED % ("tap.csv", f", name: tap, speed: {rpm} rpm")
+        found.append(solve(case(tmp_path, measured=asked)).results["frf"])
+        lines.append(np.abs(values))
+    rest, turning = found
+    known = np.isfinite(rest.measured_peak[0])
+    assert known.sum() == 2
+    assert lines[0].max() < 0.11 * rest.computed_peak_amplitude[0, known].max()
+    np.testing.assert_allclose(rest.measured_peak, rest.computed_peak, rtol=5e-5)
+    amplitudes = rest.measured_peak_amplitude, rest.computed_peak_amplitude
+    np.testing.assert_allclose(*amplitudes, rtol=1e-4)
+    assert not [each for each in measured_warnings(rest) if "too wide" in each]
+    (told,) = [each for each in measured_warnings(turning) if "too wide" in each]
+    assert "too wide for the peaks at 42.5, 44.5 Hz" in told

@@ -1,0 +1,43 @@
+"""The fixed points x = f(x) of many affine functions at once, by GMRES (Saad and Schultz 1986).
+
+Theory: docs/theory/statics.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from rotordyn.arrays import Array
+
+MOST = 60  # steps
+WITHIN = 1e-13  # of f(0), by which f(x) misses x
+
+
+def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> Array:
+    """x (states, size) of an affine ``function`` that takes and gives (states, size), each state by
+    itself; sooner the fewer of its directions f changes much."""
+    begin = function(np.zeros((states, size)))
+    norm = np.linalg.norm(begin, axis=1)
+    scale = np.where(norm > 0.0, norm, 1.0)[:, None]
+    basis = [begin / scale]
+    columns = np.zeros((states, MOST + 1, MOST))
+    right = np.zeros((states, MOST + 1))
+    right[:, 0] = 1.0
+    for k in range(min(MOST, size)):
+        new = basis[k] - (function(basis[k]) - begin)
+        for _ in range(2):  # once more for what rounding leaves
+            for j, each in enumerate(basis):
+                share = (each * new).sum(axis=1)
+                columns[:, j, k] += share
+                new = new - share[:, None] * each
+        length = np.linalg.norm(new, axis=1)
+        columns[:, k + 1, k] = length
+        basis.append(new / np.where(length > 0.0, length, 1.0)[:, None])
+        matrix = columns[:, : k + 2, : k + 1]
+        weights = (np.linalg.pinv(matrix) @ right[:, : k + 2, None])[..., 0]
+        missed = right[:, : k + 2] - (matrix @ weights[..., None])[..., 0]
+        if np.abs(missed).max() <= WITHIN:
+            break
+    return np.asarray(np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale)

@@ -1,0 +1,76 @@
+"""A peak between the lines of a measured response, by one mode and a constant fitted around it.
+
+Lines that are wide beside a peak miss its top. H = c + r / (f − q) of complex q, r and c is linear
+in q, n and c as f H = q H + n + c f, weighted by 1 / |f − q| of the fit before, so that noise
+counts alike on every line.
+
+Theory: docs/theory/receptances.md.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rotordyn.arrays import Array, Complex
+
+SIDE, MOST = 3, 40  # lines to either side of the highest one: at least, and at most
+LEVEL = 0.4  # of the highest line, down to which lines around it are taken
+FEWEST = 3  # lines within 3 dB of the highest one, from which on it stands for the peak
+ROUNDS = 5  # of weights
+TRUSTED = 0.1  # standard error of a height that is given
+SAME = 1e-4  # of a height, by which the fit may leave that of a line which meets the peak
+NEAREST = 0.02  # lines from the axis: a pole nearer to it cannot be told
+WIDTHS = np.linspace(-4.0, 4.0, 1601)  # of half a peak, at which its top is looked for
+
+
+class LinePeak(NamedTuple):
+    """``frequency`` and ``height`` of a peak, and the standard ``error`` of the height over it. No
+    fit being sure, they are those of the highest line; the error is then NaN, and infinite where
+    lines are too wide for the peak."""
+
+    frequency: float
+    height: float
+    error: float
+
+
+def line_peak(frequency: Array, response: Complex, top: int) -> LinePeak:
+    """The peak about the highest line ``top`` of a response (n,) at ``frequency`` (n,)."""
+    size = np.abs(response)
+    wide = (np.abs(size[max(top - 1, 0) : top + 2]) > np.sqrt(0.5) * size[top]).sum() < FEWEST
+    highest = LinePeak(float(frequency[top]), float(size[top]), np.inf if wide else np.nan)
+    taken = slice(top - _reach(size[top::-1]), top + _reach(size[top:]) + 1)
+    step = float(np.diff(frequency[taken]).max(initial=0.0))
+    x, values = (frequency[taken] - frequency[top]) / (step or 1.0), response[taken] / size[top]
+    if len(x) < 2 * SIDE or not step > 0.0:
+        return highest
+    columns = np.stack([values, np.ones(len(x)), x], axis=1)
+    weight = np.ones(len(x))
+    for _ in range(ROUNDS):
+        found, *_ = np.linalg.lstsq(columns * weight[:, None], x * values * weight, rcond=None)
+        pole = complex(found[0])
+        if not abs(pole.imag) > NEAREST or abs(pole.real) > 1.0 + abs(pole.imag):
+            return highest
+        weight = 1.0 / np.abs(x - pole)
+    around = np.clip(pole.real + abs(pole.imag) * WIDTHS, -1.0, 1.0)
+    curve = np.abs((found[1] + found[2] * around) / (around - pole))
+    rest = (columns @ found - x * values) * weight
+    noise = float((np.abs(rest) ** 2).sum()) / (len(x) - 3)
+    spread = np.linalg.inv((columns * weight[:, None]).conj().T @ (columns * weight[:, None]))
+    error = float(np.sqrt(noise * spread[0, 0].real)) / abs(pole.imag)
+    place = int(curve.argmax())
+    if error > TRUSTED:
+        return highest
+    if abs(curve[place] - 1.0) <= SAME:  # other modes bend the fit by as much
+        return highest._replace(error=error)
+    return LinePeak(
+        float(frequency[top] + around[place] * step), float(curve[place] * size[top]), error
+    )
+
+
+def _reach(size: Array) -> int:
+    """Lines from the first, the highest one, to one side: while they fall, down to ``LEVEL``."""
+    stops = np.flatnonzero((size[1:] > size[:-1]) | (size[1:] < LEVEL * size[0]))
+    wide = int(stops[0]) if stops.size else len(size) - 1
+    return min(max(wide, SIDE), MOST, len(size) - 1)
