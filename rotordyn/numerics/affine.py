@@ -10,14 +10,21 @@ from collections.abc import Callable
 import numpy as np
 
 from rotordyn.arrays import Array
+from rotordyn.errors import NoSolution
 
 MOST = 60  # steps
 WITHIN = 1e-13  # of f(0), by which f(x) misses x
+LARGEST = 1e-7  # of f(0): more is no solution
 
 
 def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> Array:
     """x (states, size) of an affine ``function`` that takes and gives (states, size), each state by
-    itself; sooner the fewer of its directions f changes much."""
+    itself; sooner the fewer of its directions f changes much.
+
+    Raises
+    ------
+    NoSolution : they are not found
+    """
     begin = function(np.zeros((states, size)))
     norm = np.linalg.norm(begin, axis=1)
     scale = np.where(norm > 0.0, norm, 1.0)[:, None]
@@ -40,4 +47,9 @@ def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> 
         missed = right[:, : k + 2] - (matrix @ weights[..., None])[..., 0]
         if np.abs(missed).max() <= WITHIN:
             break
+    if not np.abs(missed).max(initial=0.0) <= LARGEST:
+        raise NoSolution(
+            "the bent shaft finds no equilibrium under its axial force: it is near buckling; lower "
+            "the axial force, or leave it out by axial_stiffening: false"
+        )
     return np.asarray(np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale)
