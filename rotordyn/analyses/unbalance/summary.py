@@ -13,6 +13,7 @@ from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, r
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.linearity import beyond_tangents
+from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
@@ -190,19 +191,31 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
         order = at.argsort()
         what = f"unbalance: at the largest forces of the run {name}"
         yield from beyond_tangents(what, result.support, at[order], np.diag(apart)[order])
+    ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
+    grows = [f"{_from_to(*ends)} it {how_it_grows(pole)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
+            clear = ", clear of those at which the machine is unstable: errors grow there, too"
             yield (
                 f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its "
-                "peak: take a shorter range of speeds, or a shorter time"
+                f"peak: take a shorter time, or a shorter range of speeds{clear if grows else ''}"
             )
-    if result.run and result.unstable.any():
-        first = result.speed[result.unstable.argmax()] * RPM.factor
+    if result.run and grows:
         yield (
-            "unbalance: the runs pass speeds at which the machine is unstable, of those of the "
-            f"case first at {first:.0f} rpm: what grows by itself there is in them, and one that "
-            "begins there begins in steady motion that the machine does not reach"
+            "unbalance: the runs pass speeds at which the machine is unstable: "
+            f"{'; '.join(grows)}. What grows by itself there is in them, and one that begins there "
+            "begins in steady motion that the machine does not reach"
         )
+
+
+def _from_to(first: float, last: float) -> str:
+    """
+    >>> _from_to(100.0, 200.0), _from_to(100.0, 100.0)
+    ('from about 955 to 1910 rpm', 'at about 955 rpm')
+    """
+    ends = [number(each * RPM.factor, 0) for each in (first, last)]
+    apart = ends[0] != ends[1]
+    return f"from about {ends[0]} to {ends[1]} rpm" if apart else f"at about {ends[0]} rpm"
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:
