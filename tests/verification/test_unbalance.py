@@ -139,6 +139,12 @@ def test_supports_that_differ() -> None:
     assert backward[between].all()
     assert not backward[(speed < 0.95 * low) | (speed > 1.05 * high)].any()
     np.testing.assert_allclose(result.critical_speed, [low, high], rtol=1e-3)
+    ends = solved(spindle, speed[[0, -1]].tolist(), Unbalance("disc", U), conditions=RIGID)
+    assert not (ends.minor_axis < 0.0).any()
+    told = unbalance_lines(ends)[-1].replace("\u00a0", " ")
+    assert told.startswith("           whirl backward: disc from about ")
+    rpm = np.array([float(word) for word in told.split() if word.isdigit()])
+    np.testing.assert_allclose(rpm * RPM, speed[backward][[0, -1]], atol=np.diff(speed)[0])
 
 
 def test_orbit_is_what_a_drawn_ellipse_shows() -> None:

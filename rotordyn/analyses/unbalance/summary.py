@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.numerics.ranges import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
@@ -118,14 +119,11 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 
 def _backward(result: UnbalanceResult) -> list[str]:
     """Where orbits run against the speed."""
-    back = result.minor_axis < -STRAIGHT * result.major_axis
+    back = -result.fine_minor_axis - STRAIGHT * result.fine_major_axis
     words = []
-    for name, rows in zip(result.point, back.T, strict=True):
-        at = np.flatnonzero(rows)
-        if at.size:
-            ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
-            many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
-            words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
+    for name, values in zip(result.point, back.T, strict=True):
+        ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
+        words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
     return [f"           whirl backward: {', '.join(words)}"] if words else []
 
 
