@@ -183,12 +183,14 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
             yield f"unbalance: the run {name} has no solution: {why}; leave it out"
-    for name, at, apart in zip(
+    for name, speed, apart in zip(
         result.run, result.run_force_peak_speed, result.run_departure, strict=True
     ):
-        order = at.argsort()
-        what = f"unbalance: at the largest forces of the run {name}"
-        yield from beyond_tangents(what, result.support, at[order], np.diag(apart)[order])
+        at = speed[~np.isnan(apart)]
+        if at.size:
+            where = f"on the run {name}, {_from_to(at.min(), at.max())}"
+            what = f"unbalance: at the largest forces of bearings {where}"
+            yield from beyond_tangents(what, result.support, None, apart[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
     grows = [f"{_from_to(*ends)} it {how_it_grows(pole)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
