@@ -91,10 +91,10 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
 def _departure(scene: Scene, speed: Array, force: Array, rings: Complex) -> Array:
     """The largest of every bearing (seats,), of ``rings`` (t, seats, 5) at the instants at which
     forces (t, connections) of bearings are largest."""
-    rows = np.unique(force[:, : rings.shape[1]].argmax(axis=0))
-    rows = rows[speed[rows].argsort()]
-    other = scene.at(speed[rows])
-    found = departure(other, rings[rows[other.usable]])
+    peaks = force[:, : rings.shape[1]].argmax(axis=0)
+    ascending, first = np.unique(speed[peaks], return_index=True)
+    other = scene.at(ascending)
+    found = departure(other, rings[peaks[first[other.usable]]])
     return np.asarray(np.fmax.reduce(found, axis=0, initial=np.nan))
 
 
