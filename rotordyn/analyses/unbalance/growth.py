@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import out_of_balance
 from rotordyn.arrays import Array, Complex
-from rotordyn.numerics.ranges import above_zero
+from rotordyn.numerics.crossing import above_zero
 from rotordyn.scene.scene import Scene
 
 

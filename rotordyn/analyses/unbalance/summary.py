@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
-from rotordyn.numerics.ranges import above_zero
+from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
