@@ -46,10 +46,10 @@ def log_axis(axes: Axes) -> None:
     axes.set_ylim(low, high)
 
 
-def decades(axes: Axes) -> None:
-    """A logarithmic axis over what is drawn, a few decades of it."""
+def decades(axes: Axes, highest: float = np.inf) -> None:
+    """A logarithmic axis over what is drawn up to ``highest``, a few decades of it."""
     known = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
-    known = known[np.isfinite(known)]
+    known = known[np.isfinite(known) & (known <= highest)]
     if known.size:
         high = 1.6 * float(known.max())
         axes.set_ylim(max(0.6 * float(known.min()), high / 10.0**DECADES), high)

@@ -1,4 +1,4 @@
-"""Where a sampled curve crosses zero."""
+"""Where a sampled curve crosses zero, and where it is above."""
 
 from __future__ import annotations
 
@@ -20,6 +20,20 @@ def zero_crossings(x: Array, y: Array) -> list[float]:
     return [
         float(x[k]) if met[k] else _zero(x, y, k) for k in np.flatnonzero(met | passed).tolist()
     ]
+
+
+def above_zero(x: Array, y: Array) -> Array:
+    """First and last (r, 2) x of the ranges in which y(x) is above zero, up to the last finite
+    sample beside others.
+
+    >>> above_zero(np.arange(5.0), np.array([-1.0, 1.0, 3.0, 5.0, np.nan])).tolist()
+    [[0.5, 3.0]]
+    """
+    ends = []
+    for k in np.flatnonzero(np.diff(np.pad(y > 0.0, 1).astype(int))).tolist():
+        known = [each for each in (k - 1, k) if 0 <= each < len(y) and np.isfinite(y[each])]
+        ends.append(_zero(x, y, k - 1) if len(known) > 1 else float(x[known[0]]))
+    return np.array(ends).reshape(-1, 2)
 
 
 def _zero(x: Array, y: Array, k: int) -> float:

@@ -83,10 +83,10 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
 
 
 def beyond_tangents(
-    what: str, names: Sequence[str], speed: Array, apart: NDArray[np.floating]
+    what: str, names: Sequence[str], speed: Array | None, apart: NDArray[np.floating]
 ) -> Iterator[str]:
     """A warning where loads of bearings, by ``names``, depart from those of their tangents, of a
-    result with ``apart`` (speeds, names)."""
+    result with ``apart`` (speeds, names), and the first speed, unless ``what`` says where."""
     worst = np.nan_to_num(apart, posinf=np.inf).max(axis=0, initial=0.0)
     told = [
         f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
@@ -94,10 +94,13 @@ def beyond_tangents(
         if share > TOLD
     ]
     if told:
-        first = speed[np.flatnonzero((np.nan_to_num(apart, posinf=np.inf) > TOLD).any(axis=1))[0]]
+        where = ""
+        if speed is not None:
+            beyond = (np.nan_to_num(apart, posinf=np.inf) > TOLD).any(axis=1)
+            where = f", first at {number(float(speed[beyond.argmax()]) * RPM.factor, 0)} rpm"
         yield (
             f"{what}: bearings are moved so far that their loads depart from those of their "
-            f"tangents, first at {number(float(first) * RPM.factor, 0)} rpm: {', '.join(told)}; "
+            f"tangents{where}: {', '.join(told)}; "
             "results there are right in kind only, not in size: lower the loads, or see "
             "bearing_loads, stiffness or time_response, which follow the law of the bearings"
         )

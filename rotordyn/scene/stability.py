@@ -30,14 +30,21 @@ def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
     at = np.flatnonzero(fastest.real > 0.0)
     if not at.size:
         return []
-    worst = fastest[fastest.real.argmax()]
-    hertz = abs(worst.imag) / (2.0 * math.pi)
-    how = f"vibrates at {hertz:.4g} Hz"
-    if abs(worst.imag) <= STRAIGHT * worst.real:
-        how = "moves away without vibrating (divergence, a static instability like buckling)"
     return [
         f"unstable at {at.size} of {len(speed)} speeds, first at "
-        f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "
-        f"{1.0 / worst.real:.3g} s; steady responses there are solutions of the linear equations "
-        "that the machine does not reach by itself"
+        f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine "
+        f"{how_it_grows(fastest[fastest.real.argmax()])}; steady responses there are solutions of "
+        "the linear equations that the machine does not reach by itself"
     ]
+
+
+def how_it_grows(pole: complex) -> str:
+    """What the machine does in motion of such a ``pole`` [rad/s], which grows.
+
+    >>> how_it_grows(50.0 + 200.0j * math.pi)
+    'vibrates at 100 Hz, growing e-fold in 0.02 s'
+    """
+    how = f"vibrates at {abs(pole.imag) / (2.0 * math.pi):.4g} Hz"
+    if abs(pole.imag) <= STRAIGHT * pole.real:
+        how = "moves away without vibrating (divergence, a static instability like buckling)"
+    return f"{how}, growing e-fold in {1.0 / pole.real:.3g} s"

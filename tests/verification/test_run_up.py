@@ -283,9 +283,9 @@ def test_a_run_that_grows_beyond_all_numbers_leaves_the_others():
     assert np.isfinite(found.run_peak.values[0]).all()
     assert np.isnan(found.run_peak.values[1]).all()
     assert "the run up in 100000 s has no solution: the motion grows" in " ".join(results.warnings)
-    first = found.speed.values[found.unstable.values.argmax()] * 30.0 / np.pi
-    words = f"the machine is unstable, of those of the case first at {first:.0f} rpm: what grows"
-    assert words in " ".join(results.warnings)
+    assert (
+        "the runs pass speeds at which the machine is unstable: from about " in results.warnings[-1]
+    )
 
 
 def test_a_run_past_a_speed_without_a_state_says_so():

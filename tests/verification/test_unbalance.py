@@ -29,6 +29,7 @@ from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.analyses.unbalance.summary import summary as unbalance_lines
+from rotordyn.analyses.unbalance.summary import warnings as unbalance_warnings
 from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
@@ -138,6 +139,12 @@ def test_supports_that_differ() -> None:
     assert backward[between].all()
     assert not backward[(speed < 0.95 * low) | (speed > 1.05 * high)].any()
     np.testing.assert_allclose(result.critical_speed, [low, high], rtol=1e-3)
+    ends = solved(spindle, speed[[0, -1]].tolist(), Unbalance("disc", U), conditions=RIGID)
+    assert not (ends.minor_axis < 0.0).any()
+    told = unbalance_lines(ends)[-1].replace("\u00a0", " ")
+    assert told.startswith("           whirl backward: disc from about ")
+    rpm = np.array([float(word) for word in told.split() if word.isdigit()])
+    np.testing.assert_allclose(rpm * RPM, speed[backward][[0, -1]], atol=np.diff(speed)[0])
 
 
 def test_orbit_is_what_a_drawn_ellipse_shows() -> None:
@@ -314,6 +321,34 @@ def test_an_unstable_machine_is_given_its_steady_solution() -> None:
         np.testing.assert_allclose(found.displacement[:, 0, 0], whirl, rtol=1e-6)
         assert (found.unstable == unstable).all()
         assert set(found.outcome) == {""}
+
+
+def test_runs_tell_of_unstable_speeds_between_those_of_the_case() -> None:
+    """Follower stiffness that rises from 0 at 100 rad/s to 3 c ω at 250 and falls to 0 at 400."""
+    rigid = on_two(block(K, K), block(C, C))
+    mass = rotor_inertia(rigid).mass
+    natural = math.sqrt(K / mass)
+    q = 1.5 * C * natural * np.array([0.0, 0.0, 1.0, 0.0, 0.0])
+    table = {("y", "z"): tuple(q.tolist()), ("z", "y"): tuple((-q).tolist())}
+    at, ends = (0.0, 100.0, 250.0, 400.0, 500.0), []
+    for support in rigid.supports:
+        ends.append(replace(support, stiffness={**support.stiffness, **table}, speeds=at))
+    spindle = replace(rigid, supports=tuple(ends))
+    asked: dict[str, Any] = {"conditions": RIGID, "run_up": (1.0,)}
+    found = solved(spindle, [0.0, 500.0], Unbalance("disc", U), **asked)
+    assert not found.unstable.any()
+    assert found.unstable_from == pytest.approx([150.0], abs=0.5)
+    assert found.unstable_to == pytest.approx([350.0], abs=0.5)
+    assert found.unstable_pole.real == pytest.approx([C / mass], rel=0.1)
+    assert found.unstable_pole.imag == pytest.approx([natural], rel=0.01)
+    ends = [f"{each[0] / RPM:.0f}" for each in (found.unstable_from, found.unstable_to)]
+    told = unbalance_warnings(replace(found, run_error=np.array([0.5])))
+    assert "clear of those at which the machine is unstable" in told[0]
+    grows = f"vibrates at {natural / (2.0 * math.pi):.3g}"
+    assert f"is unstable: from about {ends[0]} to {ends[1]} rpm it {grows}" in told[1]
+    calm = solved(rigid, [0.0, 500.0], Unbalance("disc", U), **asked)
+    assert not calm.unstable_from.size
+    assert not unbalance_warnings(calm)
 
 
 @pytest.mark.parametrize("damped", [1.0, 1e-2])

@@ -28,10 +28,11 @@ class UnbalanceResult:
     of its hodograph. ``departure``: how far what a bearing's law adds to its load along the orbit
     differs from what its tangent adds, over the latter. ``film_orbit``: of journals in squeeze
     films, and ``film_ratio`` the one that these are computed for. ``unstable``: some motion grows
-    by itself there, so that the steady solution given is not reached. ``fine_…``: at the speeds of
-    the case and at more of them about every peak, so that the highest values are the true ones; NaN
-    at a speed at which a stop closes and next to a critical speed without damping, where lines
-    break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer, infinite at a
+    by itself there, so that the steady solution given is not reached; ``unstable_…``: every range
+    of such speeds that those of the case and of runs show, and the fastest pole. ``fine_…``: at the
+    speeds of the case and at more of them about every peak, so that the highest values are the true
+    ones; NaN at a speed at which a stop closes and next to a critical speed without damping, where
+    lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer, infinite at a
     critical speed without damping; ``force_unbounded``: the first speed at which a force is.
     ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
     ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces;
@@ -208,6 +209,14 @@ class UnbalanceResult:
     )
     run_error: Array = quantity(
         "run", unit="1", label="estimated error over the largest value", absent=(NO_RUN,)
+    )
+    unstable_range: NDArray[np.int_] = coordinate(
+        "unstable_range", unit="", label="range of unstable speeds"
+    )
+    unstable_from: Array = quantity("unstable_range", unit="rad/s", label="unstable from")
+    unstable_to: Array = quantity("unstable_range", unit="rad/s", label="unstable to")
+    unstable_pole: Complex = quantity(
+        "unstable_range", unit="rad/s", label="pole of what grows fastest"
     )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.unbalance.growth import Growth, growth_of, slowest_pole
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
@@ -42,7 +43,7 @@ class Runs(NamedTuple):
     """``name`` and ``outcome`` (runs,) of every run, empty or why it has no solution; ``speed``
     (n,) of the spindle [rad/s]; ``moved`` points [m] and ``pushed`` connections [N]; ``departure``
     (runs, connections) of loads of bearings from those of tangents; ``error`` (runs,) of all over
-    their peaks."""
+    their peaks; ``growth`` by itself on the way."""
 
     name: tuple[str, ...]
     outcome: tuple[str, ...]
@@ -51,6 +52,7 @@ class Runs(NamedTuple):
     pushed: Largest
     departure: Array
     error: Array
+    growth: Growth
 
 
 def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
@@ -83,16 +85,16 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
         Largest(*(each[..., :points] for each in found)),
         Largest(*(each[..., points:] for each in found)),
     )
-    return Runs(names, tuple(outcome), speed, moved, pushed, apart, error)
+    return Runs(names, tuple(outcome), speed, moved, pushed, apart, error, way.growth)
 
 
 def _departure(scene: Scene, speed: Array, force: Array, rings: Complex) -> Array:
     """The largest of every bearing (seats,), of ``rings`` (t, seats, 5) at the instants at which
     forces (t, connections) of bearings are largest."""
-    rows = np.unique(force[:, : rings.shape[1]].argmax(axis=0))
-    rows = rows[speed[rows].argsort()]
-    other = scene.at(speed[rows])
-    found = departure(other, rings[rows[other.usable]])
+    peaks = force[:, : rings.shape[1]].argmax(axis=0)
+    ascending, first = np.unique(speed[peaks], return_index=True)
+    other = scene.at(ascending)
+    found = departure(other, rings[peaks[first[other.usable]]])
     return np.asarray(np.fmax.reduce(found, axis=0, initial=np.nan))
 
 
@@ -140,6 +142,14 @@ class _Way:
         ends = float(self.scene.speed[0]), float(self.scene.speed[-1])
         self.speed = np.linspace(*ends, 2 * PARTS[-1] + 1)
         self.known = np.zeros(len(self.speed), dtype=bool)
+        self.slowest = np.full(len(self.speed), complex(np.nan, np.nan))
+
+    @property
+    def growth(self) -> Growth:
+        """Of motion at the speeds of the case, and at those that were solved on the way."""
+        solved, given = np.isfinite(self.slowest), self.scene.speed[self.scene.usable]
+        pole = [slowest_pole(self.scene, self.spec), self.slowest[solved]]
+        return growth_of(np.concatenate([given, self.speed[solved]]), np.concatenate(pole))
 
     def axes(self, count: int, time: float, *, down: bool) -> tuple[Array, Complex]:
         """Major half axes of the orbits of points, then of forces of connections, (t, both), and
@@ -197,6 +207,7 @@ class _Way:
         lost = [k for k, why in enumerate(scene.outcome) if why]
         if lost:
             raise NoSolution(f"no state on the way, at {scene.speed[lost[0]] * RPM.factor:.6g} rpm")
+        self.slowest[new] = slowest_pole(scene, self.spec)
         found = [self._subsystem(scene, k) for k in out_of_balance(scene, self.spec)]
         if self.solved and [each.one for each in found] != [each.one for each in self.solved]:
             self.solved, whole = [], np.flatnonzero(self.known)  # other coordinates: all at once

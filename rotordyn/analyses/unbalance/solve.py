@@ -144,6 +144,10 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         run_force_peak_speed=runs.pushed.speed,
         run_departure=runs.departure,
         run_error=runs.error,
+        unstable_range=np.arange(1, len(runs.growth.pole) + 1),
+        unstable_from=runs.growth.first,
+        unstable_to=runs.growth.last,
+        unstable_pole=runs.growth.pole,
     )
 
 

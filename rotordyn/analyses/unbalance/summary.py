@@ -8,11 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.linearity import beyond_tangents
+from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
@@ -117,14 +119,11 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 
 def _backward(result: UnbalanceResult) -> list[str]:
     """Where orbits run against the speed."""
-    back = result.minor_axis < -STRAIGHT * result.major_axis
+    back = -result.fine_minor_axis - STRAIGHT * result.fine_major_axis
     words = []
-    for name, rows in zip(result.point, back.T, strict=True):
-        at = np.flatnonzero(rows)
-        if at.size:
-            ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
-            many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
-            words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
+    for name, values in zip(result.point, back.T, strict=True):
+        ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
+        words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
     return [f"           whirl backward: {', '.join(words)}"] if words else []
 
 
@@ -184,25 +183,39 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
             yield f"unbalance: the run {name} has no solution: {why}; leave it out"
-    for name, at, apart in zip(
+    for name, speed, apart in zip(
         result.run, result.run_force_peak_speed, result.run_departure, strict=True
     ):
-        order = at.argsort()
-        what = f"unbalance: at the largest forces of the run {name}"
-        yield from beyond_tangents(what, result.support, at[order], np.diag(apart)[order])
+        at = speed[~np.isnan(apart)]
+        if at.size:
+            where = f"on the run {name}, {_from_to(at.min(), at.max())}"
+            what = f"unbalance: at the largest forces of bearings {where}"
+            yield from beyond_tangents(what, result.support, None, apart[None])
+    ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
+    grows = [f"{_from_to(*ends)} it {how_it_grows(pole)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
+            clear = ", clear of those at which the machine is unstable: errors grow there, too"
             yield (
                 f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its "
-                "peak: take a shorter range of speeds, or a shorter time"
+                f"peak: take a shorter time, or a shorter range of speeds{clear if grows else ''}"
             )
-    if result.run and result.unstable.any():
-        first = result.speed[result.unstable.argmax()] * RPM.factor
+    if result.run and grows:
         yield (
-            "unbalance: the runs pass speeds at which the machine is unstable, of those of the "
-            f"case first at {first:.0f} rpm: what grows by itself there is in them, and one that "
-            "begins there begins in steady motion that the machine does not reach"
+            "unbalance: the runs pass speeds at which the machine is unstable: "
+            f"{'; '.join(grows)}. What grows by itself there is in them, and one that begins there "
+            "begins in steady motion that the machine does not reach"
         )
+
+
+def _from_to(first: float, last: float) -> str:
+    """
+    >>> _from_to(100.0, 200.0), _from_to(100.0, 100.0)
+    ('from about 955 to 1910 rpm', 'at about 955 rpm')
+    """
+    ends = [number(each * RPM.factor, 0) for each in (first, last)]
+    apart = ends[0] != ends[1]
+    return f"from about {ends[0]} to {ends[1]} rpm" if apart else f"at about {ends[0]} rpm"
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:

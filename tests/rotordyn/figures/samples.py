@@ -485,6 +485,10 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         run_force_peak_speed=np.full((1, 2), 500.0),
         run_departure=np.full((1, 2), 0.02),
         run_error=np.array([1e-5]),
+        unstable_range=np.arange(0),
+        unstable_from=np.zeros(0),
+        unstable_to=np.zeros(0),
+        unstable_pole=np.zeros(0, dtype=complex),
         error=np.array([1e-5, 2e-5]),
         error_asked=1e-3,
     )

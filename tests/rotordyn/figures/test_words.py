@@ -16,6 +16,7 @@ from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.thermal_preload.figures.over_difference import load_figure
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
 from rotordyn.analyses.unbalance.figures import headline_curves
+from rotordyn.analyses.unbalance.figures.runs import runs_figure
 from rotordyn.figures.interval import bands_figure
 from rotordyn.figures.style import add_axes, finish, new_figure
 from rotordyn.results.described import Shown
@@ -174,6 +175,21 @@ def test_comparisons_have_a_panel_for_every_run(runs, panels):
     assert not {each.series for each in drawn} - {""}
     np.testing.assert_allclose(drawn[0].x, np.linspace(0.0, 1000.0, 5) * 30.0 / math.pi)
     np.testing.assert_allclose(drawn[0].y, 1.0)
+
+
+def test_a_run_that_grows_beyond_bounds_is_cut_at_the_edge_and_named():
+    steady = samples.unbalance(9)
+    moved = np.full((3, 5, 2), 1e-6)
+    moved[1, 3:, 0] = 1e3, 1e9  # m
+    moved[2, :, 1] = np.nan, 1e-6, 1e-5, 5e-4, 5e-4  # grows, and is seen
+    one = {"run": ("up", "on", "down"), "run_outcome": ("",) * 3, "run_amplitude": moved}
+    first, second = runs_figure(replace(steady, **one)).axes
+    assert first.get_title() == "Oc2, beyond the axis: on (to 1e+15)"
+    assert second.get_title() == "O3"
+    largest = 1e6 * np.nanmax(steady.fine_major_axis, axis=0)
+    assert first.get_ylim()[1] == pytest.approx(1.6 * largest[0])
+    assert second.get_ylim()[1] == pytest.approx(1.6 * 500.0)
+    assert [len(axes.get_lines()) for axes in (first, second)] == [4, 4]
 
 
 def test_a_constant_with_its_rounding_is_a_level_line():

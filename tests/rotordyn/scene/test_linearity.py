@@ -13,13 +13,14 @@ from rotordyn.analyses.section_forces.solve import answer as statics
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.summary import warnings as static_warnings
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.runs import _departure
 from rotordyn.analyses.unbalance.solve import answer as orbits
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.summary import warnings as orbit_warnings
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.machine.lumped import PointMass
 from rotordyn.preload.growth import static_growth
-from rotordyn.scene.linearity import TOLD
+from rotordyn.scene.linearity import TOLD, departure
 from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, conditions, mfw2310
@@ -112,4 +113,20 @@ def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
     steady, run = (each for each in orbit_warnings(found) if "moved so far" in each)
     worst = 100.0 * np.nanmax(found.fine_departure, axis=0)
     assert f"e by {worst[seats - 1]:.0f} %" in steady
-    assert run.startswith("unbalance: at the largest forces of the run down in 30 s: bearings are")
+    at = np.sort(found.run_force_peak_speed[0, :seats])[[0, -1]] / RPM
+    where = f"on the run down in 30 s, from about {at[0]:.0f} to {at[1]:.0f} rpm: bearings are"
+    assert run.startswith(f"unbalance: at the largest forces of bearings {where}")
+    assert "first at" not in run
+
+
+def test_on_a_run_down_each_motion_is_compared_at_its_own_speed() -> None:
+    """Forces of one bearing are largest at the first instant, of all others at the last one."""
+    machine, seats = mfw2310(), len(mfw2310().seats)
+    speed = np.array([20000.0, 12000.0, 4000.0]) * RPM
+    force = np.array([3.0, 2.0, 1.0])[:, None] * np.ones(seats)
+    force[:, 1:] = force[::-1, 1:]
+    rings = np.array([2e-6, 0.0, 4e-6])[:, None, None] * np.ones((3, seats, 5), dtype=complex)
+    scene = Scene(machine, conditions(), np.sort(speed))
+    single = [departure(scene.at(speed[[k]]), rings[[k]])[0] for k in (0, 2)]
+    found = _departure(scene, speed, force, rings)
+    np.testing.assert_allclose(found, np.maximum(*single), rtol=1e-9)

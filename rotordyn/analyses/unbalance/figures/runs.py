@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 4  # panels
+RUNAWAY = 1e3  # times the largest value of steady rotation: a run beyond has no part in the axis
 
 
 def runs_figure(result: UnbalanceResult) -> Figure:
@@ -60,9 +61,14 @@ def _figure(
                 continue
             values = _seen(moved[k, :, column])
             axes.plot(result.run_speed * RPM.factor, values, label=name, **line_of(k))
+        largest = np.nan_to_num(moved[:, :, column]).max(axis=1)
+        top = np.nan_to_num(steady[:, column]).max()
+        gone = largest > (RUNAWAY * top or np.inf)
+        away = [f"{result.run[k]} (to {largest[k]:.2g})" for k in np.flatnonzero(gone)]
+        beyond = f", beyond the axis: {', '.join(away)}" if away else ""
         left = f" ({len(names) - MOST} more in the table)" if last and len(names) > MOST else ""
-        axes.set_title(f"{names[column]}{left}", fontsize=FONT_SIZE, pad=3.0)
-        decades(axes)
+        axes.set_title(f"{names[column]}{beyond}{left}", fontsize=FONT_SIZE, pad=3.0)
+        decades(axes, max(top, *largest[~gone]) if away else np.inf)
         axes.tick_params(labelbottom=last)
         speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
     top_legend(figure, figure.axes[0])
