@@ -45,11 +45,12 @@ def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> 
         matrix = columns[:, : k + 2, : k + 1]
         weights = (np.linalg.pinv(matrix) @ right[:, : k + 2, None])[..., 0]
         missed = right[:, : k + 2] - (matrix @ weights[..., None])[..., 0]
-        if np.abs(missed).max() <= WITHIN:
+        if np.abs(missed[norm > 0.0]).max(initial=0.0) <= WITHIN:
             break
-    if not np.abs(missed).max(initial=0.0) <= LARGEST:
+    found = np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale
+    if not (np.linalg.norm(function(found) - found, axis=1) <= LARGEST * norm).all():
         raise NoSolution(
             "the bent shaft finds no equilibrium under its axial force: it is near buckling; lower "
             "the axial force, or leave it out by axial_stiffening: false"
         )
-    return np.asarray(np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale)
+    return np.asarray(found)
