@@ -15,7 +15,7 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex
 
-SIDE, MOST = 3, 40  # lines to either side of the highest one: at least, and at most
+SIDE, MOST = 3, 6  # lines to either side of the highest one: at least, and at most
 LEVEL = 0.4  # of the highest line, down to which lines around it are taken
 FEWEST = 3  # lines within 3 dB of the highest one, from which on it stands for the peak
 ROUNDS = 5  # of weights

@@ -37,6 +37,22 @@ def test_a_peak_between_lines_is_found(ratio, step):
         assert peak.frequency == pytest.approx(fine[known.argmax()], rel=1e-5, abs=10.0 * ratio)
 
 
+def test_a_broad_peak_beside_another_stays_between_its_lines():
+    def both(hertz):
+        modes = ((1490.0, 0.035, 1.0), (1685.0, 0.02, 0.9))
+        return sum(1.0 / (f**2 - hertz**2 + 2j * z * f * hertz) * a for f, z, a in modes)
+
+    fine = np.arange(1400.0, 1580.0, 0.01)
+    known, at = np.abs(both(fine)).max(), fine[np.abs(both(fine)).argmax()]
+    for begin in np.arange(100.0, 105.0):
+        lines = np.arange(begin, 3000.0, 5.0)
+        values = both(lines)
+        near = np.flatnonzero(np.abs(lines - at) < 40.0)
+        peak = line_peak(lines, values, int(near[np.abs(values[near]).argmax()]))
+        assert peak.frequency == pytest.approx(at, abs=1.5)
+        assert peak.height == pytest.approx(known, rel=2e-3)
+
+
 @pytest.mark.parametrize("ratio", [0.001, 0.003, 0.01, 0.03])
 @pytest.mark.parametrize("step", [0.5, 1.0, 4.0, 8.0])
 def test_noise_leaves_heights_no_worse_than_the_highest_lines(ratio, step):
