@@ -70,7 +70,7 @@ class Lubricant:
         coldest = 10.0 ** ((level - math.log10(_MOST_DECADES)) / slope)
         if (cold := kelvin[~(kelvin > coldest)]).size:
             raise InvalidBearing(
-                f"lubricant: no temperature of an oil: given {cold[0] - KELVIN:.6g} °C; allowed: "
+                f"lubricant: too cold for this oil: given {cold[0] - KELVIN:.6g} °C; allowed: "
                 f"above {coldest - KELVIN:.6g} °C, below which this oil has no viscosity"
             )
         return np.asarray(1e-6 * (10.0**10.0 ** (level - slope * np.log10(kelvin)) - _SHIFT))

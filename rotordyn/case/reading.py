@@ -259,7 +259,7 @@ class Reading:
             if issubclass(kind, BallBearing):
                 self._key_of_bearing(node, name, known)
             elif "." in name and leads(kind, (*place, *name.split("."))):
-                words = f"keys stand in one another: write {nested(name)}"
+                words = f"keys are nested: write {nested(name)}"
                 self.faults.at_key(child, f"unknown key: given {units.shown(name)}; {words}")
             elif held and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))

@@ -9,7 +9,7 @@ from itertools import combinations
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
 
-UNLIKE = 1.25  # diameter of the shaft over the bore on it; some count inner rings as shaft
+UNLIKE = 1.25  # bore over the diameter below it; some count inner rings as shaft
 TWICE = 0.1  # of a disc's mass that the shaft, or another disc, has as well
 DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 FAR = 1.0  # [m] radius of gyration of a body, where it is longer than the shaft
@@ -26,11 +26,10 @@ def implausible_bodies(spindle: Spindle) -> Iterator[str]:
 def _discs(spindle: Spindle) -> Iterator[str]:
     for disc in spindle.discs:
         under = spindle.shaft.diameters_at(disc.x)[0]
-        if disc.inner_diameter > UNLIKE * _below(spindle, disc):
+        if disc.inner_diameter > UNLIKE * (widest := _below(spindle, disc)):
             yield (
                 f"disc {disc.name} does not touch the shaft: its bore is "
-                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft below it "
-                f"{under * 1e3:.4g} mm"
+                f"{disc.inner_diameter * 1e3:.4g} mm, what is below it {widest * 1e3:.4g} mm"
             )
             continue
         shared = max(min(under, disc.outer_diameter) ** 2 - disc.inner_diameter**2, 0.0)

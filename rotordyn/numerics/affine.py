@@ -9,23 +9,20 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rotordyn.arrays import Array
-from rotordyn.errors import NoSolution
+from rotordyn.arrays import Array, Flags
 
 MOST = 60  # steps
 WITHIN = 1e-13  # of f(0), by which f(x) misses x
 LARGEST = 1e-7  # of f(0): more is no solution
 
 
-def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> Array:
+def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> tuple[Array, Flags]:
     """x (states, size) of an affine ``function`` that takes and gives (states, size), each state by
-    itself; sooner the fewer of its directions f changes much.
-
-    Raises
-    ------
-    NoSolution : they are not found
+    itself, and whether it is one (states,). A function that changes few directions takes few steps.
     """
     begin = function(np.zeros((states, size)))
+    if not np.isfinite(begin).all():
+        return begin, np.zeros(states, dtype=bool)
     norm = np.linalg.norm(begin, axis=1)
     scale = np.where(norm > 0.0, norm, 1.0)[:, None]
     basis = [begin / scale]
@@ -47,10 +44,5 @@ def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> 
         missed = right[:, : k + 2] - (matrix @ weights[..., None])[..., 0]
         if np.abs(missed[norm > 0.0]).max(initial=0.0) <= WITHIN:
             break
-    found = np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale
-    if not (np.linalg.norm(function(found) - found, axis=1) <= LARGEST * norm).all():
-        raise NoSolution(
-            "the bent shaft finds no equilibrium under its axial force: it is near buckling; lower "
-            "the axial force, or leave it out by axial_stiffening: false"
-        )
-    return np.asarray(found)
+    found: Array = np.einsum("ksn,sk->sn", np.array(basis[:-1]), weights) * scale
+    return found, np.linalg.norm(function(found) - found, axis=1) <= LARGEST * norm

@@ -66,20 +66,20 @@ def ring_growth(
 def thermal_shift(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
 ) -> Array:
-    """Shift of the inner groove the way that loads the bearing, by balls that swell more than the
-    rings beside them (speeds,) [m]."""
+    """Axial shift of the inner groove, the way that loads the bearing, by thermal growth of the
+    balls beyond that of the rings beside them (speeds,) [m]."""
     return _swollen(seat, speed, temperatures)[1]
 
 
 def _swollen(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> tuple[Array, Array]:
-    """What balls that swell add to growth and shift (speeds,) [m]."""
-    if temperatures is None:
-        return np.zeros(len(speed)), np.zeros(len(speed))
+    """What thermal growth of the balls adds to growth and shift (speeds,) [m]."""
+    rises = _rises(seat, speed, temperatures)
+    if temperatures is None:  # without what computes it
+        return rises.balls, rises.balls
     from bearings.heat.temperature import swollen
 
-    rises = temperatures.rises(seat.name, speed)
     return swollen(seat.bearing, rises.balls, rises.inner, rises.outer)
 
 

@@ -117,8 +117,12 @@ class PreloadState:
     def stopped(self) -> Flags:
         """Sleeves at their stops (speeds, sleeves): those that press on them, and those that
         friction holds there, pressed on or not."""
-        sticks = np.abs(self.friction_force) < STICKING * self.rubs[SHAFT + 1 :]
-        return self.net.held[:, SHAFT + 1 :] | (sticks & (self._gap <= TOUCHING))
+        return self.net.held[:, SHAFT + 1 :] | (self.stuck & (self._gap <= TOUCHING))
+
+    @property
+    def stuck(self) -> Flags:
+        """Sleeves that friction holds (speeds, sleeves)."""
+        return np.asarray(np.abs(self.friction_force) < STICKING * self.rubs[SHAFT + 1 :])
 
     @property
     def _gap(self) -> Array:

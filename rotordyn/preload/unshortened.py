@@ -18,7 +18,7 @@ def shortening_load(state: PreloadState, row: int) -> Array:
     first order.
 
     Springs, bearings by their tangents, and supports answer the shift of the shaft at their
-    stations; sleeves that are locked, at a stop or stuck there stay.
+    stations; sleeves that are locked, at a stop or held by friction stay.
     """
     spindle, speed = state.spindle, state.speed[[row]]
     seats, sleeves = spindle.seats, spindle.sleeves
@@ -27,13 +27,14 @@ def shortening_load(state: PreloadState, row: int) -> Array:
     stiffness = state.seat_stiffness()[row, :, 0, 0]
     held = sum(support.along for support in spindle.supports)
     springs = np.array([held, *(sleeve.spring.stiffness for sleeve in sleeves)])
-    free = np.isfinite(springs) & ~np.concatenate([[False], state.stopped[row]])
+    free = np.isfinite(springs) & ~np.concatenate([[False], (state.stopped | state.stuck)[row]])
     carried = np.zeros((len(seats), len(springs)))
     for body, sleeve in enumerate(sleeves, start=1):
         carried[:, body] = [seat.name in sleeve.bearings for seat in seats]
     motion = (np.eye(len(springs))[0] - carried)[:, free]  # of the shaft, then of sleeves
     whole = motion.T @ (stiffness[:, None] * motion) + np.diag(springs[free])
-    pull = -motion.T @ (stiffness * shift)
-    pull[0] -= held * support_shift(computed, speed, None)[0]
+    of_supports = np.zeros(len(springs))
+    of_supports[0] = held * support_shift(computed, speed, None)[0]
+    pull = -motion.T @ (stiffness * shift) - of_supports[free]
     moved = np.linalg.lstsq(whole, pull, rcond=None)[0]
     return np.array([seat.thrust for seat in seats]) * stiffness * (motion @ moved + shift)

@@ -30,9 +30,10 @@ from rotordyn.equation.holding import (
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.reactions import Held, reactions
 from rotordyn.equation.section_forces import SectionForces, section_forces
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.affine import fixed_points
+from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import gravity_vector
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ def at_rest(
     Raises
     ------
     InvalidInput : the shaft is a free body, or its reactions are not determined
+    NoSolution : the bent shaft has no equilibrium under its axial force
     """
     spindle, x = scene.spindle, mesh.x
     states, nodes = len(scene.usable), [mesh.node_of(each.x) for each in spindle.connections]
@@ -117,7 +119,13 @@ def at_rest(
         found = solve(bend.reshape(shape) * unit)
         return (bent(found.moved, found.apart) / unit).reshape(states, -1)
 
-    found = fixed_points(again, math.prod(shape[1:]), states)
+    found, good = fixed_points(again, math.prod(shape[1:]), states)
+    if not good.all():
+        rpm = scene.speed[scene.usable[int(good.argmin())]] * RPM.factor
+        raise NoSolution(
+            f"the bent shaft finds no equilibrium under its axial force at {rpm:.0f} rpm: it is "
+            "near buckling; lower the axial force, or leave it out by axial_stiffening: false"
+        )
     return solve(found.reshape(shape) * unit)
 
 

@@ -66,8 +66,8 @@ class HeatFlow(Description):
             taken = getattr(self.conductances, missing[0])
             yield (
                 f"heat_flow: {' and '.join(missing)}, not given, {'are' if missing[1:] else 'is'} "
-                f"taken as {taken:g} W/K, a guess that temperatures of the balls, preload, life "
-                "and speed limits hang on: give values, and vary them by a factor of five"
+                f"taken as {taken:g} W/K, a guess on which temperatures of the balls, preload, "
+                "life and speed limits depend: give values, and vary them by a factor of five"
             )
 
     @property

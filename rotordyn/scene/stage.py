@@ -4,7 +4,7 @@ depend on, and timed."""
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any, TypeVar
 
@@ -41,20 +41,25 @@ class Memo:
     def forget(self, latest: int) -> None:
         """Keep of every stage the first value, and so many of the latest."""
         for values in self.values.values():
-            for number in list(values)[1:-latest]:
-                del values[number]
+            every = [(number, one) for number, kept in values.items() for one in kept]
+            values.clear()
+            for number, one in [*every[:1], *every[1:][-latest:]]:
+                values.setdefault(number, []).append(one)
 
 
 def _number(inputs: Any) -> int:
-    """The same of equal inputs, of which mappings have no part; many variants are compared."""
+    """The same of equal inputs; many variants are compared."""
     try:
         return hash(inputs)
     except TypeError:
-        if isinstance(inputs, tuple):
-            return hash(tuple(map(_number, inputs)))
-        if is_dataclass(inputs):
-            return hash(tuple(_number(getattr(inputs, each.name)) for each in fields(inputs)))
-        return 0
+        pass
+    if isinstance(inputs, Mapping):
+        return hash(frozenset((key, _number(value)) for key, value in inputs.items()))
+    if isinstance(inputs, tuple):
+        return hash(tuple(map(_number, inputs)))
+    if is_dataclass(inputs):
+        return hash(tuple(_number(getattr(inputs, each.name)) for each in fields(inputs)))
+    return 0
 
 
 @dataclass

@@ -169,7 +169,7 @@ def test_temperatures_below_those_of_any_oil_are_named() -> None:
         OIL.kinematic([40.0, -273.0, 20.0])
     coldest = float(str(refused.value).split("above ")[1].split(" °C")[0])
     assert np.isfinite(OIL.kinematic(coldest + 0.01))
-    with pytest.raises(InvalidBearing, match="no temperature of an oil"):
+    with pytest.raises(InvalidBearing, match="too cold for this oil"):
         OIL.kinematic(coldest - 0.01)
     with pytest.raises(InvalidBearing, match="given nan °C"):
         OIL.kinematic(np.nan)

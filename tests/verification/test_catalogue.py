@@ -22,6 +22,7 @@ from bearings import (
     estimate,
     life,
 )
+from bearings.catalogue.estimate import _range
 from bearings.catalogue.races import Insides, contact_stiffness, static_rating
 from bearings.geometry import geometry
 from bearings.life.rating import radial_rating, rating
@@ -293,6 +294,13 @@ def test_balls_on_a_pitch_circle_out_of_the_middle_leave_both_rings_a_wall() -> 
     found = estimate(**RINGS, contact_angle=0.4, pitch_diameter=0.0815)
     assert 0.5 * (found.pitch_diameter - 0.07) > found.ball_diameter * (0.5 * math.cos(0.4) + 0.1)
     assert estimate(**RINGS, contact_angle=0.4).ball_diameter > found.ball_diameter
+
+
+@pytest.mark.parametrize(("estimate", "spread"), [(0.5, (0.5, 3.0)), (4.0, (1.0, 4.0))])
+def test_an_estimate_beside_the_grid_is_an_end_of_its_spread(
+    estimate: float, spread: tuple[float, float]
+) -> None:
+    assert _range(np.array([3.0, 1.0, 2.0]), np.full(3, 1.0 / 3.0), estimate) == spread
 
 
 def test_an_estimate_lies_within_its_spread() -> None:

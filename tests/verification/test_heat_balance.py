@@ -121,14 +121,14 @@ def test_heat_that_falls_as_steeply_as_it_may_still_settles(
 
 
 def test_close_to_the_limit_there_is_a_balance() -> None:
-    """157.5 and 161.5 °C by Newton's method over all temperatures at once; at 13 800 rpm none."""
+    """159.7 and 162.3 °C by Newton's method over all temperatures at once; at 14 150 rpm none."""
     flow = replace(FLOW, inner_shaft=1.5, outer_housing=3.0, balls_oil=0.5)
     hot = Conditions(kinematics="hybrid", moment_sharing="equal", heat_flow=flow)
-    limit = Scene(grinding(rigid=True), hot, np.array([13725.0, 13750.0, 13800.0]) * RPM)
+    limit = Scene(grinding(rigid=True), hot, np.array([14050.0, 14075.0, 14150.0]) * RPM)
     assert limit.outcome[:2] == ("", "")
     assert "temperatures run away" in limit.outcome[2]
     hottest = lives(limit).ball_temperature[:2].max(axis=1)
-    assert hottest == pytest.approx([157.52, 161.51], abs=0.05)
+    assert hottest == pytest.approx([159.66, 162.29], abs=0.05)
 
 
 def test_a_speed_without_a_state_is_named_with_how_hot_it_was(

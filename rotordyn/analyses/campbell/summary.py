@@ -121,7 +121,9 @@ def _nearest(result: CampbellResult, line: Line) -> str:
         return ""
     near = min(chosen, key=lambda k: abs(float(hertz[k]) - top))
     frame = " in the fixed frame" if turning(result) else ""
-    ratio = f"{hertz[near] / top:.2f} × the line at the top speed"
+    share = float(hertz[near]) / top
+    ratio = f"{share:.2f}" if share < 100.0 else f"{share:.3g}"
+    ratio += " × the line at the top speed"
     return f"; {result.mode[near]} is nearest, {ratio}{frame}"
 
 
@@ -137,18 +139,19 @@ def accuracy(result: CampbellResult) -> list[str]:
 
 
 def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
-    """Of the lowest bending modes both whirls; critical speeds, of every line."""
+    """Of the lowest bending modes both whirls; critical speeds of every line, by kind from below:
+    names of modes change with the machine, where both planes are no longer alike."""
     yield from _lowest_bending(result)
     if len(result.speed) == 1:
         return
     for line_name, line in _lines(result):
         count: Counter[str] = Counter()
-        for mode, _turning, speed in _criticals(result, line):
-            count[mode] += 1
-            *name, way = mode.rsplit(" ", 1) if mode.endswith(WAYS) else (mode, "")
-            again = f" ({count[mode]})" if count[mode] > 1 else ""
-            words = f"critical {line_name} {name[0]}{again}"
-            yield Number(words, "rpm", speed * RPM.factor, way, digits=0)
+        for kind, speed in sorted(
+            (mode.split()[0], speed) for mode, _turning, speed in _criticals(result, line)
+        ):
+            count[kind] += 1
+            words = f"critical {line_name} {kind} ({count[kind]})"
+            yield Number(words, "rpm", speed * RPM.factor, digits=0)
 
 
 def _lowest_bending(result: CampbellResult) -> Iterator[Number]:

@@ -24,7 +24,6 @@ from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
-
 LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
 
 

@@ -27,7 +27,6 @@ Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
 AT_ONCE = 1_000_000  # samples of all speeds that are solved together
-TAU = 2.0 * math.pi
 PARTS = 20  # in which progress is reported
 TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
 NOT_MODES = (
@@ -66,7 +65,7 @@ class Limits:
         InvalidInput : process damping of a machine whose receptance is no sum of modes
         """
         own = self.tip.growing[self.rows]
-        found = [Limit(0.0, pole.imag / TAU, WITHOUT_CUT) for pole in own.tolist()]
+        found = [Limit(0.0, pole.imag / (2.0 * math.pi), WITHOUT_CUT) for pole in own.tolist()]
         rest = np.flatnonzero(own == 0.0)
         if rest.size:
             stable = replace(self, rows=self.rows[rest], speed=self.speed[rest])
@@ -131,7 +130,7 @@ class Limits:
                 sampled = partial(_between, receptance, known)
             depth, at = zero_order(receptance, mean, delays[part], omega, sampled)
             found += [
-                Limit(float(a), float(w) / TAU, HOPF if math.isfinite(a) else NONE)
+                Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)
             ]
         return found

@@ -47,8 +47,10 @@ def _least(result: StabilityLobesResult) -> list[str]:
     """The least limit of the cut, and of how many speeds it is."""
     depth, growing = result.depth, _growing(result)
     depth = np.where(growing, np.nan, depth)
-    if not np.isfinite(depth).any():
+    if np.isnan(depth).all():
         return ["chatter    no depth is stable: the machine is unstable without a cut"]
+    if not np.isfinite(depth).any():
+        return []
     row, many = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
     speeds = f" at {'the other' if growing.any() else 'all'} {many} speeds" if many > 1 else ""
     return [
@@ -79,9 +81,9 @@ def _material(result: StabilityLobesResult) -> list[str]:
 
 def _band(result: StabilityLobesResult) -> list[str]:
     """The least limit over intervals and sources."""
-    if not banded(result) or not np.isfinite(result.least).any():
+    least = np.where(_growing(result), np.nan, result.least)
+    if not banded(result) or not np.isfinite(least).any():
         return []
-    least = np.where(_growing(result), np.inf, result.least)
     row = int(np.nanargmin(least))
     return [
         f"band       over intervals and sources stable up to {_depth(result.least[row])}, limited "
@@ -123,12 +125,13 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
 
 def _even(result: StabilityLobesResult) -> list[str]:
     """The least limit of evenly spaced teeth, and where it differs most."""
-    if np.isnan(result.even).all():
+    even = np.where(_growing(result), np.nan, result.even)
+    if np.isnan(even).all():
         return []
-    row, ratio = _largest_difference(result.depth, result.even)
+    row, ratio = _largest_difference(result.depth, even)
     line = "even pitch evenly spaced teeth would be stable"
-    known = np.isfinite(result.even).any()
-    line += f" up to {_depth(np.nanmin(result.even))}" if known else " at any depth"
+    known = np.isfinite(even).any()
+    line += f" up to {_depth(np.nanmin(even))}" if known else " at any depth"
     if ratio > 1.0:
         line += (
             f"; the uneven ones differ most at {_rpm(result, row)}: {_depth(result.depth[row])} in "
@@ -167,10 +170,11 @@ def _measured(result: StabilityLobesResult) -> list[str]:
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
-    """Row at which two limits differ most, and their ratio there, from 1; 0 where none is known."""
+    """Row at which two limits differ most, and their ratio there, from 1, infinite where one is 0;
+    0 where none is known."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.maximum(one / other, other / one)
-    ratio = np.where(np.isfinite(ratio), ratio, 0.0)
+    ratio = np.where(np.isfinite(one) & np.isfinite(other), np.nan_to_num(ratio, posinf=np.inf), 0)
     row = int(ratio.argmax())
     return row, float(ratio[row])
 

@@ -23,8 +23,9 @@ class Growth(NamedTuple):
 
 
 def slowest_pole(scene: Scene, spec: UnbalanceSpec) -> Complex:
-    """Of the motion that grows fastest, or decays slowest, of what is out of balance (s,)."""
-    poles = []
+    """Of the motion that grows fastest, or decays slowest, of what is out of balance (s,); −∞ where
+    nothing moves."""
+    poles = [np.full((len(scene.usable), 1), -np.inf + 0j)]
     for motions in (scene.system(k) for k in out_of_balance(scene, spec)):
         pole = np.where(np.isnan(motions.pole), -np.inf, motions.pole)
         poles.append(np.where(motions.growing, pole, np.minimum(pole.real, 0.0) + 1j * pole.imag))

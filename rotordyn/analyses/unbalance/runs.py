@@ -181,6 +181,8 @@ class _Way:
         pairs = len(self.spec.points) + len(self.scene.rotor.connections)
         y, z = np.moveaxis(moved[:, : 2 * pairs].reshape(len(moved), pairs, 2), -1, 0)
         if not np.isfinite(moved[:, known]).all():
+            if not self.growth.pole.size:
+                raise NoSolution("it is too slow to be computed: take a shorter time")
             raise NoSolution("the motion grows by itself beyond all numbers: give damping")
         return orbit(y, z).major, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 

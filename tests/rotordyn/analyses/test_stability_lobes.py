@@ -20,7 +20,7 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
-from rotordyn.analyses.stability_lobes.summary import accuracy, numbers, warnings
+from rotordyn.analyses.stability_lobes.summary import accuracy, numbers, summary, warnings
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -835,6 +835,57 @@ def test_a_machine_pushed_away_by_a_support_has_no_stable_depth(case, tmp_path):
     assert "where a motion that does not swing grows" in " ".join(results.warnings)
     assert "no depth is stable" in results.summary
     results.save(tmp_path / "out")
+
+
+def spoken(**given):
+    """The summary of three speeds, the first of them unstable without a cut."""
+    nothing = np.full(3, np.nan)
+    usual = {
+        "cutting_speed": np.array([1000.0, 2000.0, 3000.0]) * math.pi / 30.0,
+        "depth": np.array([0.0, 2e-3, np.inf]),
+        "loss": ("without a cut", "hopf", ""),
+        "mode_frequency": np.array([800.0, 900.0, np.nan]),
+        "chatter": np.array([800.0, 905.0, np.nan]),
+        "pocket_speed": np.zeros(0),
+        "pocket_depth": np.zeros(0),
+        "pocket_removal": np.zeros(0),
+        "source": np.zeros(0),
+        "least": nothing,
+        "most": nothing,
+        "even": nothing,
+        "at_rest": nothing,
+        "measured": nothing,
+    }
+    lines = summary(SimpleNamespace(**usual | given))
+    return {line.split()[0]: " ".join(line.split()) for line in lines}
+
+
+def test_lines_of_limits_leave_speeds_out_that_are_unstable_without_a_cut():
+    lines = spoken(
+        least=np.array([0.0, 1e-3, np.inf]),
+        most=np.array([0.0, 3e-3, np.inf]),
+        even=np.array([0.0, 1.5e-3, 4e-3]),
+        at_rest=np.array([5e-3, 2.2e-3, np.inf]),
+    )
+    assert "stable up to 2.00 mm at the other 2 speeds, limited at 2000 rpm" in lines["chatter"]
+    assert "at 1 of 3 speeds every depth is stable: at 3000 rpm" in lines["no"]
+    assert "stable up to 1.00 mm, limited at 2000 rpm" in lines["band"]
+    assert "would be stable up to 1.50 mm" in lines["even"]
+    assert "misleads most at 1000 rpm: 5.00 mm in place of 0.00 mm" in lines["at"]
+
+
+@pytest.mark.parametrize(
+    ("depth", "loss", "first"),
+    [
+        ([0.0, 0.0, np.nan], ("without a cut", "without a cut", ""), "chatter"),
+        ([0.0, np.inf, np.inf], ("without a cut", "", ""), "no"),
+    ],
+)
+def test_that_no_depth_is_stable_is_said_of_every_speed_alone(depth, loss, first):
+    lines = spoken(depth=np.array(depth), loss=loss, least=np.zeros(3), most=np.zeros(3))
+    assert next(iter(lines)) == first
+    assert ("no depth is stable" in lines.get("chatter", "")) == (first == "chatter")
+    assert "band" not in lines
 
 
 def test_a_limit_that_only_a_finer_model_has_is_told():

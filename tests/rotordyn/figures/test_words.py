@@ -192,6 +192,16 @@ def test_a_run_that_grows_beyond_bounds_is_cut_at_the_edge_and_named():
     assert [len(axes.get_lines()) for axes in (first, second)] == [4, 4]
 
 
+def test_a_run_that_grows_beyond_bounds_by_itself_leaves_the_steady_curve():
+    steady = samples.unbalance(9)
+    moved = np.full((1, 5, 2), 1e3)
+    one = {"run": ("up",), "run_outcome": ("",), "run_amplitude": moved}
+    first = runs_figure(replace(steady, **one)).axes[0]
+    assert first.get_title() == "Oc2, beyond the axis: up (to 1e+09)"
+    largest = 1e6 * np.nanmax(steady.fine_major_axis, axis=0)
+    assert first.get_ylim()[1] == pytest.approx(1.6 * largest[0])
+
+
 def test_a_constant_with_its_rounding_is_a_level_line():
     figure = new_figure()
     for k, values in enumerate(([85.39944, 85.39940], [1.0, 2.0], [1e-9, 1.00005e-9])):

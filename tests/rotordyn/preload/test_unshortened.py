@@ -30,8 +30,9 @@ def machine(springs: str) -> Spindle:
         return replace(whole, sleeves=tuple(locked))
     if springs == "on a support":
         return replace(whole, supports=(LinearSupport("along", 0.3, {("x", "x"): 2e7}),))
-    travel = math.inf if springs == "open" else 5e-6
-    stopped = [replace(sleeve, stop_travel=travel) for sleeve in whole.sleeves]
+    travel = 5e-6 if springs == "at a stop" else math.inf
+    friction = 1e5 if springs == "held by friction" else 0.0
+    stopped = [replace(each, stop_travel=travel, friction=friction) for each in whole.sleeves]
     return replace(whole, sleeves=tuple(stopped))
 
 
@@ -50,7 +51,9 @@ def loads(spindle: Spindle) -> np.ndarray:
     return scene.preload.seat_load()[0]
 
 
-@pytest.mark.parametrize("springs", ["at a stop", "open", "locked", "on a support"])
+@pytest.mark.parametrize(
+    "springs", ["at a stop", "open", "locked", "held by friction", "on a support"]
+)
 def test_the_first_order_is_that_of_machines_solved_anew(springs: str) -> None:
     spindle = machine(springs)
     scene = Scene(spindle, conditions(), np.array([SPEED]) * RPM)

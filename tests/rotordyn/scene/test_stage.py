@@ -42,15 +42,20 @@ def test_equal_machines_have_one_number_and_variants_another() -> None:
     other = replace(machine, sleeves=(replace(sleeve, friction=9.0), *machine.sleeves[1:]))
     assert _number((machine, 1.0)) == _number((replace(machine), 1.0))
     assert _number((machine, 1.0)) != _number((other, 1.0))
-    held: Any = MappingProxyType({"a": 1})
-    assert _number((held, 2)) == _number((MappingProxyType({"a": 3}), 2))
+    held: Any = MappingProxyType({"a": 1, "b": (2.0, 3.0)})
+    assert _number((held, 2)) == _number((MappingProxyType({"b": (2.0, 3.0), "a": 1}), 2))
+    assert _number((held, 2)) != _number((MappingProxyType({"a": 3, "b": (2.0, 3.0)}), 2))
 
 
 def test_inputs_of_one_number_are_told_apart() -> None:
     memo = Memo()
-    memo.keep("stage", ({"a": 1},), "one")
-    memo.keep("stage", ({"a": 2},), "two")
-    assert memo.known("stage", ({"a": 2},)) == ("two",)
+    memo.keep("stage", ([1],), "one")
+    memo.keep("stage", ([2],), "two")
+    memo.keep("stage", ([3],), "three")
+    assert memo.known("stage", ([2],)) == ("two",)
+    memo.forget(1)
+    assert memo.known("stage", ([2],)) is None
+    assert memo.known("stage", ([3],)) == ("three",)
 
 
 def test_the_first_and_the_latest_values_are_kept() -> None:

@@ -68,7 +68,7 @@ def _figure(
         beyond = f", beyond the axis: {', '.join(away)}" if away else ""
         left = f" ({len(names) - MOST} more in the table)" if last and len(names) > MOST else ""
         axes.set_title(f"{names[column]}{beyond}{left}", fontsize=FONT_SIZE, pad=3.0)
-        decades(axes, max(top, *largest[~gone]) if away else np.inf)
+        decades(axes, max([top, *largest[~gone]]) if away else np.inf)
         axes.tick_params(labelbottom=last)
         speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
     top_legend(figure, figure.axes[0])

@@ -278,38 +278,39 @@ def test_modal_damping_belongs_to_the_free_modes_in_order() -> None:
     )
 
 
-def test_critical_speeds_are_numbers_by_line_mode_and_whirl() -> None:
-    found = diagram(overhung(), np.arange(0, 30001, 3000), 2000.0, engine_orders=(1.0, 3.0))
+def critical_numbers(found: Any) -> dict[str, float]:
     names = {each.words: each.value for each in summary.numbers(found, case())}
-    critical = {name: value for name, value in names.items() if name.startswith("critical")}
-    excited = np.flatnonzero(found.critical_excited)
-    expected = {
-        f"critical {found.critical_order[k]:g}× {found.critical[k]}": found.critical_speed[k] / RPM
-        for k in excited
-    }
-    assert critical == pytest.approx(expected)
-    assert "critical 3× bending 1 backward" in critical  # whirls that the 1× line does not excite
-    assert "critical 1× bending 1 backward" not in critical
-    rpm = critical["critical 3× bending 1 backward"]
+    return {name: value for name, value in names.items() if name.startswith("critical")}
+
+
+def test_critical_speeds_are_numbers_by_line_and_kind_from_below() -> None:
+    """Whirls that a line does not excite have none."""
+    found = diagram(overhung(), np.arange(0, 30001, 3000), 2000.0, engine_orders=(1.0, 3.0))
+    critical = critical_numbers(found)
+    for order in (1.0, 3.0):
+        excited = found.critical_excited & (found.critical_order == order)
+        bending = excited & np.array([kind == "bending" for kind in found.critical_kind])
+        wanted = np.sort(found.critical_speed[bending]) / RPM
+        assert len(wanted) > 1
+        names = [f"critical {order:g}× bending ({k + 1})" for k in range(len(wanted))]
+        assert [critical[name] for name in names] == pytest.approx(wanted)
+    rpm = critical["critical 3× bending (1)"]
     again = diagram(overhung(), [rpm], 2000.0)
     there = again.frequency[0, again.mode.index("bending 1 backward")]
     assert there == pytest.approx(3.0 * rpm / 60.0, rel=1e-7)
 
 
-def test_a_mode_that_crosses_a_line_twice_has_two_numbers() -> None:
-    found = diagram(overhung(), [0, 30000], 2000.0)
-    twice = replace(
-        found,
-        critical=("axial 1",) * 2,
-        critical_whirl=("planar",) * 2,
-        critical_speed=np.array([1000.0, 2000.0]) * RPM,
-        critical_rotor=("spindle",) * 2,
-        critical_order=np.ones(2),
-        critical_excited=np.ones(2, dtype=bool),
+def test_critical_speeds_keep_their_names_where_planes_become_unlike() -> None:
+    """Modes lose their whirl there."""
+    soft = overhung()
+    unlike = replace(soft, supports=(support("a", 0.0, (4.9e7, 5e7)), *soft.supports[1:]))
+    speeds = np.arange(0, 30001, 3000)
+    one, other = (
+        critical_numbers(diagram(each, speeds, 2000.0, engine_orders=(3.0,)))
+        for each in (soft, unlike)
     )
-    numbers = [each for each in summary.numbers(twice, case()) if each.unit == "rpm"]
-    assert [each.words for each in numbers] == ["critical 1× axial 1", "critical 1× axial 1 (2)"]
-    assert [each.value for each in numbers] == pytest.approx([1000.0, 2000.0])
+    assert one.keys() == other.keys()
+    assert [*other.values()] == pytest.approx([*one.values()], rel=0.02)
 
 
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
