@@ -40,6 +40,17 @@ class HeatFlow(Description):
         leaving = sum(getattr(self, name) for name in LEAVING)
         if leaving <= 0.0:
             yield (), f"heat must leave the bearing: give one of {', '.join(LEAVING)} above 0 W/K"
+            return
+        to_inner, to_outer = self.balls_inner != 0.0, self.balls_outer != 0.0
+        by_inner, by_outer = to_inner and self.inner_shaft, to_outer and self.outer_housing
+        balls = self.balls_oil or by_inner or by_outer
+        for body, leaves, keys in (
+            ("the balls", balls, "balls_oil, balls_inner or balls_outer"),
+            ("the inner ring", self.inner_shaft or (to_inner and balls), "inner_shaft"),
+            ("the outer ring", self.outer_housing or (to_outer and balls), "outer_housing"),
+        ):
+            if not leaves:
+                yield (), f"heat of {body} cannot leave: give {keys} above 0 W/K"
 
     @property
     def conductances(self) -> Conductances:

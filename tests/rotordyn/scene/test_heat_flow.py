@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import product
 
 import pytest
 
 import rotordyn
-from bearings.heat.temperature import Conductances
+from bearings.errors import InvalidBearing
+from bearings.heat.temperature import Conductances, Surroundings, network
+from rotordyn.errors import InvalidInput
 from rotordyn.scene.heat_flow import HeatFlow
 
 FLOW = HeatFlow(3.0, 6.0, shaft=30.0, housing=25.0, oil=30.0, balls_oil=1.5)
@@ -38,3 +41,16 @@ def test_a_run_says_them(name: str) -> None:
         case = replace(case, analyses={"bearing": replace(spec, heat_flow=flow)})
     (said,) = (words for words in rotordyn.run(case).warnings if "guess" in words)
     assert said.startswith("heat_flow: balls_inner, not given, is taken as 1 W/K")
+
+
+@pytest.mark.parametrize("given", [*product((0.0, 2.0), repeat=5)])
+def test_what_lets_no_heat_leave_is_refused_before_it_is_solved(given: tuple[float, ...]) -> None:
+    """Of all combinations of conductances those without a balance, and no others."""
+    conductances = Conductances(*given)
+    try:
+        network(conductances, Surroundings(30.0, 25.0, 30.0))
+    except InvalidBearing:
+        with pytest.raises(InvalidInput, match="leave"):
+            HeatFlow(shaft=30.0, housing=25.0, oil=30.0, **conductances._asdict())
+    else:
+        HeatFlow(shaft=30.0, housing=25.0, oil=30.0, **conductances._asdict())

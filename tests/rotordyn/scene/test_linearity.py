@@ -19,6 +19,9 @@ from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.summary import warnings as orbit_warnings
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.rotor import Rotor
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.growth import static_growth
 from rotordyn.scene.linearity import TOLD, departure
 from rotordyn.scene.loads import PointLoad, Unbalance
@@ -117,6 +120,36 @@ def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
     where = f"on the run down in 30 s, from about {at[0]:.0f} to {at[1]:.0f} rpm: bearings are"
     assert run.startswith(f"unbalance: at the largest forces of bearings {where}")
     assert "first at" not in run
+
+
+@pytest.mark.parametrize("ratio", [2.0, -2.0])
+def test_a_further_rotor_out_of_balance_moves_rings_at_its_own_speed(ratio: float) -> None:
+    """Loads depart most where the shaft moves most: at half the speed of its resonance."""
+    machine = mfw2310()
+    body, points = PointMass("rotor", 0.25, 40.0, 0.04, 0.04), machine.points | {"middle": 0.25}
+    quill = Shaft(0.2, (Section(0.1, 0.02, 0.0, machine.shaft.sections[0].material),))
+    stiff = {("y", "y"): 1e9, ("z", "z"): 1e9}
+    holds = tuple(
+        LinearSupport(name, x, stiff, {}, holds="quill", against="spindle")
+        for name, x in (("one", 0.21), ("other", 0.29))
+    )
+    machine = replace(
+        machine,
+        masses=(*machine.masses, body),
+        points=points,
+        rotors=(Rotor("quill", ratio, quill, points={"end": 0.3}),),
+        supports=(
+            *machine.supports,
+            *holds,
+            LinearSupport("along", 0.25, {("x", "x"): 1e8}, {}, holds="quill", against="ground"),
+        ),
+    )
+    spec = UnbalanceSpec(("middle",), (Unbalance("quill.end", 1e-5),))
+    found = orbits(Scene(machine, conditions(), np.linspace(4e3, 12e3, 3) * RPM, 2000.0), spec)
+    moved, apart = found.fine_major_axis[:, 0], np.nanmax(found.fine_departure, axis=1)
+    assert moved.max() > 3.0 * moved[[0, -1]].max()
+    resonance, most = found.fine_speed[moved.argmax()], found.fine_speed[apart.argmax()]
+    assert most == pytest.approx(resonance, rel=0.01)
 
 
 def test_on_a_run_down_each_motion_is_compared_at_its_own_speed() -> None:
