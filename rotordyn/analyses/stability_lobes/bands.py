@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_time
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
@@ -47,6 +48,7 @@ def band(
 
     def look(rows: Rows, share: Array, ratio: float) -> Array:
         """Least limits at some speeds, each with its ``share`` of the interval of stiffness."""
+        require_time("stability_lobes: the band", "broken off")
         change = Change(1.0 + share * interval.stiffness, np.full(len(rows), ratio))
         part = limits.changed(rows, change)
         depth = np.array([[one.depth for one in part.of(each)] for each in operations])
