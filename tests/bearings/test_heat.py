@@ -463,7 +463,7 @@ def skf(**changed: float) -> heat.SkfMoment:
         (lambda s: skf(ehl_friction=-1e-3), "ehl_friction"),
         (lambda s: skf(ehl_friction=1.001), "ehl_friction must be from 0 to 1, got 1.001"),
         (lambda s: Lubricant(32.0, 5.4), "is the unit right"),
-        (lambda s: OIL.kinematic(-300.0), "no temperature"),
+        (lambda s: OIL.kinematic(-300.0), "too cold"),
         (
             lambda s: heat.balanced(
                 lambda _: (0, 0, 0), heat.Conductances(0.0, 0.0), heat.Surroundings(20, 20, 20)
