@@ -78,30 +78,23 @@ def _lines(result: CampbellResult) -> Iterator[tuple[str, Line]]:
         yield f"{line.name} of {line.rotor}" if several else line.name, line
 
 
-def _criticals(result: CampbellResult, line: Line) -> Iterator[tuple[str, str, float]]:
-    """Mode, whirl and speed [rad/s] of the critical speeds that are excited on a line."""
-    for name, whirl, speed, rotor, order, excited in zip(
-        result.critical,
-        result.critical_whirl,
-        result.critical_speed.tolist(),
-        result.critical_rotor,
-        result.critical_order,
-        result.critical_excited,
-        strict=True,
-    ):
-        if (rotor, order) == (line.rotor, line.order) and excited and result.speed[-1] > 0.0:
-            yield name, whirl, speed
+def _criticals(result: CampbellResult, line: Line) -> list[int]:
+    """Numbers of the critical speeds that are excited on a line, ascending."""
+    on_it = zip(result.critical_rotor, result.critical_order.tolist(), strict=True)
+    excited = zip(on_it, result.critical_excited.tolist(), strict=True)
+    wanted = (line.rotor, line.order), True
+    return [k for k, each in enumerate(excited) if each == wanted and result.speed[-1] > 0.0]
 
 
 def _margins(result: CampbellResult, line: Line) -> list[str]:
     """Critical speeds on a line in words."""
-    last = result.speed[-1]
+    margin = (result.critical_speed / (result.speed[-1] or 1.0) - 1.0) * 100.0
     return [
         unbroken(
-            f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
-            f"({(speed / last - 1.0) * 100.0:+.0f} %)"
+            f"{result.critical[k]}{_turn(result.critical[k], result.critical_whirl[k])} "
+            f"{number(result.critical_speed[k] * RPM.factor, 0)} rpm ({margin[k]:+.0f} %)"
         )
-        for name, whirl, speed in _criticals(result, line)
+        for k in _criticals(result, line)
     ]
 
 
@@ -146,12 +139,10 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
         return
     for line_name, line in _lines(result):
         count: Counter[str] = Counter()
-        for kind, speed in sorted(
-            (mode.split()[0], speed) for mode, _turning, speed in _criticals(result, line)
-        ):
-            count[kind] += 1
-            words = f"critical {line_name} {kind} ({count[kind]})"
-            yield Number(words, "rpm", speed * RPM.factor, digits=0)
+        for k in _criticals(result, line):
+            count[kind := result.critical_kind[k]] += 1
+            rpm = float(result.critical_speed[k] * RPM.factor)
+            yield Number(f"critical {line_name} {kind} ({count[kind]})", "rpm", rpm, digits=0)
 
 
 def _lowest_bending(result: CampbellResult) -> Iterator[Number]:

@@ -300,6 +300,14 @@ def test_critical_speeds_are_numbers_by_line_and_kind_from_below() -> None:
     assert there == pytest.approx(3.0 * rpm / 60.0, rel=1e-7)
 
 
+def test_a_critical_speed_of_a_mode_that_is_not_followed_counts_with_its_kind() -> None:
+    found = diagram(overhung(), np.arange(0, 30001, 3000), 2000.0, engine_orders=(3.0,))
+    lost = replace(found, critical=tuple(f"{kind}, not followed" for kind in found.critical_kind))
+    assert critical_numbers(lost) == critical_numbers(found)
+    said = " ".join(summary.summary(lost)).replace("\N{NO-BREAK SPACE}", " ")
+    assert "bending, not followed" in said
+
+
 def test_critical_speeds_keep_their_names_where_planes_become_unlike() -> None:
     """Modes lose their whirl there."""
     soft = overhung()
