@@ -22,6 +22,7 @@ RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
 SEEN = 1e-4  # of the load in the preload state: a smaller one beside it is not compared
 TOLD = 0.25  # of the load that the tangent adds
+SMALL = 0.1  # rad: of such an inclination 1 − cos is half a percent, of the curvature 1.5 percent
 LINEAR = Absence(
     "of supports, beside oil films, and without a steady motion", by=("speed", "support")
 )
@@ -103,4 +104,18 @@ def beyond_tangents(
             f"tangents{where}: {', '.join(told)}; "
             "results there are right in kind only, not in size: lower the loads, or see "
             "bearing_loads, stiffness or time_response, which follow the law of the bearings"
+        )
+
+
+def not_small(what: str, speed: Array, slope: NDArray[np.floating]) -> Iterator[str]:
+    """A warning where the shaft is inclined by more than small deflections are, of a result with
+    ``slope`` (speeds, …) [rad]."""
+    most = np.nan_to_num(np.abs(slope)).reshape(len(speed), -1).max(axis=1, initial=0.0)
+    row = int(most.argmax())
+    if most[row] > SMALL:
+        yield (
+            f"{what}: the shaft is inclined by up to {np.degrees(most[row]):.3g}° at "
+            f"{number(float(speed[row]) * RPM.factor, 0)} rpm, where only small deflections are "
+            "meant: results there are right in kind only, not in size: lower the loads, an axial "
+            "force near buckling among them, or hold the shaft closer"
         )

@@ -28,6 +28,7 @@ from rotordyn.analyses import (
     Unbalance,
 )
 from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.analyses.section_forces.summary import warnings
 from rotordyn.analyses.solving import answer_spindle
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import Disc, Drawbar, Joint, LinearSupport, PointMass, Section, Shaft, Spindle
@@ -519,6 +520,21 @@ def beam_column(share: float, load: float) -> tuple[float, float]:
     tangent = cmath.tan(u)
     deflection = load * L / (4.0 * force) * (tangent / u - 1.0)
     return deflection.real, (0.25 * load * L * tangent / u).real
+
+
+@pytest.mark.parametrize("below", [0.998, 1.002])
+def test_deflections_that_are_not_small_are_said(below: float) -> None:
+    """Slope at the ends of the column near buckling, in closed form (Timoshenko)."""
+    column = beam(held("a", 0.0, *PINNED), held("b", L, *SLIDING))
+    column = replace(column, shaft=replace(column.shaft, shear_coefficient="none"))
+    force = 0.99 * math.pi**2 * E * INERTIA / L**2
+    u = 0.5 * L * math.sqrt(force / (E * INERTIA))
+    load = below * 0.1 / ((1.0 / math.cos(u) - 1.0) / (2.0 * force))
+    found = solved(
+        column, PointLoad(L / 2, Fy=0.6 * load, Fz=0.8 * load), conditions=Conditions(tension=-force)
+    )
+    told = [each for each in warnings(found) if "inclined by up to 5.7" in each]
+    assert len(told) == (below > 1.0), told
 
 
 @pytest.mark.parametrize("share", [0.6, 0.99, -0.5, -20.0])

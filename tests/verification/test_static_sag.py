@@ -367,3 +367,11 @@ def test_sag_under_an_axial_force(share: float) -> None:
     sag = W / force * ((1.0 / cmath.cos(k * L / 2.0) - 1.0) / k**2 - L**2 / 8.0)
     found = solved(column, "middle", Conditions(tension=-force))
     assert found.sag[0, 0, 0] == pytest.approx(-sag.real, rel=1e-5)
+
+
+def test_a_sag_that_is_not_small_is_said() -> None:
+    column = beam(held("l", 0.0), LinearSupport("r", L, rigid=("y", "z")), shear="none")
+    for share, told in ((0.5, 0), (0.99995, 1)):
+        force = share * math.pi**2 * EI / L**2
+        found = solved(column, "middle", Conditions(tension=-force))
+        assert sum("only small deflections" in each for each in warnings(found)) == told, share

@@ -12,7 +12,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
-from rotordyn.scene.linearity import beyond_tangents
+from rotordyn.scene.linearity import beyond_tangents, not_small
 
 FORCES = {
     "N": "normal_force",
@@ -107,10 +107,12 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
 
 
 def warnings(result: SectionForcesResult) -> list[str]:
-    """Twist above what is allowed, loads beyond the tangents of bearings."""
+    """Twist above what is allowed, loads beyond the tangents of bearings, large deflections."""
     most = np.nanmax(np.abs(result.twist_between), axis=0)
     named = zip(result.twist_limit, most, result.allowed_twist, strict=True)
     told = [*beyond_tangents("section_forces", result.support, result.speed, result.departure)]
+    inclined = np.hypot(result.slope_y, result.slope_z)
+    told += not_small("section_forces", result.speed, inclined)
     return told + [
         f"twist {name}: {np.degrees(angle):.4g} deg is above the {np.degrees(allowed):.4g} deg "
         "allowed"

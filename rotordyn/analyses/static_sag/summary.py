@@ -12,6 +12,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import MICROMETRE, RPM, number
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
+from rotordyn.scene.linearity import not_small
 
 Array = NDArray[np.float64]
 
@@ -49,7 +50,7 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: StaticSagResult) -> list[str]:
-    """Rings taken to run true, and a machine that is not at rest."""
+    """Rings taken to run true, a machine that is not at rest, large deflections."""
     sentences = []
     if result.ring and result.true_ring:
         sentences.append(
@@ -62,7 +63,10 @@ def warnings(result: StaticSagResult) -> list[str]:
             f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
             "where bearings are not as stiff as where sag and runout are measured: add 0 rpm"
         )
-    return sentences
+    moved = np.diff(result.deflection, axis=1)
+    length = np.diff(result.station)[:, None]
+    inclined = np.divide(moved, length, out=np.zeros_like(moved), where=length > 0.0)
+    return [*sentences, *not_small(f"sag of {result.point}", result.speed, inclined)]
 
 
 def _slowest(result: StaticSagResult) -> int:
