@@ -19,7 +19,7 @@ SIDE, MOST = 3, 6  # lines to either side of the highest one: at least, and at m
 LEVEL = 0.4  # of the highest line, down to which lines around it are taken
 FEWEST = 3  # lines within 3 dB of the highest one, from which on it stands for the peak
 ROUNDS = 5  # of weights
-TRUSTED = 0.1  # standard error of a height that is given
+TRUSTED = 0.1  # standard error of the damping of a pole that is sure
 SAME = 1e-4  # of a height, by which the fit may leave that of a line which meets the peak
 NEAREST = 0.02  # lines from the axis: a pole nearer to it cannot be told
 WIDTHS = np.linspace(-4.0, 4.0, 1601)  # of half a peak, at which its top is looked for
@@ -56,12 +56,21 @@ def line_peak(frequency: Array, response: Complex, top: int) -> LinePeak:
     around = np.clip(pole.real + abs(pole.imag) * WIDTHS, -1.0, 1.0)
     curve = np.abs((found[1] + found[2] * around) / (around - pole))
     rest = (columns @ found - x * values) * weight
-    noise = float((np.abs(rest) ** 2).sum()) / (len(x) - 3)
-    spread = np.linalg.inv((columns * weight[:, None]).conj().T @ (columns * weight[:, None]))
-    error = float(np.sqrt(noise * spread[0, 0].real)) / abs(pole.imag)
-    place = int(curve.argmax())
-    if error > TRUSTED:
+    # noise of each line of its own, by what the fit without this line would miss there (HC3)
+    weighted = columns * weight[:, None]
+    inverse = np.linalg.pinv(weighted)
+    own = np.einsum("nk,kn->n", weighted, inverse).real
+    moved = inverse * (rest / (1.0 - own))
+    spread = moved @ moved.conj().T
+    if np.sqrt(spread[0, 0].real) > TRUSTED * abs(pole.imag):
         return highest
+    place = int(curve.argmax())
+    there = around[place]
+    top_value = (found[1] + found[2] * there) / (there - pole)
+    # at the top the height changes with q, n and c alone: dH = (H dq + dn + there dc)/(there − q)
+    gradient = np.array([top_value, 1.0, there]) / (there - pole)
+    variance = 0.5 * (gradient @ spread @ gradient.conj()).real  # of one part of noise
+    error = float(np.sqrt(variance) / curve[place])
     if abs(curve[place] - 1.0) <= SAME:  # other modes bend the fit by as much
         return highest._replace(error=error)
     return LinePeak(

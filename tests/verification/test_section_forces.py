@@ -531,7 +531,9 @@ def test_deflections_that_are_not_small_are_said(below: float) -> None:
     u = 0.5 * L * math.sqrt(force / (E * INERTIA))
     load = below * 0.1 / ((1.0 / math.cos(u) - 1.0) / (2.0 * force))
     found = solved(
-        column, PointLoad(L / 2, Fy=0.6 * load, Fz=0.8 * load), conditions=Conditions(tension=-force)
+        column,
+        PointLoad(L / 2, Fy=0.6 * load, Fz=0.8 * load),
+        conditions=Conditions(tension=-force),
     )
     told = [each for each in warnings(found) if "inclined by up to 5.7" in each]
     assert len(told) == (below > 1.0), told
