@@ -9,11 +9,12 @@ from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tables import LAYOUTS
 
 if TYPE_CHECKING:
+    from rotordyn.analyses.stability_lobes.forced import Milled, milled
     from rotordyn.analyses.stability_lobes.limit import limit_depth
     from rotordyn.analyses.stability_lobes.modal_limit import Limit
     from rotordyn.analyses.stability_lobes.turning import turning_limit
 
-__all__ = ["ANALYSIS", "Limit", "limit_depth", "turning_limit"]
+__all__ = ["ANALYSIS", "Limit", "Milled", "limit_depth", "milled", "turning_limit"]
 
 ANALYSIS = in_folder(
     __name__,
@@ -31,7 +32,13 @@ ANALYSIS = in_folder(
     over="cutting_speed",
 )
 
-_MODULES = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}
+_MODULES = {
+    "Limit": "modal_limit",
+    "Milled": "forced",
+    "limit_depth": "limit",
+    "milled": "forced",
+    "turning_limit": "turning",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -65,14 +65,14 @@ class Cut:
 
     def mean(self) -> Array:
         """Mean of H of all teeth (2, 2) [Pa]; the lag and the pitches do not change it."""
-        swept = self._integral(np.array(self.exit)) - self._integral(np.array(self.entry))
+        swept = self.swept(np.array(self.exit)) - self.swept(np.array(self.entry))
         return swept * self.teeth / (2.0 * math.pi)
 
     def pieces(self) -> list[tuple[float, float]]:
         """Spans of the first tooth's angle, within one turn of the pattern, in which some tooth
         cuts and H is smooth."""
         ends = np.array([self.entry, self.exit, self.entry + self.lag, self.exit + self.lag])
-        ends = (ends[:, None] - self._behind).ravel()
+        ends = (ends[:, None] - self.behind).ravel()
         ends = np.unique(self.entry + np.mod(ends - self.entry, self.turn))
         ends = np.append(ends, self.entry + self.turn)
         spans = pairwise(ends.tolist())
@@ -85,7 +85,7 @@ class Cut:
 
     def in_cut(self, angle: Array) -> NDArray[np.bool_]:
         """Whether some tooth cuts while the first one is at ``angle`` (n,)."""
-        return np.asarray(self._cuts(self._teeth(angle)).any(axis=(0, 1)))
+        return np.asarray(self.cutting(self.standing(angle)).any(axis=(0, 1)))
 
     def matrix(self, angle: Array) -> Array:
         """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
@@ -94,36 +94,36 @@ class Cut:
     def by_gap(self, angle: Array, which: int | None = None) -> Array:
         """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]; ``which``: behind
         one of them (n, 2, 2)."""
-        at = self._teeth(angle) if which is None else self._teeth(angle)[:, which]
+        at = self.standing(angle) if which is None else self.standing(angle)[:, which]
         if self.lag > 0.0:
             # mean of H along the edge, of which a part is in cut
             begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)
-            coefficients = (self._integral(end) - self._integral(begin)) / self.lag
+            coefficients = (self.swept(end) - self.swept(begin)) / self.lag
         else:
-            coefficients = self._one(at)
-        return np.where(self._cuts(at)[..., None, None], coefficients, 0.0).sum(axis=0)
+            coefficients = self.one_tooth(at)
+        return np.where(self.cutting(at)[..., None, None], coefficients, 0.0).sum(axis=0)
 
-    def _cuts(self, at: Array) -> NDArray[np.bool_]:
+    def cutting(self, at: Array) -> NDArray[np.bool_]:
         """Whether some part of the edge of a tooth at ``at`` is in cut."""
         return np.asarray((at > self.entry) & (at - self.lag < self.exit))
 
     @property
-    def _behind(self) -> Array:
+    def behind(self) -> Array:
         """Angles of the teeth behind the first one (gaps,) [rad], from 0 down."""
         return -np.array([*accumulate(self.gaps[1:], initial=0.0)])
 
-    def _teeth(self, angle: Array) -> Array:
+    def standing(self, angle: Array) -> Array:
         """Angles of all teeth, with those whose edges are still in cut (turns, gaps, n)."""
         turns = np.arange(-1, math.ceil((math.pi + self.lag) / self.turn) + 1)
-        return angle + (turns[:, None] * self.turn + self._behind)[..., None]
+        return angle + (turns[:, None] * self.turn + self.behind)[..., None]
 
-    def _one(self, angle: Array) -> Array:
+    def one_tooth(self, angle: Array) -> Array:
         """H of one tooth in cut (…, 2, 2)."""
         s, c = np.sin(angle), np.cos(angle)
         x, y = self.tangential * c + self.radial * s, self.radial * c - self.tangential * s
         return np.stack([np.stack([x * s, x * c], -1), np.stack([y * s, y * c], -1)], -2)
 
-    def _integral(self, angle: Array) -> Array:
+    def swept(self, angle: Array) -> Array:
         """Antiderivative of H of one tooth (…, 2, 2)."""
         s2, c2, half = np.sin(2.0 * angle) / 4.0, np.cos(2.0 * angle) / 4.0, 0.5 * angle
         t, r = self.tangential, self.radial

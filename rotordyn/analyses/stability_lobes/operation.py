@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
+from rotordyn.analyses.stability_lobes.forced import Forced
+from rotordyn.analyses.stability_lobes.forces import Forces
 from rotordyn.analyses.stability_lobes.modal_limit import Process
 from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.zero_order import Mean
@@ -78,6 +80,16 @@ class Operation:
             return Process(cut, period, lag)
         rate = own.process_damping / float(self._cutting_speed(np.array(speed)))
         return Process(cut, period, lag, replace(cut, tangential=0.0, radial=rate))
+
+    def forced(self, speed: float, top: float) -> Forced:
+        """The planned cut at a speed [rad/s], its harmonics up to ``top`` [rad/s]."""
+        own, planned = self.spec, self.spec.cut
+        assert planned is not None
+        lag = 2.0 * planned.depth * math.tan(own.helix) / self.diameter
+        edges = planned.tangential_edge, planned.radial_edge
+        forces = Forces(replace(self.cut, lag=lag), planned.depth, own.feed_per_tooth, *edges)
+        rubbing = own.process_damping / float(self._cutting_speed(np.array(speed)))
+        return Forced(forces, self.diameter, speed, top, rubbing)
 
     def removal(self, speed: Array, depth: Array) -> Array:
         """Removal rate of a depth [m³/s]."""

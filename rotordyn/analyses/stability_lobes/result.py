@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, Shown
-from rotordyn.results.kinds import Array, Words
+from rotordyn.results.kinds import Array, Flags, Words
 
 REMOVAL = Shown("cm³/min", 60e6)
 
 
 STABLE = Absence("where no depth is unstable", beside="loss")
+CUT = Absence("where the cut is not stable", beside="cut_is_stable")
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 
@@ -29,6 +30,13 @@ class StabilityLobesResult:
     tool on the measured spindle, NaN where none was. ``least``, ``most``:
     over the intervals of the case and all sources of the cutting coefficients. ``source``: those of
     a workpiece, that of the limits first; none where the case gives coefficients itself.
+    ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
+    are those of the cutter, none without such a cut; where it is stable follow
+    the error of every ``wall`` that it leaves, least and largest over its depth and over the teeth,
+    positive where material is left, and the mean displacement of the tip, its vibration from peak
+    to peak, the largest force, mean torque and power. ``thinnest_chip``: over that of a rigid
+    machine, below 0 where a tooth leaves the cut. ``resonance_width``: twice the least
+    damping ratio of the high modes, so wide are resonances over speed.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
     limit at some speeds by a model of twice the frequencies, over the limit.
     """
@@ -125,6 +133,56 @@ class StabilityLobesResult:
     )
     pocket_from: Array = quantity("pocket", unit="rad/s", label="speed from which 80 % of it hold")
     pocket_to: Array = quantity("pocket", unit="rad/s", label="speed to which 80 % of it hold")
+    planned_depth: float = quantity(
+        unit="m",
+        label="planned depth of cut",
+        printed=MILLIMETRE,
+        absent=(Absence("where no cut is planned"),),
+    )
+    planned_feed: float = quantity(
+        unit="m",
+        label="its feed by tooth",
+        printed=MILLIMETRE,
+        absent=(Absence("where no cut is planned"),),
+    )
+    milling_speed: Array = coordinate("milling_speed", unit="rad/s", label="speed of the cutter")
+    wall: Words = coordinate("wall", unit="", label="wall")
+    direction: Words = coordinate("direction", unit="", label="direction")
+    cut_is_stable: Flags = quantity("milling_speed", unit="", label="stable")
+    surface_error_least: Array = quantity(
+        *("milling_speed", "wall"), unit="m", label="least error of the wall", absent=(CUT,)
+    )
+    surface_error_most: Array = quantity(
+        *("milling_speed", "wall"), unit="m", label="largest error of the wall", absent=(CUT,)
+    )
+    tip_deflection: Array = quantity(
+        *("milling_speed", "direction"),
+        unit="m",
+        label="mean displacement of the tip",
+        absent=(CUT,),
+    )
+    tip_vibration: Array = quantity(
+        *("milling_speed", "direction"),
+        unit="m",
+        label="vibration of the tip from peak to peak",
+        absent=(CUT,),
+    )
+    cutting_force: Array = quantity(
+        "milling_speed", unit="N", label="largest cutting force", absent=(CUT,)
+    )
+    cutting_torque: Array = quantity(
+        "milling_speed", unit="N·m", label="mean torque", absent=(CUT,)
+    )
+    cutting_power: Array = quantity("milling_speed", unit="W", label="mean power", absent=(CUT,))
+    thinnest_chip: Array = quantity(
+        "milling_speed", unit="1", label="thinnest chip over that of a rigid machine", absent=(CUT,)
+    )
+    resonance_width: Array = quantity(
+        "milling_speed",
+        unit="1",
+        label="width of the sharpest resonance over its frequency",
+        absent=(CUT,),
+    )
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
     error: float = quantity(unit="1", label="change of a limit by a finer model")
     error_asked: float = quantity(unit="1", label="largest change asked for")

@@ -16,6 +16,7 @@ from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.planned_cut import planned_cut
 from rotordyn.analyses.stability_lobes.pockets import pockets
 from rotordyn.analyses.stability_lobes.result import StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import NONE, StabilityLobesSpec
@@ -101,6 +102,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         pocket_removal=removal[deepest.place],
         pocket_from=deepest.low,
         pocket_to=deepest.high,
+        **planned_cut(limits, operations[0], _depths(own), speeds, place),
         modelled=_modelled(spec, running),
         error=error,
         error_asked=ALLOWED,

@@ -39,7 +39,7 @@ MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
-OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix")
+OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix", "cut")
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
 SAME = 1e-6  # of a diameter that is given twice
 ALIKE = 1e-9  # rad: pitches that differ by less are equal
@@ -49,6 +49,8 @@ ForceAngle = Annotated[float, Quantity("angle", above="-90 deg", below="90 deg")
 Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="90 %")]
 Pitch = Annotated[float, Quantity("angle", at_least="1 deg", at_most="360 deg")]
 Ploughing = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e9 N/m")]
+EdgeForce = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e6 N/m")]
+CutDepth = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +73,18 @@ class Interval(Description):
     stiffness: Annotated[Share, "of the whole machine"] = 0.0
     damping: Annotated[Share, "ratios of all modes"] = 0.0
     coefficients: Annotated[Share, "of cutting"] = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedCut(Description):
+    """A milling cut of which forces, forced vibration and the error of the surface are asked where
+    it is stable, with the ``feed_per_tooth`` beside it."""
+
+    depth: Annotated[CutDepth, "axial depth of cut"]
+    tangential_edge: Annotated[
+        EdgeForce, "tangential edge force by length of edge in cut, Kte; it stands for wear"
+    ] = 0.0
+    radial_edge: Annotated[EdgeForce, "radial one, Kre"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +123,9 @@ class StabilityLobesSpec(Spec):
         default_factory=Interval
     )
     feed_per_tooth: Annotated[
-        Length, "in turning by revolution; for the removal rate, it does not change the limits"
+        Length,
+        "in turning by revolution; for the removal rate and the planned `cut`, it does not change "
+        "the limits",
     ] = 1e-4
     method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
         MULTI_FREQUENCY
@@ -132,6 +148,10 @@ class StabilityLobesSpec(Spec):
         "from each tooth to the one that cut before it, in the order in which they cut, 360° "
         "together (within 0.1°, to which they are scaled); evenly spaced by default",
     ] = ()
+    cut: Annotated[
+        PlannedCut | None,
+        "of which forces, vibration and the error of the milled surface are asked",
+    ] = None
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -156,6 +176,11 @@ class StabilityLobesSpec(Spec):
         """``pitch`` [rad], a full turn together."""
         whole = math.fsum(self.pitch)
         return tuple(2.0 * math.pi * each / whole for each in self.pitch)
+
+    @property
+    def walls(self) -> tuple[str, ...]:
+        """Walls that milling leaves: where teeth enter, up, and where they leave, down."""
+        return ("up", "down") if self.milling == "slot" else (self.milling,)
 
     @property
     def pairs(self) -> tuple[tuple[float, float], ...]:

@@ -9,13 +9,21 @@ import numpy as np
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, WITHOUT_CUT
 from rotordyn.results.described import Described
-from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, RPM, number, rounded_up
+from rotordyn.results.display import (
+    MEGAPASCAL,
+    MICROMETRE,
+    MILLIMETRE,
+    RPM,
+    number,
+    rounded_up,
+)
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
 SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
+ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
 
@@ -24,7 +32,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
-        return [*_material(result), none, *_band(result)]
+        return [*_material(result), none, *_band(result), *_planned(result)]
     pockets = [
         unbroken(
             f"{_depth(depth)} at {number(speed * RPM.factor, 0)} rpm "
@@ -40,7 +48,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
     lines = [*_material(result), *_least(result), *_band(result), *_unlimited(result)]
     if pockets:
         lines.append(f"pockets    {'; '.join(pockets)}")
-    return lines + _even(result) + _at_rest(result) + _measured(result)
+    return lines + _even(result) + _at_rest(result) + _measured(result) + _planned(result)
 
 
 def _least(result: StabilityLobesResult) -> list[str]:
@@ -113,7 +121,8 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, and the deepest pocket with its speed."""
+    """Least limit, infinite where no depth is unstable, and the deepest pocket with its speed; of a
+    planned cut the largest amount of the error of the surface and the highest power."""
     known = result.depth[~np.isnan(result.depth)]
     least = float(known.min()) if known.size else np.nan
     yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
@@ -121,6 +130,10 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
+    if result.cut_is_stable.any():
+        worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor
+        yield Number("surface error", "µm", worst, digits=2)
+        yield Number("cutting power", "kW", float(np.nanmax(result.cutting_power)) / 1e3, digits=2)
 
 
 def _even(result: StabilityLobesResult) -> list[str]:
@@ -167,6 +180,78 @@ def _measured(result: StabilityLobesResult) -> list[str]:
             f"{_depth(result.measured[most])} in place of {_depth(result.at_rest[most])}"
         )
     return [line]
+
+
+def _planned(result: StabilityLobesResult) -> list[str]:
+    """What a planned cut does where it is stable: the surface, the tool, the forces."""
+    stable = result.cut_is_stable
+    if not stable.size:
+        return []
+    what = f"{_depth(result.planned_depth)} deep, {_feed(result)} by tooth"
+    if not stable.any():
+        return [f"cut        {what}: stable at none of {stable.size} speeds"]
+    where = f"stable at {_of(int(stable.sum()), stable.size)}"
+    worst = _worst(result)
+    error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
+    if stable.sum() > 1:
+        error += _errors(result, int(np.nanargmin(worst)), "smallest")
+    swing = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
+    most = int(swing.argmax())
+    force, torque, power = (
+        float(np.nanmax(each))
+        for each in (result.cutting_force, result.cutting_torque, result.cutting_power)
+    )
+    return [
+        f"cut        {what}: {where}",
+        f"surface    error {'; '.join(error)} (positive: material is left)",
+        f"vibration  of the tip up to {_micrometre(float(swing[most]))} from peak to peak at "
+        f"{_milling_rpm(result, most)}",
+        unbroken(
+            f"forces     up to {number(force)} N; mean torque {number(torque, 3)} N m, power up to "
+            f"{number(power * 1e-3, 2)} kW"
+        ),
+    ]
+
+
+def _worst(result: StabilityLobesResult) -> Array:
+    """Largest amount of the error of a wall at every speed (n,) [m]."""
+    ends = np.stack([result.surface_error_least, result.surface_error_most])
+    return np.asarray(np.abs(ends).max(axis=(0, 2)))
+
+
+def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]:
+    """Errors of the walls at the speed where they are ``which``."""
+    walls = zip(
+        result.wall, result.surface_error_least[row], result.surface_error_most[row], strict=True
+    )
+    told = ", ".join(
+        unbroken(
+            (f"{wall}-milled wall " if len(result.wall) > 1 else "")
+            + (
+                _micrometre(most)
+                if most - least < ONE * abs(most)
+                else f"{_micrometre(least)[:-3]} to {_micrometre(most)}"
+            )
+        )
+        for wall, least, most in walls
+    )
+    yield f"{which} {told} at {_milling_rpm(result, row)}"
+
+
+def _of(some: int, every: int) -> str:
+    return f"all {every} speeds" if some == every else f"{some} of {every} speeds"
+
+
+def _feed(result: StabilityLobesResult) -> str:
+    return f"{result.planned_feed * MILLIMETRE.factor:.4g} mm"
+
+
+def _micrometre(value: float) -> str:
+    return f"{number(value * MICROMETRE.factor, 2)} µm"
+
+
+def _milling_rpm(result: StabilityLobesResult, row: int) -> str:
+    return f"{number(result.milling_speed[row] * RPM.factor, 0)} rpm"
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
@@ -221,7 +306,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
-    sentences += _skipped(result)
+    sentences += _skipped(result) + _of_cut(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         much = percent if np.isfinite(result.error) else "from none or to none"
@@ -234,6 +319,38 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: chatter at {number(highest, 0)} Hz is above the "
             f"{number(result.modelled, 0)} Hz up to which the machine is modelled: raise "
             "max_frequency"
+        )
+    return sentences
+
+
+def _of_cut(result: StabilityLobesResult) -> list[str]:
+    """Speeds at which a planned cut is not stable, or teeth leave the cut."""
+    stable, sentences = result.cut_is_stable, []
+    solved = ~np.isnan(result.depth[: stable.size])
+    lost = np.flatnonzero(solved & ~stable)
+    if lost.size:
+        sentences.append(
+            f"stability_lobes: the planned cut of {_depth(result.planned_depth)} is not stable at "
+            f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
+            "its vibration and surface are not given there"
+        )
+    speed = result.milling_speed
+    wide = np.fmax(result.resonance_width[1:], result.resonance_width[:-1])
+    coarse = np.flatnonzero(np.diff(speed) > wide * speed[1:])
+    if coarse.size:
+        step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
+        sentences.append(
+            "stability_lobes: speeds are farther apart than resonances of the planned cut are "
+            f"wide, from {_milling_rpm(result, int(coarse[0]))} to "
+            f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
+            f"be larger: steps of {number(step, 0)} rpm show them"
+        )
+    thin = np.flatnonzero(result.thinnest_chip < 0.0)
+    if thin.size:
+        sentences.append(
+            f"stability_lobes: in the planned cut teeth leave the work at {thin.size} of "
+            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration, "
+            "which takes all chips to be cut, is right in kind only there"
         )
     return sentences
 

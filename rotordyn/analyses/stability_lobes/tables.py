@@ -7,4 +7,5 @@ from rotordyn.results.layout import Layout
 LAYOUTS = (
     Layout("stability_lobes", ("cutting_speed",)),
     Layout("stability_pockets", ("pocket",)),
+    Layout("milled_surface", ("milling_speed",), ("wall", "direction")),
 )

@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
-from rotordyn.results.display import MILLIMETRE, RPM
+from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
 from rotordyn.results.headline import Curve
 
 LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
@@ -27,10 +27,13 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
         asked = case.analyses["stability_lobes"]
         spec = replace(asked, diameter=asked.across(case.spindle))
         yield "stability_lobes", partial(code("lobes:lobes_figure"), result, spec)
+    if result.cut_is_stable.sum() > 1:
+        yield "milled_surface", partial(code("milled_surface:surface_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Depth of cut over speed, beyond the axis in deep pockets and where every depth is stable."""
+    """Depth of cut over speed, beyond the axis in deep pockets and where every depth is stable; of
+    a planned cut the error of each wall, of the largest amount."""
     result = variant.result
     if len(result.cutting_speed) < 2:
         return
@@ -40,3 +43,12 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     rpm = result.cutting_speed * RPM.factor
     how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS, "ceiling": top}
     yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **how)
+    if not result.cut_is_stable.any():
+        return
+    for k, wall in enumerate(result.wall):
+        ends = np.stack([result.surface_error_least[:, k], result.surface_error_most[:, k]])
+        error = np.where(np.abs(ends[1]) >= np.abs(ends[0]), ends[1], ends[0])
+        title = f"error of the {wall}-milled wall"
+        yield Curve(
+            *("milled_surface", title, "µm", rpm, error * MICROMETRE.factor), least=LEAST_SPEEDS
+        )

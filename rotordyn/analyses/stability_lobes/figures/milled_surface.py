@@ -1,0 +1,102 @@
+"""The error of the milled surface, the vibration of the tip and the forces over speed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.figures import LEAST_SPEEDS
+from rotordyn.analyses.stability_lobes.result import StabilityLobesResult
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.style import (
+    BLACK,
+    BLUE,
+    GREY,
+    ORANGE,
+    RED,
+    add_axes,
+    axis_start,
+    head,
+    new_figure,
+    speed_ticks,
+)
+from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Look = dict[str, Any]
+WALLS: tuple[Look, ...] = (
+    {"color": BLUE, "ls": "-", "marker": "o"},
+    {"color": ORANGE, "ls": "--", "marker": "s"},
+)
+WAYS: tuple[Look, ...] = (
+    {"color": BLACK, "ls": "-", "marker": "+"},
+    {"color": RED, "ls": "--", "marker": "x"},
+)
+SIZE = 3.0  # of marks
+
+
+def surface_figure(result: StabilityLobesResult) -> Figure:
+    """Errors of every wall between least and largest over its depth; below the vibration of the
+    tip from peak to peak. Speeds at which the cut is not stable are shaded."""
+    rpm = result.milling_speed * RPM.factor
+    lines = len(rpm) >= LEAST_SPEEDS
+    figure = new_figure(168.0, 106.0)
+    upper = add_axes(figure, (15.0, 58.0, 148.0, 44.0), "", "error of the surface [µm]")
+    lower = add_axes(figure, (15.0, 11.0, 148.0, 40.0), "speed [rpm]", "vibration [µm]")
+    upper.axhline(0.0, color=GREY, lw=0.6)
+    for k, wall in enumerate(result.wall):
+        least, most = (
+            each[:, k] * MICROMETRE.factor
+            for each in (result.surface_error_least, result.surface_error_most)
+        )
+        _between(upper, rpm, least, most, f"{wall}-milled wall", WALLS[k], lines=lines)
+    for k, way in enumerate(result.direction):
+        swing = result.tip_vibration[:, k] * MICROMETRE.factor
+        _draw(lower, rpm, swing, f"vibration in {way}, peak to peak", WAYS[k], lines=lines)
+    lower.set_ylim(0.0, None)
+    upper.tick_params(labelbottom=False)
+    for axes in (upper, lower):
+        _unstable(axes, rpm, ~result.cut_is_stable)
+        speed_ticks(axes, float(rpm[-1]), low=axis_start(float(rpm[0]), float(rpm[-1])))
+    top_legend(figure, upper, lower)
+    depth, feed = (each * MILLIMETRE.factor for each in (result.planned_depth, result.planned_feed))
+    force = float(np.nanmax(result.cutting_force))
+    return head(
+        figure,
+        f"{depth:.4g} mm deep, {feed:.4g} mm by tooth, forces up to {force:.4g} N; positive errors "
+        "leave material",
+    )
+
+
+def _between(
+    axes: Axes, rpm: Array, least: Array, most: Array, label: str, look: Look, *, lines: bool
+) -> None:
+    """What varies over the depth of a wall, its largest amounts as a line or as marks."""
+    if np.nanmax(most - least) > 0.0:
+        if lines:
+            axes.fill_between(rpm, least, most, color=look["color"], alpha=0.2, lw=0.0)
+        else:
+            axes.vlines(rpm, least, most, color=look["color"], alpha=0.4, lw=2.0)
+    _draw(axes, rpm, np.where(most >= -least, most, least), label, look, lines=lines)
+
+
+def _draw(axes: Axes, rpm: Array, y: Array, label: str, look: Look, *, lines: bool) -> None:
+    if lines:
+        axes.plot(rpm, y, color=look["color"], ls=look["ls"], lw=1.0, label=label)
+    else:
+        axes.plot(rpm, y, look["marker"], color=look["color"], ms=SIZE, label=label)
+
+
+def _unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
+    """Shade speeds at which the cut is not stable, half way to their neighbours."""
+    edges = np.concatenate([rpm[:1], 0.5 * (rpm[1:] + rpm[:-1]), rpm[-1:]])
+    label: str | None = "cut not stable"
+    for row in np.flatnonzero(lost):
+        axes.axvspan(edges[row], edges[row + 1], color=GREY, alpha=0.25, lw=0.0, label=label)
+        label = None

@@ -1,0 +1,293 @@
+"""Forced vibration of the tool in a stable cut, and the error of the surface that it leaves.
+
+What the teeth do repeats with their pattern, and so does the vibration, of which each harmonic is
+that of the force times the receptance. Evenly spaced teeth all follow the same path, so that no
+tooth sees the vibration of the one before. Uneven ones do, and flanks rub: then the forces of the
+vibration itself are solved for with it.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.arguments import typed
+from rotordyn.analyses.stability_lobes.cutting import Cut, checked
+from rotordyn.analyses.stability_lobes.forces import Forces
+from rotordyn.errors import InvalidInput, NoSolution
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Receptance = Callable[[Array], Complex]
+WALLS = {"up": (0.0, -1.0), "down": (math.pi, 1.0)}  # angle at which a tooth leaves it, and sign
+FINE = 8  # points of the shortest wave
+THICK = 0.3  # of the thickest chip: thinner ones lose contact anyway
+SEEN = 1e-8  # of the largest harmonic of the motion: smaller ones move no surface
+SOLVED = 1e-10  # of the forces
+SEARCHED, RESTARTED = 80, 25  # directions, and how often
+MOST_HARMONICS = 100_000
+MOST_POINTS = 4000  # at which the largest force is looked for
+JUST = 1e-9  # of a turn of the pattern, inside of the ends of a cut
+AT_ONCE = 2_000_000  # values
+
+
+@dataclass(frozen=True, slots=True)
+class Milled:
+    """What a stable cut does at one speed.
+
+    ``least``, ``most`` (walls,) [m]: of the error of each wall over its depth and over the teeth,
+    positive where material is left. In feed and normal (2,) [m]: ``deflection``, the mean
+    displacement of the tip, and ``swing``, its vibration from peak to peak. ``force``: the largest
+    on the tip [N]; ``torque`` [N m] and ``power`` [W]: on average. ``thinnest``: chip that
+    a tooth takes off at least over that of a rigid machine, below 0 where it leaves the cut.
+    """
+
+    least: Array
+    most: Array
+    deflection: Array
+    swing: Array
+    force: float
+    torque: float
+    power: float
+    thinnest: float
+
+
+@dataclass(frozen=True)
+class Forced:
+    """``forces`` of a cutter of some ``diameter`` [m] at a ``speed`` [rad/s]; ``rubbing`` [N s/m²]
+    by depth and velocity along the normal of the cut surface; harmonics up to ``top`` [rad/s]."""
+
+    forces: Forces
+    diameter: float
+    speed: float
+    top: float
+    rubbing: float = 0.0
+
+    def solve(self, receptance: Receptance, walls: Sequence[str]) -> Milled:
+        """With the ``receptance`` of the tip, at angular frequencies ≥ 0.
+
+        Raises
+        ------
+        InvalidInput : so slow a cut that its harmonics are too many
+        NoSolution : forces of the vibration that are not found, as next to the limit of stability
+        """
+        first = 2.0 * math.pi / self.forces.cut.turn
+        count = math.ceil(self.top / (first * self.speed))
+        if count > MOST_HARMONICS:
+            raise InvalidInput(
+                f"speed: given {self.speed:.6g} rad/s, {count} harmonics of the teeth in the band "
+                f"of the receptance; allowed: up to {MOST_HARMONICS}"
+            )
+        order: Array = first * np.arange(count + 1.0)
+        own = receptance(order * self.speed)
+        force = self.forces.harmonics(order)
+        if self.rubbing > 0.0 or not self.forces.cut.even:
+            force = _Loop(self, order, own).solve(force)
+        moved = np.einsum("kij,kj->ki", own, force)
+        least, most = self._surface(order, moved, walls)
+        path = _over_pattern(moved)
+        torque = 0.5 * self.diameter * self.forces.mean_torque()
+        return Milled(
+            least,
+            most,
+            moved[0].real,
+            np.ptp(path, axis=0),
+            self._largest(order, moved),
+            torque,
+            torque * self.speed,
+            self._thinnest(order, moved),
+        )
+
+    def _surface(self, order: Array, moved: Complex, walls: Sequence[str]) -> tuple[Array, Array]:
+        """Least and largest error of each wall (walls,) [m]."""
+        cut, seen = self.forces.cut, np.abs(moved[:, 1]) > SEEN * np.abs(moved).max()
+        order, moved = order[seen], moved[seen]
+        waves = cut.lag * order.max(initial=0.0) / (2.0 * math.pi)
+        along = np.linspace(0.0, cut.lag, 1 + FINE * math.ceil(waves)) if waves else np.zeros(1)
+        least, most = np.empty(len(walls)), np.empty(len(walls))
+        for k, (angle, sign) in enumerate(WALLS[wall] for wall in walls):
+            at = (angle + along - cut.behind[:, None]).ravel()
+            error = sign * _motion(order, moved, at)[:, 1]
+            least[k], most[k] = error.min(), error.max()
+        return least, most
+
+    def _largest(self, order: Array, moved: Complex) -> float:
+        """The largest force [N], that of the vibration included."""
+        cut, depth = self.forces.cut, self.forces.depth
+        steps = min(FINE * len(order), MOST_POINTS)
+        ends = np.array([end for low, high in cut.pieces() for end in (low, high)])
+        inside = np.array([1.0, -1.0] * (len(ends) // 2)) * JUST * cut.turn
+        angle = np.append(cut.turn * np.arange(steps) / steps, np.mod(ends + inside, cut.turn))
+        force = self.forces.at(angle)[:, :2]
+        if not cut.even:
+            for kernel, gap in zip(cut.by_gap(angle), cut.gaps, strict=True):
+                chip = _motion(order, moved * (1.0 - np.exp(-1j * order * gap))[:, None], angle)
+                force = force - depth * np.einsum("nij,nj->ni", kernel, chip)
+        if self.rubbing > 0.0:
+            velocity = _motion(order, moved * (1j * order * self.speed)[:, None], angle)
+            kernel = replace(cut, tangential=0.0, radial=self.rubbing).matrix(angle)
+            force = force - depth * np.einsum("nij,nj->ni", kernel, velocity)
+        return float(np.hypot(*force.T).max())
+
+    def _thinnest(self, order: Array, moved: Complex) -> float:
+        """Least chip over that of a rigid machine, where that is not thin itself."""
+        cut = self.forces.cut
+        if cut.even:
+            return 1.0
+        angle = np.linspace(cut.entry, cut.exit, 2 + FINE * 8)[1:-1]
+        angle = angle[np.sin(angle) > THICK * np.sin(angle).max()]
+        thinnest = 1.0
+        for gap, behind, feed in zip(cut.gaps, cut.behind, self.forces.feeds, strict=True):
+            own = moved * (1.0 - np.exp(-1j * order * gap))[:, None]
+            x, y = _motion(order, own, angle - behind).T
+            share = 1.0 + (x + y / np.tan(angle)) / feed
+            thinnest = min(thinnest, float(share.min()))
+        return thinnest
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """Forces that the vibration adds at the orders (n,) of ``cut`` with receptances ``own``."""
+
+    cut: Forced
+    order: Array
+    own: Complex
+
+    def solve(self, alone: Complex) -> Complex:
+        """All forces (n, 2), of those ``alone`` without vibration."""
+        from scipy.sparse.linalg import LinearOperator, gmres
+
+        moved = self._both(self.own)
+        loops = self._loops()
+
+        def closed(force: Complex) -> Complex:
+            force = force.reshape(-1, 2)
+            motion = np.einsum("kij,kj->ki", moved, force)
+            return np.asarray((force + sum(each(motion) for each in loops)).ravel())
+
+        whole = self._both(alone)
+        operator = LinearOperator((whole.size, whole.size), matvec=closed, dtype=complex)
+        found, failed = gmres(
+            operator, whole.ravel(), rtol=SOLVED, restart=SEARCHED, maxiter=RESTARTED
+        )
+        if failed:
+            raise NoSolution(
+                f"forces of the vibration are not found at {self.cut.speed:.6g} rad/s: the cut is "
+                "near its limit of stability; take less depth"
+            )
+        return np.asarray(found.reshape(-1, 2)[len(alone) - 1 :])
+
+    def _both(self, values: Complex) -> Complex:
+        """Values (n, …) of orders from 0 up, of those below 0, too (2n − 1, …)."""
+        return np.concatenate([values[:0:-1].conj(), values])
+
+    def _loops(self) -> list[Callable[[Complex], Complex]]:
+        """From the motion (2n − 1, 2) to forces: of the chip behind every gap, of flanks."""
+        forces, speed = self.cut.forces, self.cut.speed
+        step, count = self.order[1] - self.order[0], len(self.order)
+        apart = step * np.arange(-2 * (count - 1), 2 * count - 1)
+        order = step * np.arange(-(count - 1), count)
+        scale = forces.depth * forces.repeats
+        found = []
+        if not forces.cut.even:
+            chip = scale * forces.by_displacement(apart)
+            for gap, behind in zip(forces.cut.gaps, forces.cut.behind, strict=True):
+                kernel = chip * np.exp(1j * apart * behind)[:, None, None]
+                found.append(_convolved(kernel, 1.0 - np.exp(-1j * order * gap)))
+        if self.cut.rubbing > 0.0:
+            flank = replace(forces, cut=replace(forces.cut, tangential=0.0, radial=1.0))
+            kernel = scale * self.cut.rubbing * flank.by_displacement(apart)
+            turned = np.exp(1j * apart[:, None] * forces.cut.behind).sum(axis=1)
+            found.append(_convolved(kernel * turned[:, None, None], 1j * order * speed))
+        return found
+
+
+def _convolved(kernel: Complex, factor: Complex) -> Callable[[Complex], Complex]:
+    """Products over time of a ``kernel`` (2m − 1, 2, 2) with ``factor`` (m,) times motions."""
+    from scipy.fft import fft, ifft, next_fast_len
+
+    size, count = next_fast_len(len(kernel) + len(factor) - 1), len(factor)
+    known = fft(kernel, size, axis=0)
+
+    def force(motion: Complex) -> Complex:
+        spread = fft(factor[:, None] * motion, size, axis=0)
+        whole = ifft(np.einsum("kij,kj->ki", known, spread), axis=0)
+        return np.asarray(whole[count - 1 : 2 * count - 1])
+
+    return force
+
+
+def _motion(order: Array, amplitude: Complex, angle: Array) -> Array:
+    """Motion (n, 2) at angles (n,) by its amplitudes (k, 2) of e^(i order angle), order from 0 up;
+    in parts for the sake of memory."""
+    twice = amplitude * np.where(order > 0.0, 2.0, 1.0)[:, None]
+    parts = np.array_split(angle, max(1, len(angle) * len(order) // AT_ONCE))
+    return np.concatenate([(np.exp(1j * part[:, None] * order) @ twice).real for part in parts])
+
+
+def _over_pattern(amplitude: Complex) -> Array:
+    """Values over one turn of the pattern (n, …) of harmonics from 0 up."""
+    points = 2 * FINE * len(amplitude)
+    return np.asarray(np.fft.irfft(amplitude, points, axis=0) * points)
+
+
+@typed(InvalidInput, besides=("receptance",))
+def milled(  # noqa: PLR0913  what a user of cutting data has at hand
+    receptance: Receptance,
+    depth: float,
+    feed_per_tooth: float,
+    teeth: int = 2,
+    tangential: float = 6e8,
+    radial: float = 2e8,
+    entry: float = 0.0,
+    exit: float = math.pi,
+    speed: float = 1000.0,
+    diameter: float = 0.02,
+    helix: float = 0.0,
+    pitch: Sequence[float] = (),
+    tangential_edge: float = 0.0,
+    radial_edge: float = 0.0,
+    highest: float = 10_000.0,
+) -> Milled:
+    """Forced vibration, surface and forces of a stable cut.
+
+    receptance : angular frequencies (f,) ≥ 0 [rad/s] -> (f, 2, 2) [m/N], tip in feed and normal
+    depth, feed_per_tooth, diameter : [m]
+    tangential, radial : cutting coefficients [Pa]; tangential_edge, radial_edge : of edges [N/m]
+    entry, exit : angles of a tooth in cut [rad], from the normal towards the feed
+    speed : of the cutter [rad/s]
+    helix : angle of the edges [rad]
+    pitch : angles from each tooth to the one that cut before it [rad], as of ``limit_depth``
+    highest : frequency up to which the receptance is taken [Hz]
+
+    Walls are those that the cut leaves: "up" where entry is 0, "down" where exit is π. Whether the
+    cut is stable is not asked: ``limit_depth`` says so.
+
+    Raises
+    ------
+    InvalidInput : a cut that there is not, values that are not positive, too many harmonics
+    NoSolution : see ``Forced.solve``
+    """
+    for name, value in (
+        ("depth", depth),
+        ("feed_per_tooth", feed_per_tooth),
+        ("speed", speed),
+        ("diameter", diameter),
+        ("highest", highest),
+    ):
+        if not (value > 0.0 and math.isfinite(value)):
+            raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
+    if not 0.0 <= helix < 0.5 * math.pi * (1.0 - 1e-9):
+        raise InvalidInput(f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°")
+    lag = 2.0 * depth * math.tan(helix) / diameter
+    cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch)))
+    forces = Forces(cut, depth, feed_per_tooth, tangential_edge, radial_edge)
+    ends = {"up": entry < 1e-9, "down": exit > math.pi - 1e-9}
+    walls = [wall for wall, left in ends.items() if left]
+    return Forced(forces, diameter, speed, 2.0 * math.pi * highest).solve(receptance, walls)

@@ -1,0 +1,76 @@
+"""The cut that a case plans, at every speed at which it is stable."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.limits import Limits
+from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.tip import Tip
+
+Array = NDArray[np.float64]
+HARMONICS = 3.0  # times the highest frequency that matters
+VALUES = {
+    "surface_error_least": ("least", "wall"),
+    "surface_error_most": ("most", "wall"),
+    "tip_deflection": ("deflection", "direction"),
+    "tip_vibration": ("swing", "direction"),
+    "cutting_force": ("force", ""),
+    "cutting_torque": ("torque", ""),
+    "cutting_power": ("power", ""),
+    "thinnest_chip": ("thinnest", ""),
+}
+
+
+def planned_cut(
+    limits: Limits, operation: Operation, depth: Array, speed: Array, place: NDArray[np.intp]
+) -> dict[str, Any]:
+    """Fields of the result: of the ``limits`` with their ``depth`` (s,), at ``place`` (s,) among
+    all ``speed`` (n,); NaN where the cut is not stable, no speeds where none is planned.
+
+    Raises
+    ------
+    InvalidInput : so slow a cut that its harmonics are too many
+    NoSolution : forces of the vibration that are not found
+    """
+    spec, tip = operation.spec, limits.tip
+    speed = speed if spec.cut else speed[:0]
+    names: dict[str, tuple[str, ...]] = {
+        "wall": spec.walls if spec.cut else (),
+        "direction": ("feed", "normal") if spec.cut else (),
+    }
+    stable = np.zeros(len(speed), dtype=bool)
+    found = {
+        name: np.full((len(speed), *([len(names[dim])] if dim else [])), np.nan)
+        for name, (_, dim) in VALUES.items()
+    }
+    width = np.full(len(speed), np.nan)
+    if spec.cut:
+        assert isinstance(tip, Tip), "the machine as computed"
+        stable[place] = depth > spec.cut.depth
+        width[place] = np.where(stable[place], 2.0 * tip.least_damped[limits.rows], np.nan)
+        rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)
+        for at, row, own in (each for each in rows if stable[each[0]]):
+            forced = operation.forced(own, HARMONICS * float(tip.tops[row]))
+            milled = forced.solve(partial(_receptance, tip.at(row)), spec.walls)
+            for name, (attribute, _) in VALUES.items():
+                found[name][at] = getattr(milled, attribute)
+    return {
+        "planned_depth": spec.cut.depth if spec.cut else math.nan,
+        "planned_feed": spec.feed_per_tooth if spec.cut else math.nan,
+        "milling_speed": speed,
+        "cut_is_stable": stable,
+        "resonance_width": width,
+        **names,
+        **found,
+    }
+
+
+def _receptance(tip: Tip, omega: Array) -> NDArray[np.complex128]:
+    """Of a tip at one speed, at frequencies (f,) ≥ 0: (f, 2, 2)."""
+    return np.asarray(tip.receptance(omega[None])[0])

@@ -1,0 +1,340 @@
+"""Forced vibration of stable milling against closed forms and motion over time."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import rotordyn
+from rotordyn.analyses.stability_lobes import milled
+from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.figures.milled_surface import surface_figure
+from rotordyn.analyses.stability_lobes.forced import Forced
+from rotordyn.analyses.stability_lobes.forces import Forces
+from rotordyn.analyses.stability_lobes.spec import PlannedCut, StabilityLobesSpec, Turning
+from rotordyn.analyses.stability_lobes.summary import numbers, summary, warnings
+from rotordyn.errors import InvalidInput
+from rotordyn.job.solving import solve
+
+KT, KR, KTE, KRE = 7e8, 2.5e8, 2e4, 1.5e4
+MASS, NATURAL, RATIO = (
+    np.array([0.04, 0.05]),
+    2.0 * math.pi * np.array([900.0, 1100.0]),
+    np.array([0.05, 0.06]),
+)
+STIFF = MASS * NATURAL**2
+DEPTH, FEED, DIAMETER, SPEED = 2e-4, 1e-4, 0.02, 2.0 * math.pi * 150.0
+STEPS = 1200  # of a revolution
+
+
+def tip(omega):
+    """Two modes, one in feed and one in normal."""
+    found = np.zeros((len(omega), 2, 2), dtype=complex)
+    for k in range(2):
+        lost = 2j * RATIO[k] * NATURAL[k] * omega
+        found[:, k, k] = 1.0 / MASS[k] / (NATURAL[k] ** 2 - omega**2 + lost)
+    return found
+
+
+def over_time(cut, edges, rubbing, turns=16, slices=40):
+    """Position of the tip (steps, 2) over the last of some revolutions from rest: each tooth in
+    slices along its edge, each step exact under the force at its middle."""
+    pitches = np.array(cut.pitches or [2.0 * math.pi / cut.teeth] * cut.teeth)
+    behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
+    feeds = FEED * cut.teeth * pitches / (2.0 * math.pi)
+    lag = cut.lag * (np.arange(slices) + 0.5) / slices if cut.lag else np.zeros(1)
+    ago = np.round(pitches / (2.0 * math.pi) * STEPS).astype(int)
+    step = 2.0 * math.pi / SPEED / STEPS
+    system = np.zeros((4, 4))
+    system[:2, 2:], system[2:, :2] = np.eye(2), -np.diag(NATURAL**2)
+    system[2:, 2:] = -np.diag(2.0 * RATIO * NATURAL)
+    ahead = expm(system * step)
+    by_force = np.linalg.solve(system, ahead - np.eye(4))[:, 2:] / MASS
+    angle = 2.0 * math.pi * (np.arange(STEPS) + 0.5) / STEPS
+    at = np.mod(angle[:, None, None] + behind[:, None] - lag, 2.0 * math.pi)
+    share = ((at > cut.entry) & (at < cut.exit)) * DEPTH / len(lag)
+    s, c = np.sin(at), np.cos(at)
+    normal = np.stack([s, c], axis=-1)
+    force = -np.stack(
+        [cut.tangential * c + cut.radial * s, cut.radial * c - cut.tangential * s], axis=-1
+    )
+    by_chip = (share[..., None, None] * force[..., :, None] * normal[..., None, :]).sum(axis=2)
+    alone = np.einsum("njik,j->ni", by_chip * np.array([1.0, 0.0]), feeds)
+    # the feed is along x: its chip is that of a motion (f, 0)
+    edge = -np.stack([edges[0] * c + edges[1] * s, edges[1] * c - edges[0] * s], axis=-1)
+    alone = alone + (share[..., None] * edge).sum(axis=(1, 2))
+    flank = -rubbing * (share[..., None, None] * normal[..., :, None] * normal[..., None, :]).sum(
+        axis=(1, 2)
+    )
+    uneven = len({*np.round(pitches, 9)}) > 1
+    state, path = np.zeros(4), np.zeros((turns * STEPS + 1, 2))
+    for n in range(turns * STEPS):
+        place = n % STEPS
+        here = state[:2] + 0.5 * step * state[2:]
+        total = alone[place] + flank[place] @ state[2:]
+        if uneven:
+            for k in range(cut.teeth):
+                old = 0.5 * (path[n - ago[k]] + path[n - ago[k] + 1]) if n >= ago[k] else 0.0
+                total = total + by_chip[place, k] @ (here - old)
+        state = ahead @ state + by_force @ total
+        path[n + 1] = state[:2]
+    return path[-STEPS - 1 :]
+
+
+UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
+
+
+@pytest.mark.parametrize(
+    ("cut", "edges", "rubbing"),
+    [
+        (Cut(2, KT, KR, 0.0, math.pi / 2), (0.0, 0.0), 0.0),
+        (Cut(3, KT, KR, math.pi / 2, math.pi, 0.6), (KTE, KRE), 0.0),
+        (Cut(4, KT, KR, 0.0, math.pi, pitches=tuple(np.radians([70, 110] * 2))), (0.0, KRE), 0.0),
+        (Cut(3, KT, KR, 0.0, math.pi / 2, 0.4, UNEVEN), (KTE, KRE), 0.0),
+        (Cut(2, KT, KR, math.pi / 2, math.pi), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+    ],
+    ids=["up", "helix and edges", "pattern", "uneven helix", "flanks", "uneven, helix, flanks"],
+)
+def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
+    forces = Forces(cut, DEPTH, FEED, *edges)
+    walls = [wall for wall, there in (("up", cut.entry == 0.0), ("down", cut.exit > 3.0)) if there]
+    found = Forced(forces, DIAMETER, SPEED, 2.0 * math.pi * 12e3, rubbing).solve(tip, walls)
+    path = over_time(cut, edges, rubbing)
+    near = 3e-3 * np.ptp(path, axis=0).max()
+    assert found.deflection == pytest.approx(path[1:].mean(axis=0), abs=near)
+    assert found.swing == pytest.approx(np.ptp(path, axis=0), abs=near)
+    every = np.linspace(0.0, 2.0 * math.pi, STEPS + 1)
+    pitches = cut.pitches or (2.0 * math.pi / cut.teeth,) * cut.teeth
+    behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
+    for k, wall in enumerate(walls):
+        angle = (0.0 if wall == "up" else math.pi) + np.linspace(0.0, cut.lag, 41)
+        left = (-1.0 if wall == "up" else 1.0) * np.interp(
+            np.mod(angle - behind[:, None], 2.0 * math.pi), every, path[:, 1]
+        )
+        assert found.least[k] == pytest.approx(left.min(), abs=near)
+        assert found.most[k] == pytest.approx(left.max(), abs=near)
+
+
+@pytest.mark.parametrize("teeth", [2, 3, 4])
+def test_mean_forces_and_power_of_a_slot_in_closed_form(teeth):
+    """Altintas, Manufacturing Automation: mean forces of a slot; the power is Ktc times the removal
+    rate and that of the edges."""
+    found = milled(
+        *(tip, DEPTH, FEED, teeth, KT, KR),
+        speed=SPEED,
+        diameter=DIAMETER,
+        tangential_edge=KTE,
+        radial_edge=KRE,
+    )
+    x = -teeth * DEPTH * (FEED * KR / 4.0 + KRE / math.pi)
+    y = teeth * DEPTH * (FEED * KT / 4.0 + KTE / math.pi)
+    assert found.deflection == pytest.approx([x / STIFF[0], y / STIFF[1]], rel=1e-12)
+    removal = DEPTH * DIAMETER * FEED * teeth * SPEED / (2.0 * math.pi)
+    edges = KTE * DEPTH * 0.5 * DIAMETER * SPEED * teeth / 2.0
+    assert found.power == pytest.approx(KT * removal + edges, rel=1e-12)
+
+
+def test_harmonics_are_those_of_the_force_over_a_revolution():
+    """Of edges on a helix, whose force has no steps."""
+    cut = Cut(3, KT, KR, 0.3, 2.1, 0.7, UNEVEN)
+    forces = Forces(cut, DEPTH, FEED, KTE, KRE)
+    angle = 2.0 * math.pi * np.arange(16384) / 16384
+    over = forces.at(angle)
+    spectrum = np.fft.rfft(over[:, :2], axis=0) / len(angle)
+    order = np.arange(40.0)
+    found = forces.harmonics(order)
+    np.testing.assert_allclose(found, spectrum[:40], atol=1e-6 * np.abs(spectrum).max())
+    assert forces.mean_torque() == pytest.approx(over[:, 2].mean(), rel=1e-6)
+
+
+def test_slow_milling_leaves_what_the_force_bends():
+    """Far below the modes the tip follows the force: straight edges enter without one, and leave
+    the cut of down-milling without a chip; on a helix lower parts of other teeth bend it."""
+    stiff = {"speed": 1.0, "diameter": DIAMETER, "highest": 500.0}
+    for ends in ((0.0, 1.0), (2.0, math.pi)):
+        straight = milled(tip, DEPTH, FEED, 2, KT, KR, *ends, **stiff)
+        assert straight.least == pytest.approx(0.0, abs=2e-3 * np.abs(straight.swing).max())
+    helix = math.atan(0.8 * DIAMETER / 2.0 / DEPTH)
+    curved = milled(tip, DEPTH, FEED, 2, KT, KR, 0.0, 1.0, helix=helix, **stiff)
+    forces = Forces(Cut(2, KT, KR, 0.0, 1.0, 0.8), DEPTH, FEED)
+    error = -forces.at(np.linspace(0.0, 0.8, 200))[:, 1] / STIFF[1]
+    assert curved.least[0] == pytest.approx(error.min(), rel=1e-3)
+    assert curved.most[0] == pytest.approx(error.max(), abs=1e-3 * abs(error.min()))
+
+
+def test_largest_force_is_that_of_a_straight_edge_at_its_end():
+    """Down-milling: the chip is thickest where the tooth enters."""
+    found = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, math.pi, SPEED, DIAMETER)
+    assert found.force == pytest.approx(DEPTH * FEED * math.sin(2.0) * math.hypot(KT, KR), rel=1e-6)
+
+
+def test_turning_all_by_a_right_angle_turns_the_answer():
+    """A tip with the modes of feed and normal exchanged, seen from there: nothing else knows the
+    directions."""
+    cross = np.array([[0.0, 1.0], [-1.0, 0.0]])
+
+    def other(omega):
+        return cross @ tip(omega) @ cross.T
+
+    one = milled(other, DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
+    force = Forces(Cut(3, KT, KR, 0.0, 2.0), DEPTH, FEED).harmonics(np.zeros(1))[0].real
+    assert one.deflection == pytest.approx(force / STIFF[::-1], rel=1e-12)
+
+
+def test_teeth_that_leave_the_cut_are_told():
+    """In a resonance of the pattern of uneven teeth, and far from it."""
+    pitch = tuple(np.radians([70.0, 110.0] * 2))
+    speeds = 2.0 * math.pi * np.array([450.0, 150.0])
+    chips = [
+        milled(tip, 4 * DEPTH, 2e-5, 4, 6e8, 2e8, 0.0, 1.0, each, DIAMETER, 0.0, pitch).thinnest
+        for each in speeds
+    ]
+    assert chips[0] < 0.0 < chips[1]
+
+
+@pytest.mark.parametrize(
+    ("given", "why"),
+    [
+        ({"depth": 0.0}, "depth: given 0; allowed: above 0"),
+        ({"feed_per_tooth": -1e-4}, "feed_per_tooth: given -0.0001; allowed: above 0"),
+        ({"helix": 2.0}, "helix: given 114.592°"),
+        ({"entry": 2.0, "exit": 1.0}, "entry and exit"),
+        ({"speed": 1e-4}, "harmonics of the teeth in the band"),
+    ],
+)
+def test_cuts_that_there_are_not(given, why):
+    with pytest.raises(InvalidInput, match=why):
+        milled(**{"receptance": tip, "depth": DEPTH, "feed_per_tooth": FEED, **given})
+
+
+ASKED = {
+    "point": "tip",
+    "teeth": 2,
+    "diameter": "40 mm",
+    "tangential": "600 MPa",
+    "radial": "200 MPa",
+    "milling": "down",
+    "immersion": 0.4,
+    "feed_per_tooth": "0.15 mm",
+    "max_frequency": "3000 Hz",
+    "speeds": "{from: 3000 rpm, to: 18000 rpm, step: 2500 rpm}",
+}
+RPM = np.arange(3000.0, 18001.0, 2500.0)
+MACHINE = """
+title: A shaft on springs
+spindle:
+  title: A shaft
+  shaft:
+    start: 0 mm
+    material: {name: steel, young_modulus: 210 GPa, density: 7850 kg/m^3, poisson_ratio: 0.3}
+    sections: [{length: 400 mm, outer_diameter: 40 mm}]
+  points: {tip: 0 mm}
+  supports:
+    - name: front
+      x: 100 mm
+      stiffness: {yy: 1e8 N/m, zz: 6e7 N/m}
+      damping: {yy: 900 N s/m, zz: 900 N s/m}
+    - name: rear
+      x: 350 mm
+      stiffness: {yy: 1e8 N/m, zz: 1e8 N/m}
+      damping: {yy: 900 N s/m, zz: 900 N s/m}
+speeds: [9000 rpm, 18000 rpm]
+analyses:
+"""
+TEETH = ", ".join(f"{each} Hz" for each in (0.1, *range(300, 6001, 300)))  # pass at 9000 rpm
+FRF = f"""  frf:
+    frequencies: [{TEETH}]
+    matrix: {{responses: [tip.y, tip.z], excitations: [tip.y, tip.z]}}
+"""
+
+
+@pytest.fixture
+def solved(tmp_path):
+    def run(further="", **given):
+        asked = {**ASKED, **given}
+        lines = "".join(f"    {key}: {value}\n" for key, value in asked.items())
+        path = tmp_path / "case.yaml"
+        path.write_text(MACHINE + "  stability_lobes:\n" + lines + further, encoding="utf-8")
+        return solve(rotordyn.load(path)).results
+
+    return run
+
+
+def lobes(results: Any) -> Any:
+    return results["stability_lobes"]
+
+
+def test_a_planned_cut_is_that_of_the_receptances_of_the_machine(solved):
+    """Those of the analysis frf at 9000 rpm, at whole multiples of the frequency of the teeth;
+    harmonics of the force by FFT. Teeth turn from the normal y to the feed z."""
+    found = solved(FRF, cut="{depth: 2 mm}", speeds="[9000 rpm]", helix="20 deg")
+    own, frf = lobes(found), found["frf"]
+    lag = 2.0 * 2e-3 * math.tan(math.radians(20.0)) / 0.04
+    entry = math.acos(2.0 * 0.4 - 1.0)
+    forces = Forces(Cut(2, 6e8, 2e8, entry, math.pi, lag), 2e-3, 1.5e-4)
+    angle = math.pi * np.arange(4096) / 4096  # from tooth to tooth
+    over = forces.at(angle)[:, 1::-1]  # normal y, feed z
+    spectrum = np.fft.rfft(over, axis=0)[:21] / len(angle)
+    response = frf.response[0].reshape(2, 2, -1)
+    moved = np.einsum("ijk,kj->ki", response, spectrum)
+    mean = moved[0].real
+    wall = math.pi + np.linspace(0.0, lag, 30)
+    order = 2.0 * np.arange(21.0)
+    twice = np.where(order > 0.0, 2.0, 1.0) * moved[:, 0]
+    error = (np.exp(1j * wall[:, None] * order) @ twice).real
+    near = 5e-3 * np.abs(error).max()
+    assert own.tip_deflection[0] == pytest.approx(mean[::-1], rel=2e-3)
+    assert own.surface_error_least[0, 0] == pytest.approx(error.min(), abs=near)
+    assert own.surface_error_most[0, 0] == pytest.approx(error.max(), abs=near)
+    assert own.wall == ("down",)
+    assert own.planned_depth == 2e-3
+    assert own.cutting_power[0] == pytest.approx(6e8 * 0.4 * 0.04 * 2e-3 * 1.5e-4 * 300.0, rel=1e-9)
+
+
+def test_without_a_cut_there_is_none_and_above_the_limit_it_is_not_stable(solved):
+    none = lobes(solved())
+    assert none.milling_speed.size == none.surface_error_most.size == 0
+    assert math.isnan(none.planned_depth)
+    assert not any("surface" in line for line in summary(none))
+    deep = float(np.median(none.depth)) * 1.0001
+    some = lobes(solved(cut=f"{{depth: {deep} m}}"))
+    assert (some.cut_is_stable == (none.depth > deep)).all()
+    assert 0 < some.cut_is_stable.sum() < len(RPM)
+    lost = ~some.cut_is_stable
+    for name in ("surface_error_most", "tip_vibration", "cutting_force", "cutting_power"):
+        missing = np.isnan(getattr(some, name)).reshape(len(RPM), -1).all(axis=1)
+        assert (missing == lost).all(), name
+    first = f"{RPM[lost.argmax()]:.0f} rpm"
+    told = [each for each in warnings(some) if "the planned cut of" in each]
+    assert len(told) == 1
+    assert f"is not stable at {lost.sum()} of 7 speeds, first at {first}" in told[0]
+    everywhere = lobes(solved(cut="{depth: 500 mm}"))
+    assert "stable at none of 7 speeds" in "\n".join(summary(everywhere))
+
+
+def test_words_numbers_and_figure(solved):
+    found = lobes(solved(cut="{depth: 0.1 mm}", milling="slot", immersion=1.0))
+    told = "\n".join(summary(found)).replace("\xa0", " ")
+    assert "cut        0.100 mm deep, 0.15 mm by tooth: stable at all 7 speeds" in told
+    assert "up-milled wall" in told
+    assert "down-milled wall" in told
+    named = {number.name: number.value for number in numbers(found, None)}  # type: ignore[arg-type]
+    ends = np.abs([found.surface_error_least, found.surface_error_most])
+    assert named["surface error"] == pytest.approx(ends.max() * 1e6, rel=1e-9)
+    assert named["cutting power"] == pytest.approx(found.cutting_power.max() / 1e3, rel=1e-9)
+    figure = surface_figure(found)
+    words = [each.get_text() for each in figure.findobj(lambda one: hasattr(one, "get_text"))]
+    assert "up-milled wall" in words
+    assert "vibration in normal, peak to peak" in words
+    # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
+    assert sum("farther apart than resonances" in each for each in warnings(found)) == 1
+
+
+def test_a_planned_cut_beside_turning_is_refused():
+    with pytest.raises(InvalidInput, match="cut: of milling: given beside turning"):
+        StabilityLobesSpec("tip", diameter=0.05, turning=Turning(2e9), cut=PlannedCut(1e-3))
