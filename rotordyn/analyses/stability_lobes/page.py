@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from rotordyn.analyses.stability_lobes.figures import headline_curves
+from rotordyn.analyses.stability_lobes.figures import LIMITS, headline_curves
 from rotordyn.analyses.stability_lobes.result import banded
 from rotordyn.page.blocks import Block
 from rotordyn.page.curves import curve_charts
@@ -26,6 +26,6 @@ def _with_band(spec: Any, variant: Shown) -> Iterator[Curve]:
     result = variant.result
     for curve in headline_curves(spec, variant):
         yield curve
-        if banded(result):
+        if banded(result) and curve.figure == LIMITS:
             for words, depth in (("least", result.least), ("largest", result.most)):
                 yield curve._replace(y=depth * MILLIMETRE.factor, series=f"{words} of the band")

@@ -326,7 +326,9 @@ def warnings(result: StabilityLobesResult) -> list[str]:
 def _of_cut(result: StabilityLobesResult) -> list[str]:
     """Speeds at which a planned cut is not stable, or teeth leave the cut."""
     stable, sentences = result.cut_is_stable, []
-    solved = ~np.isnan(result.depth[: stable.size])
+    if not stable.size:
+        return []
+    solved = ~np.isnan(result.depth)
     lost = np.flatnonzero(solved & ~stable)
     if lost.size:
         sentences.append(

@@ -571,7 +571,7 @@ def test_the_summary_tells_the_coefficients_of_a_workpiece_and_the_least_of_the_
 def test_a_page_shows_the_band_of_one_machine():
     rpm, depth = np.linspace(6e3, 18e3, 9), np.linspace(2e-3, 3e-3, 9)
     result = SimpleNamespace(cutting_speed=rpm * math.pi / 30.0, depth=depth, least=0.5 * depth)
-    result.most = 2.0 * depth
+    result.most, result.wall = 2.0 * depth, ()
     one = Shown("one", result, (), None)
     (chart,) = page(None, [one])
     drawn = {trace["name"]: trace["y"] for trace in chart.traces if trace.get("showlegend", True)}
@@ -580,6 +580,12 @@ def test_a_page_shows_the_band_of_one_machine():
     assert drawn["largest of the band"] == pytest.approx(2e3 * depth)
     (both,) = page(None, [one, one._replace(title="other")])
     assert "least of the band" not in str(both.traces)
+    # the error of the wall of a planned cut has a chart of its own, without the band of the limits
+    result.wall, result.surface_error_least = ("up",), np.full((len(rpm), 1), -3e-6)
+    result.surface_error_most = np.full((len(rpm), 1), 2e-6)
+    charts = [str(chart.traces) for chart in page(None, [one])]
+    assert ["least of the band" in chart for chart in charts] == [True, False]
+    assert "-3." in charts[1]
 
 
 @pytest.mark.parametrize(
@@ -783,7 +789,9 @@ def test_coefficients_off_on_helical_edges_are_solved() -> None:
 def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
     """Among headline numbers; of speeds without a solution there is none."""
     for depth, least in (([np.inf, np.nan], np.inf), ([np.inf, 2e-3], 2.0), ([np.nan], np.nan)):
-        result = SimpleNamespace(depth=np.array(depth), pocket_depth=np.zeros(0))
+        result = SimpleNamespace(
+            depth=np.array(depth), pocket_depth=np.zeros(0), cut_is_stable=np.zeros(0)
+        )
         (number,) = numbers(result, None)
         assert number.value == pytest.approx(least, nan_ok=True)
 
@@ -855,6 +863,7 @@ def spoken(**given):
         "even": nothing,
         "at_rest": nothing,
         "measured": nothing,
+        "cut_is_stable": np.zeros(0),
     }
     lines = summary(SimpleNamespace(**usual | given))
     return {line.split()[0]: " ".join(line.split()) for line in lines}
@@ -900,6 +909,7 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
         chatter=np.array([500.0]),
         waves=np.array([1.0]),
         cutting_speed=np.array([500.0]),
+        cut_is_stable=np.zeros(0),
     )
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]
     (told,) = warnings(result)

@@ -16,6 +16,7 @@ from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
 from rotordyn.results.headline import Curve
 
 LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
+LIMITS = "stability_lobes"  # the figure of the limits
 HIGH = 4.0  # times the median limit: pockets are cut off there
 
 code = partial(Code, __name__)
@@ -26,7 +27,7 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     if len(result.cutting_speed) > 1:
         asked = case.analyses["stability_lobes"]
         spec = replace(asked, diameter=asked.across(case.spindle))
-        yield "stability_lobes", partial(code("lobes:lobes_figure"), result, spec)
+        yield LIMITS, partial(code("lobes:lobes_figure"), result, spec)
     if result.cut_is_stable.sum() > 1:
         yield "milled_surface", partial(code("milled_surface:surface_figure"), result)
 
@@ -42,13 +43,10 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     top = HIGH * float(np.median(known)) if known.size else 1.0
     rpm = result.cutting_speed * RPM.factor
     how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS, "ceiling": top}
-    yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **how)
-    if not result.cut_is_stable.any():
-        return
+    yield Curve(LIMITS, "depth of cut", "mm", rpm, depth, **how)
     for k, wall in enumerate(result.wall):
         ends = np.stack([result.surface_error_least[:, k], result.surface_error_most[:, k]])
         error = np.where(np.abs(ends[1]) >= np.abs(ends[0]), ends[1], ends[0])
-        title = f"error of the {wall}-milled wall"
-        yield Curve(
-            *("milled_surface", title, "µm", rpm, error * MICROMETRE.factor), least=LEAST_SPEEDS
-        )
+        if np.isfinite(error).any():
+            words, error = f"error of the {wall}-milled wall", error * MICROMETRE.factor
+            yield Curve("milled_surface", words, "µm", rpm, error, panel=wall, least=LEAST_SPEEDS)
