@@ -47,6 +47,7 @@ WARNED = {  # what the case is there to show
     "deep_groove_uneven_teeth": (
         "period doubling limits",
         "repeats with the pattern of teeth limits",
+        "farther apart than resonances",
     ),
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
