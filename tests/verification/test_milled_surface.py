@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import milled
+from rotordyn.analyses.stability_lobes import limit_depth, milled
 from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.figures.milled_surface import surface_figure
 from rotordyn.analyses.stability_lobes.forced import Forced
@@ -195,6 +195,22 @@ def test_teeth_that_leave_the_cut_are_told():
         for each in speeds
     ]
     assert chips[0] < 0.0 < chips[1]
+
+
+def test_forced_vibration_grows_without_bound_towards_a_fold():
+    """There vibration repeats with the pattern of the teeth, as the forces do: the depth at which
+    1/vibration is zero is the limit of stability, which another solver finds."""
+    pitch = tuple(np.radians([60.0, 75.0, 105.0, 120.0]))
+    cut = (4, 7e8, 2e8, 0.0, 1.2, 1250.0)
+    limit = limit_depth(tip, *cut, pitch=pitch)
+    assert limit.kind == "fold"
+    depths = limit.depth * np.array([0.99, 0.995])
+    stiff = [
+        depth / milled(tip, depth, FEED, *cut, DIAMETER, pitch=pitch).swing.max()
+        for depth in depths
+    ]
+    there = depths[0] + np.diff(depths)[0] * stiff[0] / (stiff[0] - stiff[1])
+    assert there == pytest.approx(limit.depth, rel=1e-4)
 
 
 @pytest.mark.parametrize(
