@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +17,7 @@ from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.figures.milled_surface import surface_figure
 from rotordyn.analyses.stability_lobes.forced import Forced
 from rotordyn.analyses.stability_lobes.forces import Forces
+from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.spec import PlannedCut, StabilityLobesSpec, Turning
 from rotordyn.analyses.stability_lobes.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
@@ -41,8 +44,8 @@ def tip(omega):
 
 
 def over_time(cut, edges, rubbing, turns=16, slices=40):
-    """Position of the tip (steps, 2) over the last of some revolutions from rest: each tooth in
-    slices along its edge, each step exact under the force at its middle."""
+    """Position of the tip (steps, 2) over the last of some revolutions from rest, and the largest
+    force: each tooth in slices along its edge, each step exact under the force at its middle."""
     pitches = np.array(cut.pitches or [2.0 * math.pi / cut.teeth] * cut.teeth)
     behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
     feeds = FEED * cut.teeth * pitches / (2.0 * math.pi)
@@ -71,7 +74,7 @@ def over_time(cut, edges, rubbing, turns=16, slices=40):
         axis=(1, 2)
     )
     uneven = len({*np.round(pitches, 9)}) > 1
-    state, path = np.zeros(4), np.zeros((turns * STEPS + 1, 2))
+    state, path, largest = np.zeros(4), np.zeros((turns * STEPS + 1, 2)), 0.0
     for n in range(turns * STEPS):
         place = n % STEPS
         here = state[:2] + 0.5 * step * state[2:]
@@ -82,7 +85,8 @@ def over_time(cut, edges, rubbing, turns=16, slices=40):
                 total = total + by_chip[place, k] @ (here - old)
         state = ahead @ state + by_force @ total
         path[n + 1] = state[:2]
-    return path[-STEPS - 1 :]
+        largest = max(largest, math.hypot(*total)) if n >= (turns - 1) * STEPS else 0.0
+    return path[-STEPS - 1 :], largest
 
 
 UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
@@ -95,7 +99,7 @@ UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
         (Cut(3, KT, KR, math.pi / 2, math.pi, 0.6), (KTE, KRE), 0.0),
         (Cut(4, KT, KR, 0.0, math.pi, pitches=tuple(np.radians([70, 110] * 2))), (0.0, KRE), 0.0),
         (Cut(3, KT, KR, 0.0, math.pi / 2, 0.4, UNEVEN), (KTE, KRE), 0.0),
-        (Cut(2, KT, KR, math.pi / 2, math.pi), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(2, KT, KR, math.pi / 2, math.pi), (0.0, 0.0), 8e5 / (SPEED * DIAMETER / 2)),
         (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
     ],
     ids=["up", "helix and edges", "pattern", "uneven helix", "flanks", "uneven, helix, flanks"],
@@ -104,7 +108,8 @@ def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     forces = Forces(cut, DEPTH, FEED, *edges)
     walls = [wall for wall, there in (("up", cut.entry == 0.0), ("down", cut.exit > 3.0)) if there]
     found = Forced(forces, DIAMETER, SPEED, 2.0 * math.pi * 12e3, rubbing).solve(tip, walls)
-    path = over_time(cut, edges, rubbing)
+    path, largest = over_time(cut, edges, rubbing)
+    assert found.force == pytest.approx(largest, rel=5e-3)
     near = 3e-3 * np.ptp(path, axis=0).max()
     assert found.deflection == pytest.approx(path[1:].mean(axis=0), abs=near)
     assert found.swing == pytest.approx(np.ptp(path, axis=0), abs=near)
@@ -349,6 +354,30 @@ def test_words_numbers_and_figure(solved):
     assert "vibration in normal, peak to peak" in words
     # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
     assert sum("farther apart than resonances" in each for each in warnings(found)) == 1
+
+
+def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said(solved):
+    found = lobes(solved(cut="{depth: 4 mm}", helix="40 deg", speeds="[3000 rpm]"))
+    least, most = found.surface_error_least[0, 0] * 1e6, found.surface_error_most[0, 0] * 1e6
+    (told,) = (line for line in summary(found) if line.startswith("surface"))
+    ends = re.findall(r"-?[\d.]+", told.replace("\xa0", " "))[:2]
+    assert [float(each) for each in ends] == pytest.approx([least, most], abs=0.01)
+    assert not any("teeth leave the work" in each for each in warnings(found))
+    lost = replace(found, thinnest_chip=np.array([-0.1]))
+    assert sum("teeth leave the work at 1 of 1 speeds" in each for each in warnings(lost)) == 1
+
+
+def test_edges_and_process_damping_of_a_case_reach_the_planned_cut():
+    spec = StabilityLobesSpec(
+        *("tip", 0.05, 3, 6e8, 2e8),
+        process_damping=3e4,
+        feed_per_tooth=2e-4,
+        cut=PlannedCut(1e-3, KTE, KRE),
+    )
+    found = Operation(spec, 6e8, 2e8).forced(200.0, 1e4)
+    assert found.rubbing == pytest.approx(3e4 / (200.0 * 0.025))
+    assert (found.forces.tangential, found.forces.radial) == (KTE, KRE)
+    assert (found.forces.depth, found.forces.feed) == (1e-3, 2e-4)
 
 
 def test_a_planned_cut_beside_turning_is_refused():
