@@ -109,7 +109,7 @@ def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     walls = [wall for wall, there in (("up", cut.entry == 0.0), ("down", cut.exit > 3.0)) if there]
     found = Forced(forces, DIAMETER, SPEED, 2.0 * math.pi * 12e3, rubbing).solve(tip, walls)
     path, largest = over_time(cut, edges, rubbing)
-    assert found.force == pytest.approx(largest, rel=1e-3)
+    assert found.force == pytest.approx(largest, rel=5e-3 if cut.lag else 1e-3)  # slices
     near = 3e-3 * np.ptp(path, axis=0).max()
     assert found.deflection == pytest.approx(path[1:].mean(axis=0), abs=near)
     assert found.swing == pytest.approx(np.ptp(path, axis=0), abs=near)
