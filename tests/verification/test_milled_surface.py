@@ -243,6 +243,7 @@ ASKED = {
     "immersion": 0.4,
     "feed_per_tooth": "0.15 mm",
     "max_frequency": "3000 Hz",
+    "method": "zero-order",
     "speeds": "{from: 3000 rpm, to: 18000 rpm, step: 2500 rpm}",
 }
 RPM = np.arange(3000.0, 18001.0, 2500.0)

@@ -110,7 +110,7 @@ class StabilityLobesSpec(Spec):
     ] = None
     immersion: Annotated[Immersion, "radial depth over diameter"] = 1.0
     milling: Annotated[str, Choice(MILLING), "in a slot the immersion is 1"] = "slot"
-    helix: Annotated[Helix, "angle of the edges; multi-frequency alone takes it"] = 0.0
+    helix: Annotated[Helix, "angle of the edges; zero-order limits do not depend on it"] = 0.0
     feed: Annotated[
         Angle, "direction of the feed, from z in the sense of rotation of the spindle"
     ] = 0.0
@@ -224,7 +224,7 @@ class StabilityLobesSpec(Spec):
                 ("immersion",),
                 "a slot has the immersion 1: given {given}; allowed: 1, or milling: up or down",
             )
-        if self.helix > 0.0 and self.method == ZERO_ORDER:
+        if self.helix > 0.0 and self.method == ZERO_ORDER and self.cut is None:
             yield (
                 ("helix",),
                 "zero-order limits do not depend on it: given {given}; leave it out, or take "
