@@ -30,7 +30,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
     lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]
     lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
-    lines += [part for line in _sentences(outcomes) for part in wrapped(line)]
+    lines += [part for line in _unsolved(outcomes) for part in wrapped(line)]
     lines += [part for line in _warnings(outcomes) for part in wrapped(line)]
     lines += [part for line in _errors(outcomes) for part in wrapped(line)]
     rows = [*_ranges(design, outcomes)]
@@ -49,12 +49,17 @@ def _values(each: Parameter) -> str:
     return f"{each.heading}: {', '.join(shown[:12])}{', …' * (len(shown) > 12)}"
 
 
-def _sentences(outcomes: Outcomes) -> Iterator[str]:
-    said = Counter(row.sentence for row in outcomes.values() if row.sentence)
+def _unsolved(outcomes: Outcomes) -> Iterator[str]:
+    yield from reasons((row.sentence for row in outcomes.values()), "point", TABLE)
+
+
+def reasons(sentences: Iterable[str], one: str, table: str) -> Iterator[str]:
+    """Why points (``one`` of them so called) are not solved, the most frequent reasons first."""
+    said = Counter(filter(None, sentences))
     for sentence, times in said.most_common(MOST_SENTENCES):
-        yield f"not solved ({times} point{'s' * (times > 1)}): {sentence}"
+        yield f"not solved ({times} {one}{'s' * (times > 1)}): {sentence}"
     if len(said) > MOST_SENTENCES:
-        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {TABLE}"
+        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {table}"
 
 
 def _warnings(outcomes: Outcomes) -> Iterator[str]:

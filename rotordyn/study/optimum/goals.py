@@ -57,7 +57,7 @@ class Limit:
 
     ``of``, ``where``: as of ``Criterion``. Bounds in SI units or text with a unit.
     ``absent``: whether a number that is absent keeps the limit, such as the speed of a stop that is
-    never reached.
+    never reached, or one of several.
     """
 
     of: str
@@ -93,8 +93,6 @@ class Limit:
     def margin(self, reading: Reading) -> tuple[float, float]:
         """Room to the nearest bound, as a share of it, below 0 beyond it; the value read there."""
         values = reading.values
-        if not values.size:
-            return (LARGEST if self.absent else -LARGEST), np.nan
         rooms = np.full(values.shape, np.inf)
         if self.at_least is not None:
             low = self._bound(self.at_least, reading)
@@ -110,6 +108,8 @@ class Limit:
                     f"{_span(self.outside)}"
                 )
             rooms = np.minimum(rooms, np.maximum(low - values, values - high) / (abs(high) or 1.0))
+        if not values.size or (reading.absent and not self.absent):
+            return (LARGEST if self.absent else -LARGEST), np.nan
         worst = int(np.argmin(rooms))
         return float(np.clip(rooms[worst], -LARGEST, LARGEST)), float(values[worst])
 
