@@ -74,7 +74,7 @@ def _several(held: Interval, order: Sequence[int]) -> list[int]:
 def _tornado(axes: Axes, held: Interval, k: int) -> None:
     low, high = held.hypotheses[k] - held.nominal[k]
     effects = held.effect[k]
-    size = np.nan_to_num(np.abs(effects).max(axis=1, initial=0.0))
+    size = np.fmax.reduce(np.abs(effects), axis=1, initial=0.0)
     seen, several = SEEN * size.max(initial=0.0), len(held.combination) > 1
     sources = [int(s) for s in np.argsort(-size, kind="stable")[:BARS] if size[s] > seen]
     names = ["hypotheses"] * several

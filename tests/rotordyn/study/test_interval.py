@@ -244,6 +244,44 @@ def test_a_kink_is_met_with_values_in_between() -> None:
     np.testing.assert_allclose(_range(effect).usual, [[0.025, 0.975]], atol=0.03)
 
 
+def test_a_range_ends_at_machines_that_have_the_number() -> None:
+    """One tolerance loses the number at an end and lowers it by 3 at the other, another moves it by
+    ± 0.5; a machine off by both has 1 more."""
+    lost, plain = _effect(math.nan, -3.0), _effect(-0.5, 0.5)
+    np.testing.assert_allclose(lost.at(np.array([0.0, 0.75])), [[3.0], [-1.5]])
+    found = _range(lost, plain)
+    solved = np.array([[math.nan], [-3.0], [-0.5], [0.5], [1.0]])
+    ends = np.array([[[math.nan, -3.0], [-0.5, 0.5]]])
+    usual = interval._known(found.usual, ends, solved)
+    np.testing.assert_allclose(usual, [[found.usual[0, 0], 1.0]])
+    unknown = interval._known(found.usual, np.full((1, 2, 2), math.nan), solved)
+    np.testing.assert_allclose(unknown, [[max(found.usual[0, 0], -3.0), 1.0]])
+    whole = interval._known(found.usual, np.array([[[3.0, -3.0]]]), solved)
+    np.testing.assert_allclose(whole, found.usual)
+
+
+def test_no_stop_is_met_beyond_the_top_speed() -> None:
+    """Which is 1 % above that of the nominal machine, 20 240 rpm."""
+    widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "± 0.2 deg"}
+    case = _case(("preload",), (0.0, 20442.0), tolerances=widths)
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    k = held.number.index("preload: stop front")
+    assert held.without_within[k]
+    for ends in (held.tolerances[k], held.worst[k]):
+        assert ends[0] < held.nominal[k] < ends[1] <= 20442.0
+
+
+def test_a_tolerance_rules_by_the_end_at_which_the_number_is_there() -> None:
+    case = _case(("preload",), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    effect = np.array([[[math.nan, -3.0], [-0.5, 0.5], [math.nan, math.nan]]])
+    own = replace(held, source=("large", "small", "none"), effect=effect)
+    assert own.ruling(0) == [
+        ("large", pytest.approx(36.0 / 37.0)),
+        ("small", pytest.approx(1 / 37)),
+    ]
+
+
 def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
     """Uniform within ± 1: one source covers ± 0.95; two equal ones ± (2 − √0.2), of a triangle
     whose tail beyond x holds (2 − x)²/8; many a normal distribution."""
