@@ -35,7 +35,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     lines += [part for line in _errors(outcomes) for part in wrapped(line)]
     rows = [*_ranges(design, outcomes)]
     if rows:
-        head = ("", "lowest", "highest", "lowest at", "highest at")
+        head = ("", "lowest", "highest", "lowest at", "highest at", "")
         lines += ["", *aligned([head, *rows])]
     return "\n".join(lines)
 
@@ -95,8 +95,9 @@ def _errors(outcomes: Outcomes) -> Iterator[str]:
     """What finer models showed where they were asked."""
     found = [row.error for row in outcomes.values() if row.error]
     if found:
+        points = "point" if len(found) == 1 else "points"
         share = "more than" if max(found) > 1.0 else f"at most {100.0 * max(found):.0f} % of"
-        yield f"accuracy   errors by refinement, at {len(found)} points: {share} what it allows"
+        yield f"accuracy   errors by refinement, at {len(found)} {points}: {share} what it allows"
 
 
 def names(outcomes: Outcomes) -> dict[str, str]:
@@ -104,8 +105,16 @@ def names(outcomes: Outcomes) -> dict[str, str]:
     return {name: unit for k in sorted(outcomes) for name, (_, unit) in outcomes[k].numbers.items()}
 
 
+def lacking(name: str, outcomes: Outcomes) -> str:
+    """At how many of the solved points there is no such number; empty where all have it."""
+    solved = [row.numbers.get(name, (math.nan,))[0] for row in outcomes.values() if row.solved]
+    none = sum(map(math.isnan, solved))
+    return f"none at {none} of {len(solved)}" if none else ""
+
+
 def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
-    """Of every number its ends, and at which point they are; constant ones without a place."""
+    """Of every number its ends, and at which point they are; constant ones without a place; how
+    many points have none."""
     for name, unit in names(outcomes).items():
         rows = {k: row.numbers.get(name, (math.nan,))[0] for k, row in outcomes.items()}
         known = {k: value for k, value in rows.items() if not math.isnan(value)}
@@ -121,7 +130,7 @@ def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
             steady = ends[1] - ends[0] <= STEADY * max(finite)
         where = ("", "") if steady else (_where(design, low), _where(design, high))
         told = ("unbounded" if math.isinf(end) else number(end, min(digits, 6)) for end in ends)
-        yield (head, *told, *where)
+        yield (head, *told, *where, lacking(name, outcomes))
 
 
 def _where(design: Design, point: int) -> str:
