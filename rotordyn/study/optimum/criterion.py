@@ -54,6 +54,12 @@ class Criterion:
         """The analysis that is asked."""
         return self.of.replace(":", ".").partition(".")[0].strip()
 
+    @property
+    def words(self) -> str:
+        """As a heading."""
+        chosen = ", ".join(f"{key} {span(value)}" for key, value in self.where.items())
+        return f"{self.of} ({chosen})" if chosen else self.of
+
     def read(self, case: Case, results: Mapping[str, Any]) -> Reading:
         """All values, those without a number left out; none of modes and critical speeds that the
         machine has not.
@@ -132,6 +138,11 @@ def _begun(numbers: Iterable[Number], words: str) -> list[Number]:
     """Those whose heading begins with words, with whole ones where there are such."""
     found = [each for each in numbers if each.heading.startswith(words)]
     return [each for each in found if f"{each.heading} ".startswith(f"{words} ")] or found
+
+
+def span(value: object) -> str:
+    """An entry, or the ends of a range, in words."""
+    return " to ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def variables(result: Any) -> dict[str, tuple[str, ...]]:

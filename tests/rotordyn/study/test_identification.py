@@ -195,8 +195,12 @@ def test_prediction_follows_what_was_measured(case: Case) -> None:
         deviation=20.0,
         unit="N",
     )
-    found = identify(plain, asked, [load], predict=[Predicted("preload: sum")], workers=1)
-    (one,), sure = found.predictions, found.explained.sure
+    wanted = [Predicted("preload: sum"), Predicted("preload: stop")]
+    found = identify(plain, asked, [load], predict=wanted, workers=1)
+    (one, none), sure = found.predictions, found.explained.sure
+    assert "preload: stop [rpm] none –" in " ".join(found.summary.split())
+    assert "\n1 point, 1 unknown, " in found.summary
+    assert np.isnan([none.value, none.low, none.high]).all()
     assert one.value == pytest.approx(2190.0, abs=0.1)
     assert 0.5 * (one.high - one.low) == pytest.approx(sure.quantile * 20.0, rel=1e-2)
 
