@@ -267,7 +267,8 @@ def _along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.in
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class NoLoad(Axial):
-    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m].
+    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m]; a
+    speed may be measured several times.
 
     ``tare`` [m]: standard deviation of an offset of all points.
     """
@@ -281,10 +282,10 @@ class NoLoad(Axial):
         _as_arrays(self, "speed", "displacement")
         _require_speeds(self.name, self.speed)
         speeds, moved = len(self.speed), len(self.displacement)
-        if speeds != moved or len(set(self.speed)) < speeds:
+        if speeds != moved:
             raise InvalidInput(
                 f"measurement {self.name}: one displacement at each speed is needed, got {moved} "
-                f"at {speeds} speeds, {len(set(self.speed))} of them different"
+                f"at {speeds} speeds"
             )
 
     @cached_property

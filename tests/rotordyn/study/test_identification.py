@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import Numbers, Predicted, Unknown, identify
+from rotordyn import NoLoad, Numbers, Predicted, Unknown, identify
 from rotordyn.analyses import AxialCycleSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
@@ -180,6 +180,18 @@ def test_prior_joins_the_data(case: Case) -> None:
     mean = (free.values[0] / variance + 70.0) / (1.0 / variance + 1.0)
     assert held.values[0] == pytest.approx(mean, abs=0.1)
     assert held.deviation[0] / held.birge == pytest.approx((1.0 / variance + 1.0) ** -0.5, rel=0.02)
+
+
+def test_a_speed_may_be_measured_several_times(case: Case) -> None:
+    """As one point of their mean, whose noise is √2 lower."""
+    asked = {FRONT + "spring.preload": Unknown("450 N", "700 N", start="500 N")}
+    given: dict[str, Any] = {"name": "idle", "of": "shaft"}
+    noise = [3e-7, 4.242640687e-7]
+    twice = NoLoad(speed=[1600.0] * 2, displacement=[-9e-6, -10e-6], deviation=noise[1], **given)
+    once = NoLoad(speed=[1600.0], displacement=[-9.5e-6], deviation=noise[0], **given)
+    found = [identify(case, asked, [each], workers=1).explained for each in (twice, once)]
+    values = [each.fit.values[0] for each in found]
+    assert values[0] == pytest.approx(values[1], rel=1e-6)
 
 
 def test_prediction_follows_what_was_measured(case: Case) -> None:

@@ -20,6 +20,7 @@ from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.figures.interval import rules_figure
 from rotordyn.job.solving import solve
 from rotordyn.job.values import difference, values_of
 from rotordyn.report.interval import FAR, interval_doubts, interval_lines
@@ -280,6 +281,24 @@ def test_a_tolerance_rules_by_the_end_at_which_the_number_is_there() -> None:
         ("large", pytest.approx(36.0 / 37.0)),
         ("small", pytest.approx(1 / 37)),
     ]
+
+
+def test_both_ends_on_one_side_have_a_bar_each_and_titles_are_whole() -> None:
+    case = _case(("preload",), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    count = len(held.number)
+    own = replace(held, effect=np.arange(1.0, count + 1.0)[:, None, None] * [1.0, 3.0])
+    own = replace(own, number=("a number with a long name in words, even longer",) * count)
+    figure = rules_figure(own)
+    figure.canvas.draw()
+    for axes in figure.axes:
+        small, large = axes.patches
+        assert small.get_width() < large.get_width()
+        assert small.get_height() < large.get_height()
+        assert small.get_zorder() > large.get_zorder()
+        titles = [text for text in axes.get_children() if getattr(text, "get_text", str)()]
+        assert titles
+        assert max(text.get_window_extent().x1 for text in titles) <= figure.bbox.x1
 
 
 def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
