@@ -23,6 +23,7 @@ from rotordyn.study.identification.trial import Trial
 Array = NDArray[np.float64]
 SHAFT = "shaft"
 RPM = np.pi / 30.0
+DRAWN = 61  # forces of a branch in figures
 NEAR = 100.0  # N, either side of no load, between which stiffness is read
 
 
@@ -229,6 +230,29 @@ class AxialCurve(Axial):
             np.stack(columns, axis=1) if columns else np.empty((n, 0)),
             np.array(deviations),
             tuple(names),
+        )
+
+    @property
+    def finer(self) -> AxialCurve:
+        """The same cycle at closer forces, for figures; displacements 0."""
+        speeds: list[float] = []
+        branches: list[str] = []
+        forces: list[float] = []
+        for speed, branch, rows in self._curves():
+            if len(rows):
+                ends = self.force[rows].min(), self.force[rows].max()
+                every = np.union1d(self.force[rows], np.linspace(*ends, DRAWN))
+                speeds += [speed] * len(every)
+                branches += [branch] * len(every)
+                forces += every.tolist()[:: -1 if branch == BRANCHES[0] else 1]
+        return replace(
+            self,
+            speed=np.array(speeds),
+            branch=tuple(branches),
+            force=np.array(forces),
+            displacement=np.zeros(len(forces)),
+            when=None,
+            places=(),
         )
 
     def _speeds(self) -> list[float]:

@@ -182,6 +182,23 @@ def test_prior_joins_the_data(case: Case) -> None:
     assert held.deviation[0] / held.birge == pytest.approx((1.0 / variance + 1.0) ** -0.5, rel=0.02)
 
 
+def test_figures_draw_the_machine_between_the_points_too(case: Case) -> None:
+    """The same cycle, so that it goes through what is predicted at the points."""
+    asked = {FRONT + "friction": SPRINGS[FRONT + "friction"]}
+    shaft = twin(case, 1, asked, TRUE[-1:]).measurements[:1]
+    found = identify(case, asked, shaft, workers=1)
+    (given,), (exact,) = found.explained.problem.measurements, found.explained.fit.predicted
+    drawn = [each for each in found.plot("measured").axes[0].lines if each.get_linestyle() == "-"]
+    series = list(dict.fromkeys(given.data.series))
+    assert len(drawn) == len(series) == 2 * len(SPEEDS)
+    for line, name in zip(drawn, series, strict=True):
+        here = np.array(given.data.series) == name
+        x, y = line.get_data()
+        assert len(x) > 60 > here.sum()
+        through = [y[np.argmin(np.abs(x - force))] for force in given.force[here]]
+        np.testing.assert_allclose(through, exact[here] * 1e6, atol=1e-4)
+
+
 def test_a_speed_may_be_measured_several_times(case: Case) -> None:
     """As one point of their mean, whose noise is √2 lower."""
     asked = {FRONT + "spring.preload": Unknown("450 N", "700 N", start="500 N")}
