@@ -418,7 +418,7 @@ def test_folder_keeps_the_interval(tmp_path: Path) -> None:
         assert back.plot(name).axes
     assert "sum of preloads [N]" in [a.get_ylabel() for a in back.plot("interval_preload").axes]
     for panel in back.plot("interval_rules").axes:
-        assert panel.get_title() in results.held_intervals[""].number  # with its analysis
+        assert panel.get_title("right") in results.held_intervals[""].number  # with its analysis
         names = [label.get_text().replace("\n", "") for label in panel.get_yticklabels()]
         assert SPRING.removeprefix("spindle.") in names
 
