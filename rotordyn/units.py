@@ -106,6 +106,7 @@ KINDS: dict[str, tuple[str, ...]] = {
 }
 
 _ALSO = {"pressure": ("N/m^2",), "kinematic viscosity": ("cSt",)}  # spelt so as well
+DIFFERENCE = {"temperature": "temperature difference"}  # kinds whose differences are of another
 _ZERO_IN_FAHRENHEIT = {"temperature": 32.0, "temperature difference": 0.0}
 _MEANT = {"C": ("degC", "K"), "c": ("degC", "K"), "Celsius": ("degC", "K")}
 

@@ -26,7 +26,7 @@ name, and ``package.module:ANALYSIS``. An analysis never imports another one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
@@ -111,7 +111,9 @@ class Analysis:
     - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
       (``results.described.Shown``), laid over those of the others;
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
-      under ``heading``; ``over``: the speeds of the result that they are about.
+      under ``heading``; ``over``: the speeds of the result that they are about;
+    - ``lacking(result)``: headline numbers, NaN, that other machines have where this one has none;
+      ``unlisted(result)``: coordinates of words, and the entries that others have.
 
     An HTML page shows of it, in a section named ``title`` (by default its name):
 
@@ -155,6 +157,8 @@ class Analysis:
     heading: str = ""
     over: str = "speed"
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
+    lacking: Callable[[Any], Iterable[Number]] = _nothing
+    unlisted: Callable[[Any], Iterable[tuple[str, Sequence[str]]]] = _nothing
     lean: Callable[[Any], Any] = _same
     speeds: Callable[[Any], Iterable[float]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None
@@ -171,6 +175,8 @@ PLACES = {
     "accuracy": "summary:accuracy",
     "warnings": "summary:warnings",
     "numbers": "summary:numbers",
+    "lacking": "summary:lacking",
+    "unlisted": "summary:unlisted",
     "known": "known:known",
     "page": "page:page",
 }

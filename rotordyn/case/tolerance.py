@@ -28,7 +28,6 @@ ENDS = re.compile(rf"({NUMBER})\s*(.*?)\s*\.\.\s*({NUMBER})\s*(.*)")
 TIMES = re.compile(rf"factor\s+({NUMBER})")
 WORDS = re.compile(r"([A-Za-z]\w*)\s*\.\.\s*([A-Za-z]\w*)")
 FORMS = "allowed: '± 5 %', '± 2 um', '+3/-2 deg', '24..28 deg', 'factor 2', 'least..most'"
-DIFFERENCE = {"temperature": "temperature difference"}
 NUMBER_AS_SUCH = Quantity("number")
 LEAST = 1e-12  # of the value: narrower is no tolerance
 SEARCHED = 1e-6  # of the way between both ends: an end that near to a bound is the bound
@@ -211,7 +210,7 @@ def _words(value: str, annotation: Any, text: str) -> tuple[str, str, str]:
 
 def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float, bool]:
     """Lowest and highest value [SI], and whether they are ratios of the nominal one."""
-    apart = DIFFERENCE.get(quantity.kind, quantity.kind)
+    apart = units.DIFFERENCE.get(quantity.kind, quantity.kind)
     if match := TIMES.fullmatch(text):
         by = float(match[1])
         if by < 1.0 or value <= 0.0:

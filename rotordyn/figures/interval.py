@@ -74,7 +74,7 @@ def _several(held: Interval, order: Sequence[int]) -> list[int]:
 def _tornado(axes: Axes, held: Interval, k: int) -> None:
     low, high = held.hypotheses[k] - held.nominal[k]
     effects = held.effect[k]
-    size = np.nan_to_num(np.abs(effects).max(axis=1, initial=0.0))
+    size = np.fmax.reduce(np.abs(effects), axis=1, initial=0.0)
     seen, several = SEEN * size.max(initial=0.0), len(held.combination) > 1
     sources = [int(s) for s in np.argsort(-size, kind="stable")[:BARS] if size[s] > seen]
     names = ["hypotheses"] * several
@@ -82,8 +82,12 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     if several:
         axes.barh(0, high - low, left=low, height=0.7, color=GREY, label=OVER_HYPOTHESES)
     for place, s in enumerate(sources, start=int(several)):
-        for end, colour, words in zip(effects[s], (BLUE, RED), held.end, strict=True):
-            axes.barh(place, end, height=0.7, color=colour, label=f"at its {words} value")
+        for end, other, colour, words in zip(
+            effects[s], effects[s, ::-1], (BLUE, RED), held.end, strict=True
+        ):
+            inner = 0.0 < end / other < 1.0 if other else False  # both ends on one side
+            label, height = f"at its {words} value", 0.35 if inner else 0.7
+            axes.barh(place, end, height, color=colour, label=label, zorder=1.1 if inner else 1.0)
     axes.axvline(0.0, color="black", lw=0.7)
     axes.set_yticks(range(len(names)), names, fontsize=FONT_SIZE - 1.5, linespacing=0.95)
     axes.set_ylim(len(names) - 0.4, -0.6)
@@ -92,7 +96,7 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     room = 0.05 * (right - left)
     axes.set_xlim(left - room, right + room)
     axes.set_xticks(round_ticks(left - room, right + room, 4))
-    axes.set_title(shortened(held.number[k]), fontsize=FONT_SIZE - 0.5, pad=3.0)
+    axes.set_title(shortened(held.number[k]), fontsize=FONT_SIZE - 0.5, pad=3.0, loc="right")
 
 
 def slopes_figure(held: Interval) -> Figure:

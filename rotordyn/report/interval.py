@@ -86,7 +86,10 @@ def interval_doubts(held: Interval) -> Iterator[str]:
     lacking = np.flatnonzero(held.without + held.without_within)
     unmet = "a stop not met, a bearing unloaded, no critical speed up to the top speed"
     if np.isin(lacking, _shown(held)).any():
-        yield f"{NONE}          some of these machines have no such number: {unmet}"
+        yield (
+            f"{NONE}          some of these machines have no such number: {unmet}; ranges over "
+            "tolerances end where one that was solved has it"
+        )
     elif lacking.size:
         more = f" and {lacking.size - 1} more of the numbers in interval.csv"
         name = f"{held.number[lacking[0]]}{more if lacking.size > 1 else ''}"

@@ -107,7 +107,7 @@ class Interval:
 
     def ruling(self, number: int) -> list[tuple[str, float]]:
         """Sources by the share of the range over tolerances that is theirs, largest first."""
-        widths = np.nan_to_num(np.abs(self.effect[number]).max(axis=1, initial=0.0)) ** 2
+        widths = np.fmax.reduce(np.abs(self.effect[number]), axis=1, initial=0.0) ** 2
         total = widths.sum()
         order = np.argsort(-widths, kind="stable")
         return [(self.source[k], float(widths[k] / total)) for k in order if total and widths[k]]

@@ -30,7 +30,7 @@ from rotordyn.figures.style import (
 from rotordyn.results.kinds import Array
 from rotordyn.study.parameter import Parameter
 from rotordyn.study.point import Outcome, Study
-from rotordyn.study.summary import names
+from rotordyn.study.summary import lacking, names
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 PANELS, COLUMNS = 9, 3
 ROW = 48.0  # mm
 ROOM = (0.05, 0.1)  # share of an axis beside its points
+NOTE: dict[str, Any] = {"ha": "right", "color": GREY, "fontsize": FONT_SIZE - 1.5}  # in a panel
 FEW = 7  # values of the second parameter, or combinations of the others, that the legend names
 LEGEND = 9.0  # mm of its two lines
 LETTER, SHORTEST, WIDEST = 1.25, 11, 22  # mm of a letter; letters of a line that stands level
@@ -47,11 +48,13 @@ ALONG = 5  # numbers beside the parameters of parallel coordinates
 
 
 class Shown(NamedTuple):
-    """A number as drawn: its words, unit, and value at every point, NaN where there is none."""
+    """A number as drawn: its words, unit, and value at every point, NaN where there is none, which
+    ``lacking`` tells."""
 
     words: str
     unit: str
     values: Array
+    lacking: str = ""
 
     @property
     def heading(self) -> str:
@@ -70,7 +73,9 @@ def figures(
         column = [row.numbers.get(name, (math.nan,))[0] if row else math.nan for row in rows]
         values = np.where(np.isfinite(column), column, np.nan)
         if np.isfinite(values).any() and np.nanmax(values) > np.nanmin(values):
-            by_analysis.setdefault(of, []).append(Shown(words, unit, values))
+            by_analysis.setdefault(of, []).append(
+                Shown(words, unit, values, lacking(name, outcomes))
+            )
     by_analysis = {of: _once(found) for of, found in by_analysis.items()}
     for of, found in by_analysis.items():
         yield f"study_{of}", partial(_over, study, of, found)
@@ -142,6 +147,7 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
     for each, box in zip(shown, boxes, strict=False):
         axes = add_axes(figure, box)
         axes.set_title(shortened(each.heading, 42), fontsize=FONT_SIZE - 1.5, loc="left", pad=3.0)
+        axes.annotate(each.lacking, (0.97, 0.04), xycoords="axes fraction", **NOTE)
         (_panel if grid else _scattered)(axes, study, each)
     if grid:  # also where some points lack a number
         lefts, rights = zip(*(axes.get_xlim() for axes in figure.axes), strict=True)

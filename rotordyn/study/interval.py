@@ -124,10 +124,22 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         usual, worst = _tails(drawn), _ends(drawn)
         together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
+    usual, worst = (_known(each, ends, np.concatenate(solved)) for each in (usual, worst))
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
     without[~np.isfinite(value)] = 0  # where it has no limit, changes are of nothing
     without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
     return Toleranced(usual, worst, ends, together, without)
+
+
+def _known(found: Array, effect: Array, solved: Array) -> Array:
+    """Changes ``found`` (columns, 2), the end towards which an ``effect`` has no number no farther
+    than of a machine that was ``solved`` (machines, columns) and has one."""
+    none, other = np.isnan(effect), effect[..., ::-1]
+    lost = [(none & ~(other * way > 0.0)).any(axis=(1, 2)) for way in (-1.0, 1.0)]
+    least, most = np.fmin.reduce(solved, axis=0), np.fmax.reduce(solved, axis=0)
+    low = np.where(lost[0], np.fmax(found[:, 0], least), found[:, 0])
+    high = np.where(lost[1], np.fmin(found[:, 1], most), found[:, 1])
+    return np.stack([low, high], axis=1)
 
 
 def _effects(

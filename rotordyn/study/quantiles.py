@@ -43,6 +43,14 @@ class Effect(NamedTuple):
     nominal: float
     levels: int = 0
 
+    @property
+    def _without_gaps(self) -> Array:
+        """Changes, on a straight line through the nominal value where there is no number."""
+        way = (self.share - self.nominal)[:, None]
+        known, change = ~np.isnan(self.change), np.nan_to_num(self.change)
+        slope = (way * change).sum(axis=0) / np.maximum((known * way**2).sum(axis=0), 1e-300)
+        return np.where(known, change, way * slope)
+
     def at(self, share: Array) -> Array:
         """Changes (points, numbers) at shares (points,)."""
         from scipy.interpolate import PchipInterpolator
@@ -50,7 +58,7 @@ class Effect(NamedTuple):
         if self.levels:
             share = np.minimum((share * self.levels).astype(int), self.levels - 1)
             share = share / max(self.levels - 1, 1)
-        change = np.nan_to_num(self.change)
+        change = self._without_gaps
         if len(self.share) > 3:
             return np.asarray(PchipInterpolator(self.share, change)(share))
         low, high = _weights(share, self.nominal)

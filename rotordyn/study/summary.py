@@ -30,12 +30,12 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
     lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]
     lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
-    lines += [part for line in _sentences(outcomes) for part in wrapped(line)]
+    lines += [part for line in _unsolved(outcomes) for part in wrapped(line)]
     lines += [part for line in _warnings(outcomes) for part in wrapped(line)]
     lines += [part for line in _errors(outcomes) for part in wrapped(line)]
     rows = [*_ranges(design, outcomes)]
     if rows:
-        head = ("", "lowest", "highest", "lowest at", "highest at")
+        head = ("", "lowest", "highest", "lowest at", "highest at", "")
         lines += ["", *aligned([head, *rows])]
     return "\n".join(lines)
 
@@ -49,12 +49,17 @@ def _values(each: Parameter) -> str:
     return f"{each.heading}: {', '.join(shown[:12])}{', …' * (len(shown) > 12)}"
 
 
-def _sentences(outcomes: Outcomes) -> Iterator[str]:
-    said = Counter(row.sentence for row in outcomes.values() if row.sentence)
+def _unsolved(outcomes: Outcomes) -> Iterator[str]:
+    yield from reasons((row.sentence for row in outcomes.values()), "point", TABLE)
+
+
+def reasons(sentences: Iterable[str], one: str, table: str) -> Iterator[str]:
+    """Why points (``one`` of them so called) are not solved, the most frequent reasons first."""
+    said = Counter(filter(None, sentences))
     for sentence, times in said.most_common(MOST_SENTENCES):
-        yield f"not solved ({times} point{'s' * (times > 1)}): {sentence}"
+        yield f"not solved ({times} {one}{'s' * (times > 1)}): {sentence}"
     if len(said) > MOST_SENTENCES:
-        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {TABLE}"
+        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {table}"
 
 
 def _warnings(outcomes: Outcomes) -> Iterator[str]:
@@ -90,8 +95,9 @@ def _errors(outcomes: Outcomes) -> Iterator[str]:
     """What finer models showed where they were asked."""
     found = [row.error for row in outcomes.values() if row.error]
     if found:
+        points = "point" if len(found) == 1 else "points"
         share = "more than" if max(found) > 1.0 else f"at most {100.0 * max(found):.0f} % of"
-        yield f"accuracy   errors by refinement, at {len(found)} points: {share} what it allows"
+        yield f"accuracy   errors by refinement, at {len(found)} {points}: {share} what it allows"
 
 
 def names(outcomes: Outcomes) -> dict[str, str]:
@@ -99,8 +105,16 @@ def names(outcomes: Outcomes) -> dict[str, str]:
     return {name: unit for k in sorted(outcomes) for name, (_, unit) in outcomes[k].numbers.items()}
 
 
+def lacking(name: str, outcomes: Outcomes) -> str:
+    """At how many of the solved points there is no such number; empty where all have it."""
+    solved = [row.numbers.get(name, (math.nan,))[0] for row in outcomes.values() if row.solved]
+    none = sum(map(math.isnan, solved))
+    return f"none at {none} of {len(solved)}" if none else ""
+
+
 def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
-    """Of every number its ends, and at which point they are; constant ones without a place."""
+    """Of every number its ends, and at which point they are; constant ones without a place; how
+    many points have none."""
     for name, unit in names(outcomes).items():
         rows = {k: row.numbers.get(name, (math.nan,))[0] for k, row in outcomes.items()}
         known = {k: value for k, value in rows.items() if not math.isnan(value)}
@@ -116,7 +130,7 @@ def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
             steady = ends[1] - ends[0] <= STEADY * max(finite)
         where = ("", "") if steady else (_where(design, low), _where(design, high))
         told = ("unbounded" if math.isinf(end) else number(end, min(digits, 6)) for end in ends)
-        yield (head, *told, *where)
+        yield (head, *told, *where, lacking(name, outcomes))
 
 
 def _where(design: Design, point: int) -> str:

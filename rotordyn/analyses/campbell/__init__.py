@@ -15,6 +15,8 @@ ANALYSIS = in_folder(
     "accuracy",
     "warnings",
     "known",
+    "lacking",
+    "unlisted",
     machine="spindle",
     place=10,
     spec=CampbellSpec,

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
-from itertools import zip_longest
+from itertools import product, zip_longest
 
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.modes.branches import MOTIONS
 from rotordyn.modes.excitation import Line, exciting
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
@@ -20,6 +21,7 @@ from rotordyn.results.text import from_to, unbroken
 
 WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
+MOST = 99  # modes of a kind that may be asked for
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 _TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
 
@@ -143,6 +145,24 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
             count[kind := result.critical_kind[k]] += 1
             rpm = float(result.critical_speed[k] * RPM.factor)
             yield Number(f"critical {line_name} {kind} ({count[kind]})", "rpm", rpm, digits=0)
+
+
+def lacking(result: CampbellResult) -> Iterator[Number]:
+    """Bending modes and critical speeds that the machine may have none of."""
+    rpm = (result.speed[[0, -1]] * RPM.factor).tolist()
+    for k, part, at in product(range(MODES), ("", *WAYS), rpm):
+        yield Number(f"bending {k + 1}", "Hz", math.nan, part, at)
+    if len(result.speed) == 1:
+        return
+    for (name, _), kind, k in product(_lines(result), MOTIONS, range(MOST)):
+        yield Number(f"critical {name} {kind} ({k + 1})", "rpm", math.nan)
+
+
+def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
+    """Names that modes, and those at critical speeds, may have."""
+    ways = product(MOTIONS, range(MOST), ("", *(f" {way}" for way in WAYS)))
+    names = [f"{kind} {k + 1}{way}" for kind, k, way in ways]
+    yield from (("mode", names), ("critical", names))
 
 
 def _lowest_bending(result: CampbellResult) -> Iterator[Number]:

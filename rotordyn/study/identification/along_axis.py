@@ -23,6 +23,7 @@ from rotordyn.study.identification.trial import Trial
 Array = NDArray[np.float64]
 SHAFT = "shaft"
 RPM = np.pi / 30.0
+DRAWN = 61  # forces of a branch in figures
 NEAR = 100.0  # N, either side of no load, between which stiffness is read
 
 
@@ -231,6 +232,29 @@ class AxialCurve(Axial):
             tuple(names),
         )
 
+    @property
+    def finer(self) -> AxialCurve:
+        """The same cycle at closer forces, for figures; displacements 0."""
+        speeds: list[float] = []
+        branches: list[str] = []
+        forces: list[float] = []
+        for speed, branch, rows in self._curves():
+            if len(rows):
+                ends = self.force[rows].min(), self.force[rows].max()
+                every = np.union1d(self.force[rows], np.linspace(*ends, DRAWN))
+                speeds += [speed] * len(every)
+                branches += [branch] * len(every)
+                forces += every.tolist()[:: -1 if branch == BRANCHES[0] else 1]
+        return replace(
+            self,
+            speed=np.array(speeds),
+            branch=tuple(branches),
+            force=np.array(forces),
+            displacement=np.zeros(len(forces)),
+            when=None,
+            places=(),
+        )
+
     def _speeds(self) -> list[float]:
         return list(self.speed.tolist())
 
@@ -267,7 +291,8 @@ def _along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.in
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class NoLoad(Axial):
-    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m].
+    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m]; a
+    speed may be measured several times.
 
     ``tare`` [m]: standard deviation of an offset of all points.
     """
@@ -281,10 +306,10 @@ class NoLoad(Axial):
         _as_arrays(self, "speed", "displacement")
         _require_speeds(self.name, self.speed)
         speeds, moved = len(self.speed), len(self.displacement)
-        if speeds != moved or len(set(self.speed)) < speeds:
+        if speeds != moved:
             raise InvalidInput(
                 f"measurement {self.name}: one displacement at each speed is needed, got {moved} "
-                f"at {speeds} speeds, {len(set(self.speed))} of them different"
+                f"at {speeds} speeds"
             )
 
     @cached_property

@@ -27,6 +27,7 @@ COVERED = 0.95
 BINDING = 1e-3  # of the way between ends: an unknown that near stands on one
 VAGUE = 0.5  # of what was known before: a deviation above says nothing
 BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
+IDLE = 0.01  # of the noise, over what was known before: a change below it is none
 PART = 0.2  # of the largest part of a direction: named
 TIED = 0.95  # correlation from which two unknowns are named together
 REFUTED = 0.05  # probability of a χ² as large by the stated noise, below which that is not it
@@ -49,7 +50,8 @@ class Certainty:
     determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
     of all deviations, √reduced (or the scale by absolute differences) where above 1; ``quantile``:
     at 97.5 %, of the normal distribution where that factor is 1, of Student's t where noise as
-    stated would hardly leave such residuals, between them in between.
+    stated would hardly leave such residuals, between them in between. ``idle`` (p,): which of
+    those off their bounds no measurement follows.
     """
 
     values: Array
@@ -63,6 +65,7 @@ class Certainty:
     reduced: float
     birge: float
     quantile: float
+    idle: Flags
 
     @property
     def correlation(self) -> Array:
@@ -94,6 +97,8 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
     low, high = problem.bounds
     ends = np.clip(fit.values + half * np.array([[-1.0], [1.0]]), low, high).T
     singular, directions = _soft(data, free, birge)
+    idle = free.copy()
+    idle[free] = np.sqrt((data**2).sum(axis=0)) < IDLE
     words = tuple(
         _word(unknown, float(size), bool(on))
         for unknown, size, on in zip(unknowns, deviation, ~free, strict=True)
@@ -110,6 +115,7 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
         reduced,
         birge,
         quantile,
+        idle,
     )
 
 

@@ -25,6 +25,7 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.study.identification import profile_figure, response_figures
+from rotordyn.study.identification.along_axis import AxialCurve
 from rotordyn.study.identification.certainty import ON_A_BOUND
 from rotordyn.study.identification.identification import Explained, Identification
 from rotordyn.study.identification.measurement import FEW, Data
@@ -109,13 +110,26 @@ def _curve(axes: Axes, best: Explained, place: int) -> None:
     data = best.problem.measurements[place].data
     machine = best.fit.predicted[place] * data.factor
     shown = machine + best.residuals[place] * data.factor
+    along, line, series = _line(best, place)
     for speed, branch, rows, look in _series(data):
-        order = rows[np.argsort(data.at[rows])]
+        here = np.flatnonzero(series == data.series[rows[0]])
+        order = here[np.argsort(along[here])]
         label = speed or "the machine"
-        axes.plot(data.at[order], machine[order], lw=0.9, color=look["color"], label=label)
+        axes.plot(along[order], line[order], lw=0.9, color=look["color"], label=label)
         label = f"measured, {branch}" if branch else "measured"
         axes.plot(data.at[rows], shown[rows], ls="none", ms=2.2, label=label, **look)
     _labelled(axes, data, "")
+
+
+def _line(best: Explained, place: int) -> tuple[Array, Array, NDArray[np.str_]]:
+    """Abscissa and prediction of the machine as printed, at closer points where there are such, and
+    the series of each."""
+    given, predicted = best.problem.measurements[place], best.fit.predicted[place]
+    if isinstance(given, AxialCurve):
+        given = given.finer
+        predicted = given.predicted(best.problem.trial(best.fit.values))
+    data = given.data
+    return data.at, predicted * data.factor, np.array(data.series)
 
 
 def _labelled(axes: Axes, data: Data, what: str) -> None:

@@ -211,6 +211,12 @@ class Identification:
             names = [name for name, each in best.named if each == word]
             if names:
                 lines.append(f"{word}: {', '.join(names)}")
+        idle = [u.name for u, i in zip(best.problem.unknowns, best.sure.idle, strict=True) if i]
+        if why and idle:
+            lines.append(
+                f"no measurement follows {', '.join(idle)} at the best machine found, as of a stop "
+                "that is never met: searches from other starts may find a better one (starts)"
+            )
         lines += inseparable(best.problem.unknowns, best.sure)
         lines += remarks(self.profiles, best.problem, best.sure)
         others = self.surviving

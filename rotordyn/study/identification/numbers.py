@@ -117,6 +117,8 @@ class Numbers:
     def _by_words(self, trial: Trial, observed: Array) -> Array:
         """Headline numbers, each of the speed at which it was measured."""
         values, speeds, names = self._read(trial, {})
+        if not speeds:
+            return self._picked(values, observed)
         if None in speeds:
             if len({*names}) < len(names) or {*speeds} != {None}:  # of several speeds
                 self._require_ends(trial)

@@ -260,7 +260,8 @@ def _predictions(held: Held) -> Table:
         cells = [f"{name} [{unit}]" if unit else name, sized(value, digits, low, high)]
         bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
         parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
-        cells += [f"–, {bound} {ON_A_BOUND}", *parts[1:]] if bound else parts
+        first = "–" if np.isnan(value) else parts[0]
+        cells += [f"–, {bound} {ON_A_BOUND}" if bound else first, *parts[1:]]
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

@@ -33,6 +33,7 @@ SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no
 DAMPED = 0.3  # damping ratio above which it is none
 WIDTHS = 4.0  # half-widths within which a mode hides beside another
 SEEN = 5.0  # deviations of the noise above which a mode of the machine should be measured
+FELT = 1.0  # above which it changes the one that it hides beside
 NOISIER = 1.2  # scatter about the modes over the stated noise
 HEAD = (
     "speed [rpm]",
@@ -50,7 +51,7 @@ HEAD = (
 class Mode:
     """A mode at a ``speed`` [rad/s]: ``frequency`` [Hz] and ``damping`` ratio as ``measured`` with
     their standard deviations, and as ``computed``; ``mac`` of its residues. NaN where there is
-    none."""
+    none. ``joined``: several modes of the machine lie where this one was measured."""
 
     speed: float
     measured: float
@@ -60,6 +61,7 @@ class Mode:
     computed: float
     computed_damping: float
     mac: float
+    joined: bool = False
 
 
 def paired_modes(of: Responses, trial: Trial) -> list[Mode]:
@@ -75,6 +77,16 @@ def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
             yield f"{at} a mode is measured at {mode.measured:.1f} Hz that the machine lacks"
         elif np.isnan(mode.measured):
             yield f"{at} the machine has a mode at {mode.computed:.1f} Hz that is not measured"
+    several = [
+        f"{mode.measured:.1f} Hz ({mode.speed * RPM.factor:.0f} rpm)"
+        for mode in modes
+        if mode.joined
+    ]
+    if several:
+        yield (
+            "several modes of the machine lie where one is measured, whose deviations are too "
+            f"small: {', '.join(several)}"
+        )
     for speed, fit in of.modes.items():
         if fit.misfit > NOISIER:
             yield (
@@ -119,11 +131,17 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
         & (-fit.fit.pole.real < DAMPED * size)
     )
     known, shape = fit.fit.pole[mode], fit.fit.residue[mode]
-    pole, residue = _merged(pole, residue, known)
+    pole, residue, width = _merged(pole, residue, known)
     mac = _mac(shape, residue)
     apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
     rows, columns = assigned(apart / FAR + 1.0 - mac, apart, ALONE)
     partner = dict(zip(rows, columns, strict=True))
+    inside = (omega[0] < pole.imag) & (pole.imag < omega[-1])
+    alone = [j for j in np.flatnonzero(inside).tolist() if j not in columns]
+    height = {j: _height(of, speed, complex(pole[j]), residue[j]) for j in alone}
+    bent = width**2 / (4.0 * np.abs(pole.real))  # how far off a pole fitted to two like ones may be
+    reach = WIDTHS * np.add.outer(np.abs(known.real), np.abs(pole.real))
+    near = np.abs(np.subtract.outer(known, pole)) < reach
     for k in np.argsort(known.imag).tolist():
         j = partner.get(k)
         yield Mode(
@@ -133,13 +151,13 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
             float(-known[k].real / np.abs(known[k])),
             float(relative[mode][k, 0]),
             *(_said(complex(pole[j]), mac[k, j]) if j is not None else (np.nan, np.nan, np.nan)),
+            joined=any(near[k, i] and height[i] > FELT for i in alone)
+            or (j is not None and bool(bent[j] > fit.deviation[mode][k, 1])),
         )
-    for j in set(range(len(pole))) - set(columns):
-        one, inside = complex(pole[j]), omega[0] < pole[j].imag < omega[-1]
-        beside = np.abs(known - one) < WIDTHS * (np.abs(known.real) + abs(one.real))
-        if inside and not beside.any() and _visible(of, speed, one, residue[j]):
+    for j in alone:
+        if not near[:, j].any() and height[j] > SEEN:
             none = (np.nan,) * 4
-            yield Mode(speed, *none, *_said(one, np.nan))
+            yield Mode(speed, *none, *_said(complex(pole[j]), np.nan))
 
 
 def _said(pole: complex, mac: float) -> tuple[float, float, float]:
@@ -166,24 +184,27 @@ def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Compl
     return pole[swings], residue[swings]
 
 
-def _merged(pole: Complex, residue: Complex, known: Complex) -> tuple[Complex, Complex]:
+def _merged(pole: Complex, residue: Complex, known: Complex) -> tuple[Complex, Complex, Array]:
     """Without poles that no pair sees; of those nearer than their widths one, as they are seen,
-    unless several are ``known`` there by the measurement."""
+    unless several are ``known`` there by the measurement. Also how far apart these are (k,)."""
     size = np.abs(residue).sum(axis=1)
     order = np.argsort(pole.imag)
-    kept: list[tuple[complex, Complex, float]] = []
+    kept: list[tuple[complex, Complex, float, float]] = []
     for k in order[size[order] > 1e-9 * size.max(initial=0.0)]:
         near = np.abs(known - pole[k]) < abs(pole[k].real) + np.abs(known.real)
         if kept and near.sum() < 2 and abs(kept[-1][0] - pole[k]) < abs(pole[k].real):
-            before, shape, weight = kept.pop()
+            before, shape, weight, width = kept.pop()
             share = size[k] / (size[k] + weight)
             mean = (1.0 - share) * before + share * pole[k]
-            kept.append((complex(mean), shape + residue[k], weight + size[k]))
+            width += abs(before - pole[k])
+            kept.append((complex(mean), shape + residue[k], weight + size[k], width))
         else:
-            kept.append((complex(pole[k]), residue[k], float(size[k])))
+            kept.append((complex(pole[k]), residue[k], float(size[k]), 0.0))
     if not kept:
-        return np.zeros(0, dtype=complex), np.zeros((0, residue.shape[1]), dtype=complex)
-    return np.array([each[0] for each in kept]), np.array([each[1] for each in kept])
+        none = np.zeros(0, dtype=complex)
+        return none, np.zeros((0, residue.shape[1]), dtype=complex), np.zeros(0)
+    poles, shapes, _, widths = zip(*kept, strict=True)
+    return np.array(poles), np.array(shapes), np.array(widths)
 
 
 def _mac(one: Complex, other: Complex) -> Array:
@@ -206,9 +227,9 @@ def assigned(cost: Array, apart: Array, alone: float = 1e3) -> tuple[list[int], 
     return rows[good].tolist(), columns[good].tolist()
 
 
-def _visible(of: Responses, speed: float, pole: complex, residue: Complex) -> bool:
-    """Whether a mode stands above the noise in any response."""
+def _height(of: Responses, speed: float, pole: complex, residue: Complex) -> float:
+    """How high a mode stands in any response, in deviations of the noise."""
     omega = 2.0 * np.pi * np.array(of.of_speed(speed)[0].frequency)
     near = int(np.abs(omega - pole.imag).argmin())
     height = np.abs(residue / (1j * omega[near] - pole))
-    return bool((height > SEEN * of.deviation_at(speed, near)).any())
+    return float((height / of.deviation_at(speed, near)).max())

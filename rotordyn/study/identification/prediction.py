@@ -42,7 +42,8 @@ class Predicted:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """A number of the identified machine as printed, its 95 % interval, what was measured.
+    """A number of the identified machine as printed, its 95 % interval, what was measured; NaN
+    where it has no such number.
 
     ``low`` and ``high`` are NaN of a number that follows unknowns on a ``bound``, these by name.
     ``least`` and ``most`` of the numbers of all surviving models at their best, where there are
@@ -98,6 +99,10 @@ def numbers(
             words = each.name or reading.names[k]
             words = words if words not in found else f"{words} ({k + 1})"
             found[words] = reading.unit, value, _known(each, reading.unit)
+        if reading.absent or not reading.values.size:
+            more = f", {reading.absent} more" if reading.values.size else ""
+            words = f"{each.name or Criterion(each.of, each.where).words}{more}"
+            found[words] = reading.unit, np.nan, _known(each, reading.unit)
     return found
 
 
@@ -122,6 +127,9 @@ def predictions(
             slopes[name][k] = slope
     found = []
     for name, (unit, value, measured) in best.items():
+        if np.isnan(value):
+            found.append(Prediction(name, unit, value, value, value, measured))
+            continue
         half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
         least = max(FOLLOWS * half, ROUNDING * abs(value))
         changes = FLAT * np.abs(slopes[name])  # over the whole range known before
@@ -151,8 +159,9 @@ def over_models(
             found[name] = {}
     ranged = []
     for each in nominal:
-        has = {model: of[each.name][1] for model, of in found.items() if each.name in of}
-        every = [each.value, *has.values()]
+        known = {model: of[each.name][1] for model, of in found.items() if each.name in of}
+        has = {model: value for model, value in known.items() if not np.isnan(value)}
+        every = [value for value in (each.value, *has.values()) if not np.isnan(value)] or [np.nan]
         lacking = tuple(model for model in found if model not in has)
         ranged.append(replace(each, least=min(every), most=max(every), lacking=lacking))
     return tuple(ranged)
@@ -186,5 +195,5 @@ def _slopes(
     return {
         name: (last[name][1] - first[name][1]) / (b - a)
         for name in best
-        if name in first and name in last
+        if name in first and name in last and not np.isnan(last[name][1] - first[name][1])
     }

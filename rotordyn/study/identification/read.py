@@ -112,6 +112,7 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
     if not isinstance(node.value, dict):
         return reading.wrong_shape(UnknownEntry, node, "two ends: {from: …, to: …}")
     free = dict.fromkeys(("start_of_range", "to", "prior", "deviation", "start"), Any)
+    before = reading.faults.count
     given = reading.fields(UnknownEntry, node, annotations=free)
     values = {
         key: value_at(reading, case, path, child)
@@ -122,12 +123,13 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
     quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
     if deviation is not None and quantity is not None:
         try:
-            values["deviation"] = parse(deviation.value, quantity.kind)
+            apart = units.DIFFERENCE.get(quantity.kind, quantity.kind)
+            values["deviation"] = parse(deviation.value, apart)
         except InvalidInput as refusal:
             reading.faults.at(deviation, str(refusal))
     elif deviation is not None:
         values["deviation"] = deviation.plain()
-    if any(values.get(key) is None for key in ("from", "to")):
+    if reading.faults.count > before or any(values.get(key) is None for key in ("from", "to")):
         return None
     ends = [(values.pop(key), node.child(key)) for key in ("from", "to")]
     # text as it stands: its unit is that of summary, tables and figures

@@ -27,12 +27,19 @@ CANDIDATES = 6  # machines tried for each further start
 @dataclass(frozen=True, eq=False, slots=True)
 class Fit:
     """The best of a search: ``values`` (p,) [SI], its ``cost`` χ² (sum of squares of all rows),
-    ``predicted`` of every measurement; ``ended``: whether the search came to its end."""
+    ``predicted`` of every measurement; ``ended``: whether the search came to its end;
+    ``absolute``: the mean absolute difference, in deviations, where that is made least."""
 
     values: Array
     cost: float
     predicted: list[Array]
     ended: bool = True
+    absolute: float | None = None
+
+    @property
+    def merit(self) -> float:
+        """What is made least."""
+        return self.cost if self.absolute is None else self.absolute
 
 
 class _Objective:
@@ -138,24 +145,40 @@ def nearest(problem: Problem, start: Array) -> Fit:
 def search_absolute(problem: Problem, start: Array) -> Fit:
     """The best by the mean absolute difference from one start; interrupted, the best so far.
 
+    Rows are weighed anew from the least squares and from the start itself: either may end where the
+    other goes on.
+
     Raises
     ------
     NoSolution : the machine at the start has none
     """
-    found, before = search(problem, start), np.inf
+    found = _weighed_anew(problem, search(problem, start))
+    if not found.ended:
+        return found
+    begin = replace(_Objective(problem).at(start), ended=True)
+    return min(found, _weighed_anew(problem, begin), key=lambda fit: fit.merit)
+
+
+def _weighed_anew(problem: Problem, begin: Fit) -> Fit:
+    """The best of least squares whose rows are weighed by the differences before, again and again,
+    ``begin`` among them."""
+    best, least, found = begin, np.inf, begin
     for _ in range(ROUNDS):
         pairs = zip(problem.weighings, found.predicted, strict=True)
         residuals = [each.residual(one) / each.data.deviation for each, one in pairs]
-        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
-        mean = float(np.abs(np.concatenate(residuals)).mean())
-        if not found.ended or before - mean < 1e-3 * before:
+        rows, priors = np.concatenate(residuals), problem.prior_rows(found.values)
+        mean = float(np.abs(rows).mean() + priors @ priors / (2.0 * len(rows)))
+        gain = least - mean
+        if gain > 0.0:
+            best, least = replace(found, absolute=mean), mean
+        if not found.ended or gain < 1e-3 * mean:
             break
-        before = mean
+        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
         weighed = replace(problem, weights=weights)
         found = search(weighed, found.values)
         problem.evaluations = weighed.evaluations
-    rows = problem.rows(found.predicted, found.values)
-    return replace(found, cost=float(rows @ rows))
+    rows = problem.rows(best.predicted, best.values)
+    return replace(best, cost=float(rows @ rows), ended=found.ended)
 
 
 def begin_at(problem: Problem, start: int, seed: int) -> Array:

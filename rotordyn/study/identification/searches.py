@@ -48,11 +48,13 @@ class Searches:
 @dataclass(frozen=True, slots=True)
 class Search:
     """A search that came to an end, or was stopped (``ended`` false): ``number`` (model, start);
-    values, sum of squares, machines solved; ``sentence``: why there are none."""
+    values, sum of squares, what was made least, machines solved; ``sentence``: why there are
+    none."""
 
     number: tuple[int, int]
     values: tuple[float, ...] = ()
     cost: float = float("inf")
+    merit: float = float("inf")
     evaluations: int = 0
     ended: bool = True
     sentence: str = ""
@@ -70,7 +72,7 @@ def searched(packed: bytes, number: tuple[int, int], count: int = 1) -> Search:
     except NoSolution as error:
         return Search(number, sentence=str(error), evaluations=problem.evaluations)
     values = tuple(found.values.tolist())
-    return Search(number, values, found.cost, problem.evaluations, found.ended)
+    return Search(number, values, found.cost, found.merit, problem.evaluations, found.ended)
 
 
 @lru_cache(maxsize=1)
@@ -110,7 +112,7 @@ def run(
 def best_of(found: Sequence[Search], model: int) -> Search | None:
     """The best search of a model; None where none has a solution."""
     good = [each for each in found if each.number[0] == model and each.values]
-    return min(good, key=lambda each: each.cost, default=None)
+    return min(good, key=lambda each: each.merit, default=None)
 
 
 def _signature(searches: Searches) -> str:

@@ -32,7 +32,9 @@ def _lines(found: Identification) -> Iterator[str]:
     solved = sum(each.evaluations for model in found.models for each in model.searches)
     solved += sum(each.evaluations for each in found.profiles.values())
     of = f", {best.name}" if len(found.models) > 1 else ""
-    yield f"{points} points, {len(best.problem.unknowns)} unknowns, {solved} machines solved{of}"
+    counts = (points, "point"), (len(best.problem.unknowns), "unknown"), (solved, "machine")
+    many = ", ".join(f"{count} {one}{'s' * (count != 1)}" for count, one in counts)
+    yield f"{many} solved{of}"
     if found.stopped:
         yield "stopped before the end: the best so far"
     yield ""
@@ -75,11 +77,12 @@ def _predictions(found: Identification) -> Iterator[str]:
         )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
         between = (f"{least} to {most}",) if several else ()
-        ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else f"{low} to {high}"
+        ends = "–" if np.isnan(each.value) else f"{low} to {high}"
+        ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else ends
         rows.append((heading, value, ends, *between, measured))
     yield from _table(rows)
     for each in found.predictions:
-        if each.lacking:
+        if each.lacking and not np.isnan(each.value):
             yield from wrapped(f"no {each.name} of {'; '.join(each.lacking)}, which survive too")
 
 

@@ -14,7 +14,7 @@ from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
-from rotordyn.units import parse, parse_unit, pretty_unit, unit_of
+from rotordyn.units import DIFFERENCE, parse, parse_unit, pretty_unit, unit_of
 
 FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
 
@@ -203,4 +203,6 @@ def _amount(case: Case, path: str, value: float | str) -> float:
     if not isinstance(value, str):
         return float(value)
     quantity = quantity_of(found_at(case, path)[0][1])
-    return parse(value, quantity.kind) if quantity is not None else float(value)
+    if quantity is None:
+        return float(value)
+    return parse(value, DIFFERENCE.get(quantity.kind, quantity.kind))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import translate
 from itertools import compress, product
@@ -17,6 +17,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.results.declaration import declared
+from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array
 from rotordyn.units import in_unit, parse_unit
 
@@ -26,12 +27,13 @@ ALIKE = 1e-9  # relative difference of coordinates that are the same
 class Reading(NamedTuple):
     """Values that a criterion reads, as printed, without those that are absent; their unit; the
     heading of each, or the variable with the entries that several have; of headline numbers the
-    ``speeds`` [rpm], None of one that has none."""
+    ``speeds`` [rpm], None of one that has none, and how many are ``absent``."""
 
     values: Array
     unit: str
     names: tuple[str, ...] = ()
     speeds: tuple[float | None, ...] = ()
+    absent: int = 0
 
 
 @dataclass(frozen=True)
@@ -52,8 +54,15 @@ class Criterion:
         """The analysis that is asked."""
         return self.of.replace(":", ".").partition(".")[0].strip()
 
+    @property
+    def words(self) -> str:
+        """As a heading."""
+        chosen = ", ".join(f"{key} {span(value)}" for key, value in self.where.items())
+        return f"{self.of} ({chosen})" if chosen else self.of
+
     def read(self, case: Case, results: Mapping[str, Any]) -> Reading:
-        """All values, those without a number left out.
+        """All values, those without a number left out; none of modes and critical speeds that the
+        machine has not.
 
         Raises
         ------
@@ -66,9 +75,9 @@ class Criterion:
 
     def _numbers(self, case: Case, result: Any) -> Reading:
         words = self.of.partition(":")[2].strip()
-        numbers = list(analysis(self.analysis).numbers(result, case))
-        found = [each for each in numbers if each.heading.startswith(words)]
-        found = [each for each in found if f"{each.heading} ".startswith(f"{words} ")] or found
+        about = analysis(self.analysis)
+        numbers = list(about.numbers(result, case))
+        found = _begun(numbers, words) or _begun(about.lacking(result), words)
         if not found:
             names = list(dict.fromkeys(each.name for each in numbers))
             raise InvalidInput(
@@ -88,7 +97,8 @@ class Criterion:
         known = [each for each in found if not np.isnan(each.value)]
         names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in known]
         speeds = tuple(each.speed for each in known)
-        return Reading(np.array([each.value for each in known]), unit, tuple(names), speeds)
+        values = np.array([each.value for each in known])
+        return Reading(values, unit, tuple(names), speeds, len(found) - len(known))
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]
@@ -102,6 +112,7 @@ class Criterion:
         values = np.asarray(getattr(result, name))
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
         written = {dim: _written(result, dim) for dim in dims}
+        others = dict(analysis(self.analysis).unlisted(result))
         for coordinate, asked in self.where.items():
             if coordinate not in dims:
                 raise InvalidInput(
@@ -109,7 +120,8 @@ class Criterion:
                     f"{', '.join(dims) or 'none'}{suggestion(coordinate, dims)}"
                 )
             unit = declared(result)[coordinate].metadata["printed"].unit
-            places = _places(self.of, coordinate, getattr(result, coordinate), asked, unit)
+            entries, further = getattr(result, coordinate), others.get(coordinate, ())
+            places = _places(self.of, coordinate, entries, asked, unit, further)
             values = values.take(places, axis=dims.index(coordinate))
             written[coordinate] = [written[coordinate][k] for k in places]
         several = [words if len(words) > 1 else [""] for words in written.values()]
@@ -120,6 +132,17 @@ class Criterion:
             printed.unit,
             tuple(f"{self.of} {words}".strip() for words in compress(names, known)),
         )
+
+
+def _begun(numbers: Iterable[Number], words: str) -> list[Number]:
+    """Those whose heading begins with words, with whole ones where there are such."""
+    found = [each for each in numbers if each.heading.startswith(words)]
+    return [each for each in found if f"{each.heading} ".startswith(f"{words} ")] or found
+
+
+def span(value: object) -> str:
+    """An entry, or the ends of a range, in words."""
+    return " to ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def variables(result: Any) -> dict[str, tuple[str, ...]]:
@@ -150,12 +173,14 @@ def _alike(word: str, pattern: str) -> bool:
     return re.match(ending, word) is not None
 
 
-def _places(of: str, name: str, entries: Any, asked: object, unit: str) -> list[int]:
-    """Which entries of a coordinate are meant."""
+def _places(
+    of: str, name: str, entries: Any, asked: object, unit: str, others: Sequence[str] = ()
+) -> list[int]:
+    """Which entries of a coordinate are meant; none where these are ``others``."""
     if not _is_number(entries):
         words = [str(each) for each in entries]
         found = [k for k, word in enumerate(words) if _alike(word, str(asked))]
-        if not found:
+        if not found and not any(_alike(word, str(asked)) for word in others):
             raise InvalidInput(
                 f"{shown(of)}: no {name} {shown(asked)}; allowed: {', '.join(words)}"
                 f"{suggestion(str(asked), words)}"

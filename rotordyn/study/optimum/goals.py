@@ -10,7 +10,7 @@ import numpy as np
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.study.optimum.criterion import Criterion, Reading, amount
+from rotordyn.study.optimum.criterion import Criterion, Reading, amount, span
 
 LARGEST = 1e6  # violation of a limit, and what one without a value counts
 
@@ -38,7 +38,7 @@ class Goal:
     @property
     def words(self) -> str:
         """As a heading."""
-        return f"{'highest' if self.highest else 'lowest'} {_named(self.criterion)}"
+        return f"{'highest' if self.highest else 'lowest'} {self.criterion.words}"
 
     def worst(self, reading: Reading) -> float:
         """The worst value read, as printed; NaN where there is none."""
@@ -57,7 +57,7 @@ class Limit:
 
     ``of``, ``where``: as of ``Criterion``. Bounds in SI units or text with a unit.
     ``absent``: whether a number that is absent keeps the limit, such as the speed of a stop that is
-    never reached.
+    never reached, or one of several.
     """
 
     of: str
@@ -88,13 +88,11 @@ class Limit:
             *([f"at most {self.at_most}"] if self.at_most is not None else []),
             *([f"outside {' to '.join(map(str, self.outside))}"] if self.outside else []),
         ]
-        return f"{_named(self.criterion)} {' and '.join(bounds)}"
+        return f"{self.criterion.words} {' and '.join(bounds)}"
 
     def margin(self, reading: Reading) -> tuple[float, float]:
         """Room to the nearest bound, as a share of it, below 0 beyond it; the value read there."""
         values = reading.values
-        if not values.size:
-            return (LARGEST if self.absent else -LARGEST), np.nan
         rooms = np.full(values.shape, np.inf)
         if self.at_least is not None:
             low = self._bound(self.at_least, reading)
@@ -107,9 +105,11 @@ class Limit:
             if not low < high:
                 raise InvalidInput(
                     f"limit of {shown(self.of)}: outside goes from low to high, got "
-                    f"{_span(self.outside)}"
+                    f"{span(self.outside)}"
                 )
             rooms = np.minimum(rooms, np.maximum(low - values, values - high) / (abs(high) or 1.0))
+        if not values.size or (reading.absent and not self.absent):
+            return (LARGEST if self.absent else -LARGEST), np.nan
         worst = int(np.argmin(rooms))
         return float(np.clip(rooms[worst], -LARGEST, LARGEST)), float(values[worst])
 
@@ -125,12 +125,3 @@ class Limit:
 
 def _is_pair(given: object) -> bool:
     return isinstance(given, list | tuple) and len(given) == 2
-
-
-def _named(of: Criterion) -> str:
-    chosen = ", ".join(f"{key} {_span(value)}" for key, value in of.where.items())
-    return f"{of.of} ({chosen})" if chosen else of.of
-
-
-def _span(value: object) -> str:
-    return " to ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)

@@ -118,8 +118,9 @@ class Trial:
     """What a place, its ``number``, came to.
 
     ``goals``: worst values, as printed; ``margins`` of the limits, shares of their bounds, and
-    ``readings``, the values with these; ``units`` of goals, then limits. ``sentence``: why there
-    are none, why some speeds have none or end early. ``seconds``: to solve it.
+    ``readings``, the values with these; ``units`` of goals, then limits, and how many of the
+    numbers that these read are ``absent``. ``sentence``: why there are none, why some speeds have
+    none or end early. ``seconds``: to solve it.
     """
 
     number: Place
@@ -127,6 +128,7 @@ class Trial:
     margins: tuple[float, ...] = ()
     readings: tuple[float, ...] = ()
     units: tuple[str, ...] = ()
+    absent: tuple[int, ...] = ()
     sentence: str = ""
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
@@ -185,6 +187,7 @@ def _read(
         margins=tuple(margin for margin, _ in margins),
         readings=tuple(value for _, value in margins),
         units=tuple(reading.unit for _, reading in (*goals, *limits)),
+        absent=tuple(reading.absent for _, reading in (*goals, *limits)),
         sentence="; ".join(dict.fromkeys((*unsolved(answers.results), *_early(answers.results)))),
         warnings=(*answers.warnings, *result_warnings(answers.results)),
     )

@@ -94,6 +94,18 @@ class Optimum:
         return found
 
     @property
+    def absent(self) -> list[str]:
+        """Of which goals and limits the best, or nearest, lacks some of several numbers."""
+        near = self.nearest
+        asked = [*(g.words for g in self.problem.goals), *(x.words for x in self.problem.limits)]
+        values = (*near.goals, *near.readings)
+        return [
+            f"{words}: {count} of the numbers it reads {'is' if count == 1 else 'are'} absent."
+            for words, count, value in zip(asked, near.absent, values, strict=False)
+            if count and not math.isnan(value)
+        ]
+
+    @property
     def verdict(self) -> list[str]:
         """In sentences: whether there is a machine that keeps all limits, and what binds."""
         if self.best is not None:
@@ -103,6 +115,7 @@ class Optimum:
             least = cost(self.best)
             if self.start.feasible and cost(self.start) < least - ALIKE * abs(least):
                 lines.append("The case as it stands is none of the choices, and better.")
+            lines += self.absent
             return lines if self.settled else [*lines, UNSETTLED]
         solved = [each for each in self.trials if each.goals]
         if not solved:

@@ -18,6 +18,7 @@ from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
 from rotordyn.study.parameter import Parameter
+from rotordyn.study.summary import reasons
 
 SUMMARY, TABLE, ABOUT, BEST = "summary.txt", "trials.csv", "optimum.json", "best.yaml"
 
@@ -32,6 +33,8 @@ def _lines(found: Optimum) -> Iterator[str]:
     good = sum(each.feasible for each in found.trials)
     yield problem.case.title or problem.case.name
     yield f"{len(found.trials)} trials, {good} of them keep all limits"
+    for sentence in reasons((each.sentence for each in found.trials), "trial", TABLE):
+        yield from wrapped(sentence)
     yield ""
     rows = _beside(found)
     widths = [max(len(row[k]) for row in rows) for k in range(3)]
@@ -52,8 +55,10 @@ def _lines(found: Optimum) -> Iterator[str]:
         for each in (found.front[0], found.front[len(found.front) // 2], found.front[-1]):
             goals = zip(problem.goals, each.goals, found.units, strict=False)
             ways = (f"{g.words} {value:.4g} {unit}" for g, value, unit in goals)
-            chosen = (f"{p.path} {_chosen(problem, p, each)}" for p in problem.parameters)
-            yield from wrapped(f"- {', '.join(ways)}: {', '.join(chosen)}")
+            chosen = (
+                f"{p.path} {_chosen(problem, p, each)} {p.display[0]}" for p in problem.parameters
+            )
+            yield from wrapped(f"- {', '.join(ways)}: {', '.join(map(str.strip, chosen))}")
 
 
 def _beside(found: Optimum) -> list[tuple[str, ...]]:

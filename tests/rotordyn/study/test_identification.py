@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import Numbers, Predicted, Unknown, identify
+from rotordyn import NoLoad, Numbers, Predicted, Unknown, identify
 from rotordyn.analyses import AxialCycleSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
@@ -182,6 +182,35 @@ def test_prior_joins_the_data(case: Case) -> None:
     assert held.deviation[0] / held.birge == pytest.approx((1.0 / variance + 1.0) ** -0.5, rel=0.02)
 
 
+def test_figures_draw_the_machine_between_the_points_too(case: Case) -> None:
+    """The same cycle, so that it goes through what is predicted at the points."""
+    asked = {FRONT + "friction": SPRINGS[FRONT + "friction"]}
+    shaft = twin(case, 1, asked, TRUE[-1:]).measurements[:1]
+    found = identify(case, asked, shaft, workers=1)
+    (given,), (exact,) = found.explained.problem.measurements, found.explained.fit.predicted
+    drawn = [each for each in found.plot("measured").axes[0].lines if each.get_linestyle() == "-"]
+    series = list(dict.fromkeys(given.data.series))
+    assert len(drawn) == len(series) == 2 * len(SPEEDS)
+    for line, name in zip(drawn, series, strict=True):
+        here = np.array(given.data.series) == name
+        x, y = line.get_data()
+        assert len(x) > 60 > here.sum()
+        through = [y[np.argmin(np.abs(x - force))] for force in given.force[here]]
+        np.testing.assert_allclose(through, exact[here] * 1e6, atol=1e-4)
+
+
+def test_a_speed_may_be_measured_several_times(case: Case) -> None:
+    """As one point of their mean, whose noise is √2 lower."""
+    asked = {FRONT + "spring.preload": Unknown("450 N", "700 N", start="500 N")}
+    given: dict[str, Any] = {"name": "idle", "of": "shaft"}
+    noise = [3e-7, 4.242640687e-7]
+    twice = NoLoad(speed=[1600.0] * 2, displacement=[-9e-6, -10e-6], deviation=noise[1], **given)
+    once = NoLoad(speed=[1600.0], displacement=[-9.5e-6], deviation=noise[0], **given)
+    found = [identify(case, asked, [each], workers=1).explained for each in (twice, once)]
+    values = [each.fit.values[0] for each in found]
+    assert values[0] == pytest.approx(values[1], rel=1e-6)
+
+
 def test_prediction_follows_what_was_measured(case: Case) -> None:
     """One unknown by one measured number: its prediction has the interval of the measurement."""
     plain = replace(case, analyses={"preload": case.analyses["preload"]}, speeds=(24000.0 * RPM,))
@@ -195,8 +224,12 @@ def test_prediction_follows_what_was_measured(case: Case) -> None:
         deviation=20.0,
         unit="N",
     )
-    found = identify(plain, asked, [load], predict=[Predicted("preload: sum")], workers=1)
-    (one,), sure = found.predictions, found.explained.sure
+    wanted = [Predicted("preload: sum"), Predicted("preload: stop")]
+    found = identify(plain, asked, [load], predict=wanted, workers=1)
+    (one, none), sure = found.predictions, found.explained.sure
+    assert "preload: stop [rpm] none –" in " ".join(found.summary.split())
+    assert "\n1 point, 1 unknown, " in found.summary
+    assert np.isnan([none.value, none.low, none.high]).all()
     assert one.value == pytest.approx(2190.0, abs=0.1)
     assert 0.5 * (one.high - one.low) == pytest.approx(sure.quantile * 20.0, rel=1e-2)
 

@@ -15,7 +15,8 @@ from rotordyn.results.display import number
 from rotordyn.study.identification import prediction
 from rotordyn.study.identification.certainty import QUARTILE, certainty
 from rotordyn.study.identification.problem import Problem
-from rotordyn.study.identification.search import Fit
+from rotordyn.study.identification.search import Fit, search, search_absolute
+from rotordyn.study.identification.searches import Search, best_of
 from rotordyn.study.identification.summary import decimals
 from rotordyn.study.identification.unknown import sought
 from tests.rotordyn.study.axial_twin import FRONT, REAR, Array
@@ -155,3 +156,31 @@ def _least_absolute(forms: Array, y: Array) -> Array:
     whole = np.hstack([forms, np.eye(n), -np.eye(n)])
     ends = [(None, None)] * p + [(0.0, None)] * (2 * n)
     return np.asarray(linprog(cost, A_eq=whole, b_eq=y, bounds=ends).x[:p])
+
+
+class Plateau(Problem):
+    """Six numbers that rise from 0 at 300 N to 5 N, and one that falls from 25 N there to 0 at
+    800 N: the sum of squares is least at 800 N, that of absolute values about 300 N."""
+
+    def predicted(self, values: Array) -> list[Array]:
+        (load,) = values
+        rising = 5.0 * (1.0 - np.exp(-(((load - 300.0) / 100.0) ** 2)))
+        return [np.append(np.full(6, rising), 0.05 * (800.0 - load))]
+
+
+def test_least_absolute_differences_are_sought_from_the_start_too() -> None:
+    """Not from the least squares alone; of several searches it is the one of
+    which the mean is least."""
+    unknowns = sought(CASE, {FRONT + "spring.preload": Unknown("0 N", "1 kN", start="350 N")})
+    problem = Plateau(CASE, unknowns, (MadeUp(np.zeros(7), 1.0),))
+    squares, absolute = search(problem, problem.start), search_absolute(problem, problem.start)
+    assert squares.values == pytest.approx(800.0, abs=5.0)
+    assert absolute.values == pytest.approx(308.0, abs=5.0)
+    mean = np.abs(problem.predicted(absolute.values)[0]).mean()
+    assert absolute.merit == pytest.approx(mean)
+    found = [
+        Search((0, k), tuple(fit.values), fit.cost, merit)
+        for k, (fit, merit) in enumerate(((squares, 30.0 / 7.0), (absolute, absolute.merit)))
+    ]
+    assert squares.cost < absolute.cost
+    assert best_of(found, 0) is found[1]

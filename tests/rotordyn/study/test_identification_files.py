@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import re
 import shutil
 from collections.abc import Mapping, Sequence
@@ -22,6 +23,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.deliver import deliver
 from rotordyn.study.identification.read import read_identification
+from rotordyn.study.identification.unknown import sought
 from tests.rotordyn.page.conftest import array, held
 from tests.rotordyn.study.axial_twin import (
     FRONT,
@@ -161,6 +163,33 @@ def test_faults_of_a_file(tmp_path: Path, old: str, new: str, said: str) -> None
     with pytest.raises(InvalidInput) as refusal:
         read_identification(path)
     assert said in str(refusal.value)
+
+
+def test_a_deviation_in_another_unit_is_one_fault(tmp_path: Path) -> None:
+    path = _study(tmp_path)
+    path.write_text(SMALL.replace("deviation: 30 N", "deviation: 30 K"), encoding="utf-8")
+    with pytest.raises(InvalidInput, match="'K' is not a unit of force") as refusal:
+        read_identification(path)
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_temperature_deviates_by_kelvin(tmp_path: Path) -> None:
+    """In files and in Python."""
+    known = {"from": "20 degC", "to": "80 degC", "prior": "45 degC", "deviation": "10 K"}
+    shaft, path = "conditions.temperatures.shaft", tmp_path / "warm.yaml"
+    measured = (
+        "{kind: numbers, of: 'preload: sum', values: [1 kN], speeds: [0 rpm], deviation: 2 N}"
+    )
+    path.write_text(
+        f"case: grinding_spindle_interval\nunknowns: {{{shaft}: {json.dumps(known)}}}\n"
+        f"measurements:\n  load: {measured}\n",
+        encoding="utf-8",
+    )
+    case = rotordyn.load("grinding_spindle_interval")
+    asked = Unknown("20 degC", "80 degC", prior="45 degC", deviation="10 K")
+    of_file = read_identification(path).searches.models[0].unknowns
+    for (unknown,) in (of_file, sought(case, {shaft: asked})):
+        assert (unknown.prior, unknown.deviation) == (45.0, 10.0)
 
 
 def test_a_speed_at_which_bearings_have_no_state_is_named(tmp_path: Path) -> None:

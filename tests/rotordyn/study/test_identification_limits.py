@@ -29,6 +29,13 @@ class Friction(MadeUp):
         return np.full(len(self.observed), trial.case.spindle.sleeves[0].friction)
 
 
+class FromHundred(Friction):
+    """Nothing below 100 N is seen of it."""
+
+    def predicted(self, trial: Trial) -> Array:
+        return np.maximum(super().predicted(trial), 100.0)
+
+
 @pytest.fixture(scope="module")
 def case() -> Case:
     return rotordyn.load("mfw2310_identification")
@@ -53,6 +60,21 @@ def test_a_value_at_an_end_of_the_study_does_not(case: Case) -> None:
     found = _found(case, "5 N", mean=4.7)
     assert not found.sufficient
     assert found.verdict[0].endswith("or the bound is too tight")
+
+
+@pytest.mark.parametrize(
+    ("start", "mean", "said"), [(50, 150, True), (140, 150, False), (50, 100, False)]
+)
+def test_other_starts_are_advised_where_nothing_follows_an_unknown(
+    case: Case, start: float, mean: float, *, said: bool
+) -> None:
+    """And the machine found does not suffice."""
+    asked = {FRICTION: Unknown("0 N", "200 N", start=f"{start} N", name="Ff")}
+    measured = FromHundred(mean + np.array([-1.0, 0.2, 1.1, -0.4]), 1.0)
+    found = identify(case, asked, [measured], workers=1)
+    assert found.sufficient == (not said)
+    advice = [line for line in found.verdict if line.startswith("no measurement follows Ff ")]
+    assert bool(advice) == said
 
 
 def test_intervals_end_at_bounds(case: Case, tmp_path: Path) -> None:

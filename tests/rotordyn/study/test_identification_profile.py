@@ -196,7 +196,7 @@ def test_predictions_range_over_all_models_that_survive(case: Case) -> None:
     plain = rotordyn.vary(plain, {FRONT + "stop_travel": np.inf})
     measured = Preloads("rear", (0.528, 1.056), (0.1, 0.1))
     asked = {P2: ENDS[P2]}
-    wanted = [Predicted("preload: sum", name="load")]
+    wanted = [Predicted("preload: sum", name="load"), Predicted("preload: stop front")]
     given: dict[str, Any] = dict(predict=wanted, workers=1)
     both = identify(plain, asked, [measured], hypotheses={P1: ["574 N", "620 N"]}, **given)
     assert len(both.surviving) == 2
@@ -206,7 +206,9 @@ def test_predictions_range_over_all_models_that_survive(case: Case) -> None:
     ]
     values = sorted(alone)
     assert values[1] > values[0] * 1.0001
-    (one,) = both.predictions
+    one, none = both.predictions
+    assert np.isnan([none.value, none.least, none.most]).all()
+    assert "no preload: stop front" not in both.summary
     assert (one.least, one.most) == pytest.approx(values, rel=1e-6)
     assert f"{values[0]:.4g} to {values[1]:.4g}" in both.summary
-    assert both.dataset().predicted_most.values == pytest.approx([values[1]], rel=1e-6)
+    assert both.dataset().predicted_most.values[0] == pytest.approx(values[1], rel=1e-6)

@@ -30,6 +30,10 @@ from tests.rotordyn.study.rotor_twin import (
 )
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
+WHIRLS = (  # 0.6 and 3.9 Hz apart
+    "several modes of the machine lie where one is measured, whose deviations are too small: "
+    "357.4 Hz (6685 rpm), 984.0 Hz (6685 rpm)"
+)
 
 
 @pytest.mark.long
@@ -47,7 +51,7 @@ def test_sections_and_dampings_from_20_percent_off(taps: Responses, tmp_path: Pa
     assert len(pair[0]) > 5
     np.testing.assert_allclose(pair[1], pair[0], rtol=5e-3)
     (beside,) = best.beside
-    assert not beside.remarks
+    assert beside.remarks == (WHIRLS,)
     assert all(float(row[-1]) > 0.98 for row in beside.rows)
     assert {"taps_responses", "correlation"} <= set(found.figures)
     assert "machine [Hz]" in found.summary
@@ -126,7 +130,7 @@ def test_a_mode_that_the_machine_lacks_is_named(taps: Responses) -> None:
     light = replace(spindle(), discs=())
     remarks = taps.beside(Trial(case(light))).remarks
     right = taps.beside(Trial(case(spindle()))).remarks
-    assert not right
+    assert right == (WHIRLS,)
     assert any("lacks" in each or "not measured" in each for each in remarks)
 
 

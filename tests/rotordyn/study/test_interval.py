@@ -20,6 +20,7 @@ from rotordyn.case.asked import asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.figures.interval import rules_figure
 from rotordyn.job.solving import solve
 from rotordyn.job.values import difference, values_of
 from rotordyn.report.interval import FAR, interval_doubts, interval_lines
@@ -244,6 +245,62 @@ def test_a_kink_is_met_with_values_in_between() -> None:
     np.testing.assert_allclose(_range(effect).usual, [[0.025, 0.975]], atol=0.03)
 
 
+def test_a_range_ends_at_machines_that_have_the_number() -> None:
+    """One tolerance loses the number at an end and lowers it by 3 at the other, another moves it by
+    ± 0.5; a machine off by both has 1 more."""
+    lost, plain = _effect(math.nan, -3.0), _effect(-0.5, 0.5)
+    np.testing.assert_allclose(lost.at(np.array([0.0, 0.75])), [[3.0], [-1.5]])
+    found = _range(lost, plain)
+    solved = np.array([[math.nan], [-3.0], [-0.5], [0.5], [1.0]])
+    ends = np.array([[[math.nan, -3.0], [-0.5, 0.5]]])
+    usual = interval._known(found.usual, ends, solved)
+    np.testing.assert_allclose(usual, [[found.usual[0, 0], 1.0]])
+    unknown = interval._known(found.usual, np.full((1, 2, 2), math.nan), solved)
+    np.testing.assert_allclose(unknown, [[max(found.usual[0, 0], -3.0), 1.0]])
+    whole = interval._known(found.usual, np.array([[[3.0, -3.0]]]), solved)
+    np.testing.assert_allclose(whole, found.usual)
+
+
+def test_no_stop_is_met_beyond_the_top_speed() -> None:
+    """Which is 1 % above that of the nominal machine, 20 240 rpm."""
+    widths = {SPRING: "± 10 %", "spindle.bearings.*.model.contact_angle": "± 0.2 deg"}
+    case = _case(("preload",), (0.0, 20442.0), tolerances=widths)
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    k = held.number.index("preload: stop front")
+    assert held.without_within[k]
+    for ends in (held.tolerances[k], held.worst[k]):
+        assert ends[0] < held.nominal[k] < ends[1] <= 20442.0
+
+
+def test_a_tolerance_rules_by_the_end_at_which_the_number_is_there() -> None:
+    case = _case(("preload",), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    effect = np.array([[[math.nan, -3.0], [-0.5, 0.5], [math.nan, math.nan]]])
+    own = replace(held, source=("large", "small", "none"), effect=effect)
+    assert own.ruling(0) == [
+        ("large", pytest.approx(36.0 / 37.0)),
+        ("small", pytest.approx(1 / 37)),
+    ]
+
+
+def test_both_ends_on_one_side_have_a_bar_each_and_titles_are_whole() -> None:
+    case = _case(("preload",), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    count = len(held.number)
+    own = replace(held, effect=np.arange(1.0, count + 1.0)[:, None, None] * [1.0, 3.0])
+    own = replace(own, number=("a number with a long name in words, even longer",) * count)
+    figure = rules_figure(own)
+    figure.canvas.draw()
+    for axes in figure.axes:
+        small, large = axes.patches
+        assert small.get_width() < large.get_width()
+        assert small.get_height() < large.get_height()
+        assert small.get_zorder() > large.get_zorder()
+        titles = [text for text in axes.get_children() if getattr(text, "get_text", str)()]
+        assert titles
+        assert max(text.get_window_extent().x1 for text in titles) <= figure.bbox.x1
+
+
 def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
     """Uniform within ± 1: one source covers ± 0.95; two equal ones ± (2 − √0.2), of a triangle
     whose tail beyond x holds (2 − x)²/8; many a normal distribution."""
@@ -361,7 +418,7 @@ def test_folder_keeps_the_interval(tmp_path: Path) -> None:
         assert back.plot(name).axes
     assert "sum of preloads [N]" in [a.get_ylabel() for a in back.plot("interval_preload").axes]
     for panel in back.plot("interval_rules").axes:
-        assert panel.get_title() in results.held_intervals[""].number  # with its analysis
+        assert panel.get_title("right") in results.held_intervals[""].number  # with its analysis
         names = [label.get_text().replace("\n", "") for label in panel.get_yticklabels()]
         assert SPRING.removeprefix("spindle.") in names
 

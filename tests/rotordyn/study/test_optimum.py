@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -18,6 +19,7 @@ from rotordyn.case.varied import found_at, unlike
 from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
+from rotordyn.job.solving import restricted
 from rotordyn.results.headline import Number
 from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum import criterion, search, trials
@@ -104,6 +106,46 @@ def test_span_of_least_deflection(tmp_path: Path) -> None:
     assert found.binding == []
     (line,) = (line for line in summary(found).splitlines() if "frf.receptance" in line)
     assert float(line.split()[-1]) == pytest.approx(found.best.goals[0], rel=1e-3)
+
+
+def test_a_machine_without_critical_speed_keeps_a_limit_that_says_so(tmp_path: Path) -> None:
+    """The case as it stands has none, nor the stiffest of the choices; a limit that does not say
+    so leaves the one that has."""
+    path = tmp_path / "span.yaml"
+    text = SPAN_CASE.format(outer=OUTER, overhang=OVERHANG, front=FRONT, rear=REAR)
+    text = text.replace("speeds: [0 rpm]", "speeds: [0 rpm, 4000 rpm]")
+    text = text.replace("analyses:\n", "analyses:\n  campbell: {max_frequency: 400 Hz}\n")
+    path.write_text(text, encoding="utf-8")
+    case, outer = rotordyn.load(path), "spindle.shaft.sections.all.outer_diameter"
+    for of, where, bound in (
+        ("campbell: critical 1× bending", {}, {"outside": ("3000 rpm", "4000 rpm")}),
+        ("campbell.frequency", {"mode": "bending 2*"}, {"at_least": "90 Hz"}),
+    ):
+        for absent, best in ((True, 0.08), (False, 0.04)):
+            found = optimise(
+                case,
+                {outer: ["40 mm", "80 mm"]},
+                [Goal(lowest="frf.receptance", where={"frequency": "0.1 Hz"})],
+                [Limit(of, where=where, absent=absent, **bound)],
+                workers=1,
+            )
+            assert found.best is not None
+            assert found.values[outer] == best
+            assert not any(each.sentence for each in found.trials)
+
+
+def test_what_no_machine_has_is_refused(case: Case) -> None:
+    results = Neighbours().solve(restricted(case, ("campbell",)))[0].results
+    for of, mode in (
+        ("campbell: critcal", ""),
+        ("campbell: critical 7×", ""),
+        ("campbell: critical 1× bendng", ""),
+        ("campbell: bending 0", ""),
+        ("campbell.frequency", "bendng 1*"),
+        ("campbell.frequency", "bending 1 sideways"),
+    ):
+        with pytest.raises(InvalidInput, match=r"no such number|no mode"):
+            Criterion(of, {"mode": mode} if mode else {}).read(case, results)
 
 
 @pytest.mark.long
@@ -210,6 +252,7 @@ def test_ends_of_a_trade_off_are_the_best_of_each_goal(
     goals = [Goal(highest="preload.axial_load"), Goal(lowest="preload: sum")]
     limits = [Limit("preload: sum", at_most="90 kN")]
     found = optimise(case, varied, goals, limits, trials=25 * machine.size, workers=1)
+    assert re.search(r"spring.preload [\d.]+ kN,", " ".join(summary(found).split()))
     front = np.array([each.goals for each in found.front])
     assert front[0, 0] > 0.99 * machine.most()
     assert front[-1, 1] < 1.01  # nothing spent: 1 N
@@ -524,8 +567,34 @@ def test_what_a_limit_may_be() -> None:
     ):
         with pytest.raises(InvalidInput, match=said):
             Limit("preload: sum", **how).margin(reading)
+    none = Reading(np.empty(0), "N", absent=1)
+    with pytest.raises(InvalidInput, match="expected a number in N"):
+        Limit("preload: sum", at_most="9 mm", absent=True).margin(none)
     with pytest.raises(InvalidInput, match="speed: expected a number in rpm"):
         _places("preload.axial_load", "speed", np.array([0.0]), "0 mm", "rpm")
+
+
+def test_one_absent_number_of_several_breaks_a_limit(case: Case) -> None:
+    """Unless that says ``absent``; then, and of goals, it is told."""
+    stop = "preload: stop"
+    reading = Reading(np.array([9e3]), "rpm", ("stop rear",), (None,), absent=1)
+    broken = Limit(stop, at_most="13000 rpm").margin(reading)
+    assert broken[0] < 0.0
+    assert math.isnan(broken[1])
+    limit = Limit(stop, at_most="13000 rpm", absent=True)
+    room, value = limit.margin(reading)
+    assert (room, value) == (pytest.approx(4.0 / 13.0), 9e3)
+    problem = Problem(case, (), (Goal(lowest=stop),), (limit,))
+    trial = Trial((), (9e3,), (room,), (value,), ("rpm", "rpm"), (0, 1))
+    (line,) = Optimum(problem, trial, (trial,), trial).verdict[1:]
+    assert line == f"{limit.words}: 1 of the numbers it reads is absent."
+
+
+def test_trials_without_solution_are_counted_with_their_reasons(case: Case) -> None:
+    problem = Problem(case, (), (Goal(lowest="preload: sum"),))
+    trials = (Trial((), (1.0,), units=("N",)), *[Trial((), sentence="no state")] * 2)
+    found = Optimum(problem, trials[0], trials, trials[0])
+    assert "not solved (2 trials): no state" in summary(found)
 
 
 def test_a_goal_that_no_trial_has_is_said(case: Case) -> None:

@@ -820,6 +820,10 @@ def test_numbers_without_bound_are_the_largest(case: Case) -> None:
     study = study_of(case, {SPRING: ["800 N", "900 N", "1000 N"]}, analyses=["preload"])
     rows = {k: Outcome(k, {"limit": (v, "mm")}) for k, v in enumerate((2.0, math.inf, math.nan))}
     (line,) = (row for row in summary(study, rows).splitlines() if row.startswith("limit"))
-    assert line.split() == ["limit", "[mm]", "2.000", "unbounded", "0.8", "0.9"]
+    ends = "limit [mm] 2.000 unbounded 0.8 0.9"
+    assert " ".join(line.split()) == f"{ends} none at 1 of 3"
+    rows[2] = replace(rows[2], solved=False)
+    (line,) = (row for row in summary(study, rows).splitlines() if row.startswith("limit"))
+    assert " ".join(line.split()) == ends
     alone = {k: Outcome(k, {"limit": (math.inf, "mm")}) for k in range(2)}
     assert "limit [mm]  unbounded  unbounded" in summary(study, alone)
