@@ -202,6 +202,12 @@ def test_a_mass_with_the_inertia_of_one_metres_away(inertia: float, said: bool) 
     assert said or "pulley" not in words
 
 
+def test_inertia_alone_is_meant() -> None:
+    machine = mfw2310()
+    inertia = PointMass("inertia", machine.seats[0].x, 0.0, 0.01, 0.01)
+    assert "mass inertia" not in _said(replace(machine, masses=(inertia,)))
+
+
 def _elastic(
     housing: float, width: float = 0.018, apart: bool = False, neighbours: str = "apart"
 ) -> str:
