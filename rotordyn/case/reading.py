@@ -252,9 +252,10 @@ class Reading:
     ) -> None:
         ways = [field.keys for field in keys if field.keys]
         for place, name, child in [*_within(node, ways)]:
-            known = list(
-                dict.fromkeys(way[len(place)] for way in ways if way[: len(place)] == place)
-            )
+            if inside := _next(ways, (*place, name)):
+                self.wrong_shape(None, child, f"a mapping (key: value) with {', '.join(inside)}")
+                continue
+            known = _next(ways, place)
             held = [f for other in others for f in keys_of(other) if f.keys[:1] == (name,)]
             if issubclass(kind, BallBearing):
                 self._key_of_bearing(node, name, known)
@@ -298,17 +299,22 @@ def unknown_key(given: str, allowed: list[str], holder: str = "", within: str = 
 def _within(
     node: Node, ways: list[tuple[str, ...]], place: tuple[str, ...] = ()
 ) -> Iterator[tuple[tuple[str, ...], str, Node]]:
-    """Keys that lead to no field: the mapping they stand in, the key, its node."""
-    if not isinstance(node.value, dict):
-        return
+    """Keys that lead to no field, or hold no mapping on the way to one: the mapping they stand in,
+    the key, its node."""
     for name, child in node.value.items():
         way = (*place, name)
         if way in ways:
             continue
-        if any(each[: len(way)] == way for each in ways):
+        if _next(ways, way) and isinstance(child.value, dict):
             yield from _within(child, ways, way)
-        else:
+        elif child.value is not UNKNOWN and not (child.value is None and _next(ways, way)):
             yield place, name, child
+
+
+def _next(ways: list[tuple[str, ...]], place: tuple[str, ...]) -> list[str]:
+    """Keys of the mapping at ``place``."""
+    inside = (way[len(place)] for way in ways if way[: len(place)] == place and way != place)
+    return list(dict.fromkeys(inside))
 
 
 def spread(kind: type, node: Node) -> None:

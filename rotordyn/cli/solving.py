@@ -91,6 +91,8 @@ def _formats(words: str | None) -> tuple[str, ...]:
 
 def _told(arguments: argparse.Namespace, target: Path, delivery: Delivery) -> int:
     """Say what a run left behind; its exit code."""
+    from rotordyn.results.text import grouped
+
     if not arguments.quiet:
         from rotordyn.cli.screen import on_screen
 
@@ -103,8 +105,8 @@ def _told(arguments: argparse.Namespace, target: Path, delivery: Delivery) -> in
         )
     if arguments.explain:
         say(delivery.plan)
-    if delivery.unsolved:
-        complain(f"not solved: {delivery.unsolved[0]}")
+    for sentence in grouped(delivery.unsolved):
+        complain(f"not solved: {sentence}")
     if delivery.stop is not None:
         return exit_code(delivery.stop)
     return 3 if delivery.unsolved and arguments.strict else 0

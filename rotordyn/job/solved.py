@@ -93,9 +93,10 @@ class SolvedResults(Results):
         sure = [line for part, each in held for line in ("", *interval_lines(each, part))]
         if self.case.variants:
             shown = list(self.parts.values())
-            text = comparison_summary(self.case, shown, self.warnings, notes)
+            text = comparison_summary(self.case, shown, self.warnings, notes, self._lost)
         else:
-            text = summary(self.case, self.solution.results, self.warnings, notes)
+            results = self.solution.results
+            text = summary(self.case, results, self.warnings, notes, self._lost)
         return "\n".join([text, *sure])
 
     @property
@@ -128,8 +129,12 @@ class SolvedResults(Results):
 
     @cached_property
     def unsolved(self) -> tuple[str, ...]:
-        solution = self.solution
-        return (*solution.unsolved, *solution.sentences(lambda a: unsolved(a.results)))
+        return (*self.solution.unsolved, *self._lost)
+
+    @property
+    def _lost(self) -> tuple[str, ...]:
+        """Why speeds have no solution."""
+        return self.solution.sentences(lambda answers: unsolved(answers.results))
 
     def save(
         self,

@@ -91,7 +91,7 @@ def _wide(body: PointMass, length: float) -> Iterator[str]:
     """Inertias of a body that reaches beyond the machine, as of a number in kg mm²."""
     for word in ("polar", "diametral"):
         inertia = getattr(body, f"{word}_inertia")
-        if inertia > body.mass * max(FAR, length) ** 2:
+        if inertia > body.mass * max(FAR, length) ** 2 > 0.0:  # 0 kg is meant as inertia alone
             yield (
                 f"mass {body.name}: its {word} inertia of {inertia:.3g} kg m^2 is that of "
                 f"{body.mass:.4g} kg at {math.sqrt(inertia / body.mass):.3g} m from the axis, on "

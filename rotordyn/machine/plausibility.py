@@ -19,6 +19,7 @@ from rotordyn.machine.spindle import Spindle
 
 RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
+SLOW = 100.0  # [rpm] of the highest speed; those of machining spindles have four digits and more
 THIN = 0.05  # wall over the diameter of a ring: radial stiffness of the bearing 2 to 3 % lower
 COMMON = 0.1  # the same, below which a ring beside it adds to what the wall gives
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
@@ -39,6 +40,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _bores(spindle)
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
+    yield from _slow(top)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
     yield from _common_walls(spindle)
@@ -199,6 +201,15 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
             f"bearings {names} stand face to face (X): their contact lines meet between them, "
             "which holds tilt with a short base; back to back (O) is usual in spindles, by the "
             "opposite thrust of both"
+        )
+
+
+def _slow(top: float) -> Iterator[str]:
+    """Speeds a thousand times too low, as of a point that was meant to part thousands."""
+    if 0.0 < top * RPM < SLOW:
+        yield (
+            f"the highest speed is {top * RPM:.4g} rpm: check it; a point parts decimals, not "
+            "thousands (12.000 rpm is 12 rpm)"
         )
 
 

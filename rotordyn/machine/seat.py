@@ -15,7 +15,7 @@ from rotordyn.machine.fits import Fits
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.misalignment import Misalignment
-from rotordyn.quantity import HIDDEN, Choice, Damping, Friction, Key, Name, Station, Words
+from rotordyn.quantity import HIDDEN, Choice, Damping, Friction, Key, Length, Name, Station, Words
 from rotordyn.units import format_quantity
 
 THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
@@ -68,7 +68,7 @@ class BearingSeat(Description):
         Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
     ] = field(default_factory=Misalignment)
     own: Annotated[tuple[str, ...], HIDDEN] = field(default=(), repr=False, compare=False)
-    sizes: Annotated[Mapping[str, float], HIDDEN] = field(
+    sizes: Annotated[Mapping[str, Length], HIDDEN] = field(
         default_factory=dict, repr=False, compare=False
     )
 

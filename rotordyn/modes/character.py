@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from rotordyn.arrays import Array, Complex
@@ -20,9 +22,21 @@ def rigid_share(linear: Linear, branch: Branch) -> Array:
     return np.where(branch.column < 0, np.nan, share)
 
 
-def character(branch: Branch, share: Array) -> str:
-    """The kind of a mode, and whether it is rather a rigid-body motion, over all speeds."""
-    return f"rigid-body {branch.kind}" if np.nanmean(share) > MOSTLY else branch.kind
+def characters(
+    linears: Sequence[Linear], branches: Sequence[Branch], shares: Sequence[Array]
+) -> tuple[str, ...]:
+    """The kinds of modes, each in the system of ``linears``, and whether they are rather rigid-body
+    motions, over all speeds: those of the highest shares, no more than rigid shafts have."""
+    mean = np.array([np.nanmean(share) for share in shares])
+    words = [branch.kind for branch in branches]
+    left: dict[tuple[int, str], int] = {}
+    for k in np.argsort(-mean, kind="stable"):
+        own, linear = (branches[k].subsystem, words[k]), linears[k]
+        left.setdefault(own, int((linear.rigid & linear.energy_of(words[k])).sum()))
+        if mean[k] > MOSTLY and left[own] > 0:
+            left[own] -= 1
+            words[k] = f"rigid-body {words[k]}"
+    return tuple(words)
 
 
 def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:

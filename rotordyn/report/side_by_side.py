@@ -26,12 +26,14 @@ def comparison_summary(
     variants: Sequence[Variant],
     warnings: Sequence[str] = (),
     notes: Sequence[str] = (),
+    unsolved: Sequence[str] = (),
 ) -> str:
     """Rotors, key figures at the first and the last speed, then the known values that apply.
 
     Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
     """
-    lines = [*opening(warnings, called(case), notes), *_rotors([of for of, _ in variants])]
+    top = opening(warnings, called(case), notes, unsolved)
+    lines = [*top, *_rotors([of for of, _ in variants])]
     for name in in_order(*(results for _, results in variants)):
         heads, rows = headline_cells(name, variants)
         if heads:

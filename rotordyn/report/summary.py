@@ -30,8 +30,9 @@ def summary(
     results: Mapping[str, Any],
     warnings: Sequence[str] = (),
     notes: Sequence[str] = (),
+    unsolved: Sequence[str] = (),
 ) -> str:
-    """The summary; ``warnings`` come first, ``notes`` below the title."""
+    """The summary; ``warnings`` come first, ``unsolved`` and ``notes`` below the title."""
     lines = _machine(case.spindle) if case.spindle else []
     if case.bearing is not None:
         lines.append(_single(case.bearing))
@@ -39,7 +40,7 @@ def summary(
     if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
         lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
     lines += [line for name in names for line in analysis(name).summary(results[name])]
-    top = opening(warnings, called(case), notes)
+    top = opening(warnings, called(case), notes, unsolved)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     matched = matches(case.known, results, case.spindle)
     return "\n".join([*text, *known_lines(matched)])

@@ -119,15 +119,15 @@ def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
 
 def _printed(values: list[float]) -> list[str]:
     """Numbers with 7 digits, or 12 where ascending ones would not be told apart."""
-    words = [f"{v:.7g}" for v in values]
+    words = number_cells(values)
     pairs = zip(pairwise(words), pairwise(values), strict=True)
     alike = any(a == b and x < y for (a, b), (x, y) in pairs)
-    return [f"{v:.12g}" for v in values] if alike else words
+    return number_cells(values, 12) if alike else words
 
 
-def number_cells(values: Iterable[float]) -> list[str]:
-    """Numbers with 7 digits, nothing where there is none."""
-    return ["" if math.isnan(value) else f"{value:.7g}" for value in values]
+def number_cells(values: Iterable[float], digits: int = 7) -> list[str]:
+    """Numbers with so many digits, nothing where there is none."""
+    return ["" if math.isnan(value) else f"{value:.{digits}g}" for value in values]
 
 
 def write_table(path: Path, columns: Iterable[Column]) -> str:

@@ -18,8 +18,8 @@ class Variable(NamedTuple):
 
     ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
     another unit) or ``"quantity"``. ``attrs``: ``long_name``, ``units`` (or ``units_of_entries``,
-    where they differ); ``comment``: where it has no number, beside what an outcome says; of complex
-    values ``sign_convention``.
+    where they differ); ``comment``: how it is read, where it has no number beside what an outcome
+    says; of complex values ``sign_convention``.
     """
 
     name: str
@@ -43,8 +43,8 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
     values = as_array(getattr(result, name))
     attrs = {"long_name": info["label"], **units(_unit(result, name, info["unit"]))}
-    if said := absence(info):
-        attrs["comment"] = said
+    if said := [*filter(None, (info.get("comment"), absence(info)))]:
+        attrs["comment"] = "; ".join(said)
     if values.dtype.kind == "c":
         attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]

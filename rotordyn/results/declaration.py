@@ -35,14 +35,17 @@ def quantity(
     printed: Shown | None = None,
     absent: Sequence[Absence] = (),
     infinite: Sequence[Absence] = (),
+    comment: str = "",
 ) -> Any:
     """A field with data over ``dims``; ``unit`` of the data (SI), ``label`` for axes and tables.
 
     ``printed``: another unit of tables and figures than ``display.shown`` gives. ``absent``,
-    ``infinite``: where it has no number, beside what an outcome says.
+    ``infinite``: where it has no number, beside what an outcome says. ``comment``: what else must
+    be known to read it, such as its frame.
     """
     metadata = _metadata("quantity", dims, unit, label, printed)
-    return field(metadata=metadata | {"absent": absent, "infinite": infinite})
+    said = {"absent": absent, "infinite": infinite, "comment": comment}
+    return field(metadata=metadata | said)
 
 
 def coordinate(dim: str, *, unit: str, label: str, printed: Shown | None = None) -> Any:

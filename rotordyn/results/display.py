@@ -18,6 +18,7 @@ class Shown:
 
 
 RPM = Shown("rpm", 30.0 / math.pi)
+PER_SECOND = Shown("rad/s")  # of poles, which are no speeds
 MILLIMETRE = Shown("mm", 1e3)
 MICROMETRE = Shown("µm", 1e6)
 GRAM_MILLIMETRE = Shown("g·mm", 1e6)

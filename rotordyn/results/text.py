@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 
@@ -14,13 +15,35 @@ WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
 WARNING = "WARNING: "
 _NO_BREAK = "\u00a0"
+_NUMBER = re.compile(r"(?<![\w.])[+-]?\d[\d.]*\b")
 
 
-def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[str]:
-    """Warnings first, then the title and what the user chose that changes how results read."""
+def opening(
+    warnings: Sequence[str], title: str, notes: Sequence[str], unsolved: Sequence[str] = ()
+) -> list[str]:
+    """Warnings first, then the title, why speeds have no solution, and what the user chose that
+    changes how results read."""
     shown = [f"{WARNING}{sentence}" for sentence in warnings]
-    shown += [title, *(f"note       {sentence}" for sentence in notes)]
+    shown += [title, *(f"not solved {sentence}" for sentence in grouped(unsolved))]
+    shown += [f"note       {sentence}" for sentence in notes]
     return [part for line in shown for part in wrapped(line)]
+
+
+def grouped(sentences: Sequence[str]) -> list[str]:
+    """The first of sentences that differ by numbers alone, with the count of the others.
+
+    >>> grouped(["a is unloaded at 0 rpm", "no state", "a is unloaded at 900 rpm"])
+    ['a is unloaded at 0 rpm (1 more, the last at 900 rpm)', 'no state']
+    """
+    groups: dict[str, list[str]] = {}
+    for sentence in sentences:
+        groups.setdefault(_NUMBER.sub("", sentence), []).append(sentence)
+    lines = []
+    for first, *others in groups.values():
+        last = re.search(r"at \S+ rpm", others[-1]) if others else None
+        end = f", the last {last[0]}" if last else ""
+        lines.append(f"{first} ({len(others)} more{end})" if others else first)
+    return lines
 
 
 def unbroken(entry: str) -> str:

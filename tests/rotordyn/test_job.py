@@ -168,6 +168,12 @@ def test_part_of_the_speeds_is_delivered_and_the_rest_named(tmp_path: Path) -> N
     delivery = deliver(losing(24000.0), tmp_path / "out", figures=False)
     assert len(delivery.unsolved) == 1
     assert "d, e is unloaded at 24000 rpm" in delivery.unsolved[0]
+    text = (delivery.folder / "summary.txt").read_text(encoding="utf-8")
+    assert delivery.summary + "\n" == text
+    assert any(
+        line.startswith("not solved ") and "d, e is unloaded at 24000 rpm" in line
+        for line in text.splitlines()
+    )
     record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))
     words = record["outcomes"]["frf"]
     assert words[""] == [0.0, 12000.0]

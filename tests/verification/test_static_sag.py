@@ -244,7 +244,7 @@ def test_numbers_and_curves_say_at_which_speed_they_are() -> None:
         for curve in analysis(name).curves(None, shown):
             assert curve.along == f"station [mm] at {curve_at:.0f} rpm"
     sag: Any = answered["static_sag"]
-    slow, fast = (each.value for each in numbers(sag, case) if each.name == "sag")
+    slow, fast = (each.value for each in numbers(sag, case) if each.name.startswith("sag"))
     assert slow == pytest.approx(-1e6 * sag.sag[0, 0, 0])
     assert fast == pytest.approx(-1e6 * sag.sag[-1, 0, 0])
     assert "by weight at 0 rpm [µm]" in summary(sag)[0]
@@ -296,7 +296,8 @@ def test_words_and_figure() -> None:
     said = " ".join(summary(turned)).replace("\u00a0", " ")
     assert "y 5.71 z 5.71, y 7.43 z 7.43 300 mm in front" in said
     assert "the sag does not turn" in said
-    heads = ["sag at 0 rpm [µm]", "slope at 0 rpm [µrad]", "runout at 0 rpm [µm]"]
+    heads = ["sag along the weight at 0 rpm [µm]", "slope along the weight at 0 rpm [µrad]"]
+    heads.append("runout at 0 rpm [µm]")
     assert [n.heading for n in numbers(turned, None)] == heads  # type: ignore[arg-type]
     assert [n.heading for n in numbers(bare, None)] == heads[:2]  # type: ignore[arg-type]
     assert warnings(turned) == []

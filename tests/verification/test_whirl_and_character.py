@@ -116,3 +116,16 @@ def test_decrement_and_rigid_body_labels() -> None:
     assert found.decrement[0, along] == pytest.approx(
         -2.0 * math.pi * pole.real / abs(pole.imag), rel=1e-4
     )
+
+
+def test_a_rotor_has_four_rigid_body_modes_of_bending_at_most() -> None:
+    """On stiff springs the rigid motions are in more modes; the four largest shares are told."""
+    held = [support("a", 0.085, (1e9, 1e9)), support("b", 0.515, (6e8, 4e8))]
+    disc = PointMass("disc", 0.0, 5.0, 0.1, 0.075)
+    rotor = uniform(0.645, 0.1, STEEL, inner=0.062, masses=(disc,), supports=held)
+    scene = Scene(rotor, Conditions(), np.array([0.0]), 2500.0)
+    found = campbell.answer(scene, CampbellSpec(2500.0, shapes=False))
+    share = found.rigid_share[0]
+    assert (share > 0.5).sum() == 5
+    called = [k for k, word in enumerate(found.character) if word == "rigid-body bending"]
+    assert sorted(called) == sorted(np.argsort(-share)[:4].tolist())

@@ -9,7 +9,7 @@ import numpy as np
 
 from rotordyn.modes.overdamped import ROUNDING, is_overdamped
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.display import MILLIMETRE
+from rotordyn.results.display import MILLIMETRE, PER_SECOND
 from rotordyn.results.kinds import Array, Complex, Flags, Words
 
 NOT_FOLLOWED = Absence("at a speed at which the mode is not followed", beside="followed")
@@ -85,7 +85,9 @@ class CampbellResult:
     )
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
     unconverged: str = quantity(unit="", label="what changes as the model is refined")
-    pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole", absent=(NOT_FOLLOWED,))
+    pole: Complex = quantity(
+        "speed", "mode", unit="rad/s", label="pole", printed=PER_SECOND, absent=(NOT_FOLLOWED,)
+    )
     stopped: Array = quantity("speed", unit="1", label="number of sleeves at their stops")
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"

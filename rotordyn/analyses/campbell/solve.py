@@ -14,7 +14,7 @@ from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MOTIONS, Branch, branches_of
-from rotordyn.modes.character import character, rigid_share
+from rotordyn.modes.character import characters, rigid_share
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
 from rotordyn.modes.excitation import excited_by
@@ -52,7 +52,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     degree = _table([b.degree for b in branches], shape)
-    rigid = [rigid_share(scene.system(b.subsystem).linear, b) for b in branches]
+    linears = [scene.system(b.subsystem).linear for b in branches]
+    rigid = [*map(rigid_share, linears, branches)]
     frequency = pole.imag
     if turned:
         speed = scene.speed[scene.usable]
@@ -92,7 +93,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         whirl_degree=scene.scattered(degree),
         rigid_share=scene.scattered(_table(rigid, shape)),
         kind=tuple(b.kind for b in branches),
-        character=tuple(character(b, share) for b, share in zip(branches, rigid, strict=True)),
+        character=characters(linears, branches, rigid),
         excited_by=tuple(_excited_by(scene, b) for b in branches),
         shape=_shapes(scene, branches, ends),
         stability_threshold=threshold,

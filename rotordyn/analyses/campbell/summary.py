@@ -134,8 +134,8 @@ def accuracy(result: CampbellResult) -> list[str]:
 
 
 def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
-    """Of the lowest bending modes both whirls; critical speeds of every line, by kind from below:
-    names of modes change with the machine, where both planes are no longer alike."""
+    """Pairs of the lowest bending modes, critical speeds of every line, by kind from below: names
+    of modes change with the machine, where both planes are no longer alike."""
     yield from _lowest_bending(result)
     if len(result.speed) == 1:
         return
@@ -166,14 +166,15 @@ def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
 
 
 def _lowest_bending(result: CampbellResult) -> Iterator[Number]:
-    at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
-    speeds = (result.speed[[0, -1]] * RPM.factor).tolist()
-    for k in range(min(MODES, max(map(len, at)))):
-        for row, modes, rpm in zip((0, -1), at, speeds, strict=False):
-            for part, value, mode in modes[k] if k < len(modes) else [("", math.nan, None)]:
+    rows = (0, -1) if len(result.speed) > 1 else (0,)
+    for k, at in enumerate(zip(*(_bending(result, row)[:MODES] for row in rows), strict=True)):
+        for row, modes in zip(rows, at, strict=True):
+            for part, value, mode in modes:
+                name = f"bending pair {k + 1}" if part else result.mode[mode]
                 lost = np.isnan(result.frequency[row]).all()
-                there = "none" if lost or mode is None else _there(result, mode)
-                yield Number(f"bending {k + 1}", "Hz", value, part, rpm, absent=there)
+                there = "none" if lost else _there(result, mode)
+                rpm = float(result.speed[row] * RPM.factor)
+                yield Number(name, "Hz", value, part, rpm, absent=there)
 
 
 def _there(result: CampbellResult, mode: int) -> str:
@@ -196,7 +197,7 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
     order = np.argsort([value for value, _ in values], kind="stable").tolist()
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
-        return [[("", *values[k])] for k in order]
+        return [[("", *each)] for each in values]
     return [
         [(way, *one) for way, one in zip(WAYS, pair, strict=True) if one is not None]
         for pair in zip_longest(backward, forward)

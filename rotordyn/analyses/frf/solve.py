@@ -49,7 +49,6 @@ LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
-MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
 CLOSE = 1e-10  # likewise, where it is taken too: on a pole itself it may cancel by rounding
@@ -67,8 +66,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
     Raises
     ------
-    InvalidInput : mobility or inertance in the turning frame; more values than fit or than are
-        allowed; a frequency at which nothing limits the response
+    InvalidInput : mobility or inertance in the turning frame; more values than fit; a frequency
+        at which nothing limits the response
     """
     turning = scene.conditions.formulation == ROTATING
     if turning:
@@ -78,13 +77,6 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     if turning and spec.engine_orders:
         raise InvalidInput(f"frf: engine_orders: {ORDERS_TURNED}")
     frequency = np.array(spec.frequencies, dtype=float)
-    count = len(scene.usable) * len(spec.pairs) * len(frequency)
-    if count > MOST_VALUES:
-        raise InvalidInput(
-            f"frf: too many values: given {count:.3g} by {len(scene.usable)} speeds, "
-            f"{len(spec.pairs)} pairs and {len(frequency)} frequencies; allowed: up to "
-            f"{MOST_VALUES:.0e}"
-        )
     require_responses("frf", len(scene.usable), len(spec.pairs), len(frequency))
     power = QUANTITIES.index(spec.quantity)
     judged = _asked(scene, spec)

@@ -22,6 +22,7 @@ ORDERS_TURNED = (
     "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
     "or take formulation: inertial"
 )
+MOST_VALUES = 100_000_000
 LOADED = frozenset({"bending", "axial"})
 _SPOKEN: Mapping[str, str] = {"axial": "axial motion"}
 
@@ -108,6 +109,13 @@ class FrfSpec(Spec):
             )
 
     def faults_on(self, setting: Setting) -> Faults:
+        sizes = len(setting.speeds), len(self.pairs), len(self.frequencies)
+        if (count := math.prod(sizes)) > MOST_VALUES:
+            yield (
+                ("frequencies",),
+                f"too many values: given {count:.3g} (speeds × pairs × frequencies: "
+                f"{' × '.join(map(str, sizes))}); allowed: up to {MOST_VALUES:.0e}",
+            )
         for index, speed in enumerate(self.slices):
             if not setting.within(speed):
                 yield ("slices", index), "not within the speeds of the case: given {given}"

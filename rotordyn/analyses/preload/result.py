@@ -38,7 +38,11 @@ class PreloadResult:
     )
     deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
     stiffness: Array = quantity(
-        "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
+        *("speed", "bearing", "dof", "dof_other"),
+        unit="N/m, N/rad, N·m/rad",
+        label="stiffness",
+        comment="in the frame of each bearing: x the way of its thrust; where that is -x, x and z "
+        "are opposite to those of the spindle",
     )
     inner_angle: Array = quantity(
         "speed",

@@ -43,7 +43,7 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
         ("slope", result.slope, MICRORADIAN),
     ):
         down = values @ result.weight * printed.factor
-        yield from ends(result, name, printed.unit, down, digits=2)
+        yield from ends(result, f"{name} along the weight", printed.unit, down, digits=2)
     if result.ring:
         runout = result.runout[:, 0].max(axis=1) * MICROMETRE.factor
         yield from ends(result, "runout", MICROMETRE.unit, runout, digits=2)

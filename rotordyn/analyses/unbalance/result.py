@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
+from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE, PER_SECOND
 from rotordyn.results.kinds import Array, Complex, Flags, Words
 from rotordyn.scene.linearity import LINEAR
 
@@ -216,7 +216,7 @@ class UnbalanceResult:
     unstable_from: Array = quantity("unstable_range", unit="rad/s", label="unstable from")
     unstable_to: Array = quantity("unstable_range", unit="rad/s", label="unstable to")
     unstable_pole: Complex = quantity(
-        "unstable_range", unit="rad/s", label="pole of what grows fastest"
+        "unstable_range", unit="rad/s", label="pole of what grows fastest", printed=PER_SECOND
     )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(

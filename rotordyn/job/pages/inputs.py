@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import is_dataclass
-from typing import Any
+from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
+from rotordyn.analyses.measured_response import Port
 from rotordyn.case.case import Case
+from rotordyn.case.keys import fields_of
 from rotordyn.case.varied import usual_unit
 from rotordyn.description import quantity_of
-from rotordyn.field import declared
+from rotordyn.field import found_in
+from rotordyn.machine.matrix import Matrix, entry_name
 from rotordyn.page.blocks import Block, Printed, Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
@@ -50,9 +53,11 @@ def _tables(title: str, value: Any) -> Iterator[Table]:
     lists: list[Table] = []
     for field, held in _given(value):
         words = " ".join(field.keys) if field.keys else field.name
-        if isinstance(held, tuple) and held and all(map(is_dataclass, held)):
+        if _listed(held):
             lists.append(_list(f"{title}: {words.replace('_', ' ')}", held))
-        elif is_dataclass(held) and len(_written(held, None)) > LONGEST:
+        elif is_dataclass(held) and (
+            len(_written(held, None)) > LONGEST or any(_listed(each) for _, each in _given(held))
+        ):
             lists += _tables(f"{title}: {words.replace('_', ' ')}", held)
         else:
             meaning = field.meaning.partition(" ([")[0]
@@ -62,9 +67,13 @@ def _tables(title: str, value: Any) -> Iterator[Table]:
     yield from lists
 
 
+def _listed(held: Any) -> bool:
+    """Descriptions, each of them a row of a table."""
+    return isinstance(held, tuple) and bool(held) and all(map(is_dataclass, held))
+
+
 def _given(value: Any) -> Iterator[tuple[Any, Any]]:
-    kind: Any = type(value)
-    for field in declared(kind):
+    for field in fields_of(type(value)):
         held = getattr(value, field.name) if field.name else field.default
         shown = field.name not in APART and not isinstance(held, BallBearing)  # in their own table
         if field.name and shown and held != field.default:
@@ -88,22 +97,27 @@ def _written(value: Any, annotation: Any) -> str:
         return _number(value, annotation)
     if isinstance(value, bool) or value is None:
         return {True: "yes", False: "no", None: "none"}[value]
-    if is_dataclass(value):
+    if isinstance(value, Mapping | tuple | list):
+        return _several(value, annotation)
+    if is_dataclass(value) and not isinstance(value, Port):
         name = getattr(value, "name", "")
         inner = ", ".join(
             f"{f.name.replace('_', ' ')} {_written(v, f.annotation)}" for f, v in _given(value)
         )
         return str(name) if name and len(inner) > LONGEST else f"{name} {inner}".strip()
-    if isinstance(value, Mapping):
-        return "; ".join(f"{_key(k)}: {_written(v, annotation)}" for k, v in value.items())
-    if isinstance(value, tuple | list):
-        words = [_written(each, annotation) for each in value[:8]]
-        return ", ".join(words) + (f", … ({len(value)} in all)" if len(value) > len(words) else "")
     return str(value)
 
 
-def _key(key: Any) -> str:
-    return key if isinstance(key, str) else " ".join(map(str, key))
+def _several(value: Any, annotation: Any) -> str:
+    """Values of a mapping or a list, entries of matrices in their units."""
+    if isinstance(value, Mapping) and (matrix := found_in(annotation, Matrix)):
+        every = {pair: Annotated[float, matrix.quantity(*pair)] for pair in value}
+        return "; ".join(f"{entry_name(*k)}: {_written(v, every[k])}" for k, v in value.items())
+    if isinstance(value, Mapping):
+        return "; ".join(f"{k}: {_written(v, annotation)}" for k, v in value.items())
+    inner = " / " if any(isinstance(each, Port) for each in value) else ", "
+    words = [_written(each, annotation) for each in value[:8]]
+    return inner.join(words) + (f", … ({len(value)} in all)" if len(value) > len(words) else "")
 
 
 def _number(value: float, annotation: Any) -> str:

@@ -141,6 +141,7 @@ def test_only_references_of_the_conditions_in_force_are_compared(tmp_path: Path)
         ("  one:\n    speeds: [0 rpm]\n", 13, "unknown key"),
         ("  one:\n    tool: nothing\n", 13, "unknown model"),
         ("  'not a name!': {}\n", 12, "not a name"),
+        ("  one:\n    override: {damping: 1 %}\n", 13, "wrong shape: given '1 %'"),
         ("  one: {}\n  two:\n    override: {shaft.start: 5 m}\n", 14, "shaft"),
     ],
 )

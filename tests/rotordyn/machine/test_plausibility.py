@@ -185,6 +185,12 @@ def test_a_bearing_on_a_shaft_of_another_diameter(share: float, said: bool) -> N
     assert (f"bearing {first.name}: its bore is {bore * 1e3:.4g} mm" in words) == said
 
 
+@pytest.mark.parametrize(("rpm", "said"), [(0.0, False), (12.0, True), (1500.0, False)])
+def test_a_highest_speed_a_thousand_times_too_low(rpm: float, said: bool) -> None:
+    words = " ".join(implausible(mfw2310(), rpm * RPM))
+    assert ("the highest speed is 12 rpm" in words) == said
+
+
 @pytest.mark.parametrize(("polar", "said"), [(9e-8, True), (0.09, False), (0.0, False)])
 def test_a_mass_with_the_inertia_of_a_smaller_one(polar: float, said: bool) -> None:
     machine = mfw2310()
@@ -200,6 +206,12 @@ def test_a_mass_with_the_inertia_of_one_metres_away(inertia: float, said: bool) 
     words = _said(replace(machine, masses=(pulley,)))
     assert ("diametral inertia of 7 kg m^2 is that of 1.1 kg at 2.52 m from" in words) == said
     assert said or "pulley" not in words
+
+
+def test_inertia_alone_is_meant() -> None:
+    machine = mfw2310()
+    inertia = PointMass("inertia", machine.seats[0].x, 0.0, 0.01, 0.01)
+    assert "mass inertia" not in _said(replace(machine, masses=(inertia,)))
 
 
 def _elastic(

@@ -29,6 +29,7 @@ from rotordyn.job.pages.asked import numbers_table
 from rotordyn.job.pages.inputs import input_blocks
 from rotordyn.job.pages.machine import machine_blocks
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.page.blocks import Table
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import FAR, Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
@@ -165,6 +166,33 @@ def test_speeds_of_the_cutter_are_among_the_inputs_and_head_the_limits(tmp_path:
     assert ("speeds", "7000 rpm, 8000 rpm") in [row[:2] for row in asked.rows]
     part = rotordyn.run(case).parts[""]
     assert numbers_table([part], "stability_lobes").head == ("", "7000 → 8000 rpm")
+
+
+def test_inputs_show_sections_pairs_and_units(tmp_path: Path) -> None:
+    (tmp_path / "lathe.yaml").write_text(
+        "spindle:\n  title: lathe\n  shaft:\n    start: 0 mm\n    sections:\n"
+        "      - {name: cone, length: 90 mm, outer_diameter: 80 mm, rear_outer_diameter: 60 mm, "
+        "inner_diameter: 30 mm, material: tool_steel}\n"
+        "  supports:\n    - {name: front, x: 20 mm, stiffness: {yy: 300 N/um, zz: 300 N/um, "
+        "thy_thy: 2 MN m/rad, thz_thz: 2 MN m/rad}, damping: {yy: 4 kN s/m}}\n"
+        "  points: {jaws: 0 mm, tail: 90 mm}\n"
+        "speeds: [0 rpm]\nanalyses:\n  frf:\n    frequencies: [10 Hz]\n    pairs:\n"
+        "      - {response: jaws.z, excitation: jaws.z}\n"
+        "      - {response: tail.y, excitation: jaws.thz}\n"
+    )
+    blocks = [*input_blocks([rotordyn.load(tmp_path / "lathe.yaml")])]
+    tables = {block.title: block for block in blocks if isinstance(block, Table)}
+    assert "jaws.z / jaws.z, tail.y / jaws.thz" in [row[1] for row in tables["Analysis frf"].rows]
+    sections = tables["Spindle: shaft: sections"]
+    head = ["", "length", "outer diameter", "inner diameter", "material", "rear outer diameter"]
+    assert list(sections.head) == head
+    ((name, *sizes, material, rear),) = sections.rows
+    assert (name, *sizes, rear) == ("cone", "90 mm", "80 mm", "30 mm", "60 mm")
+    assert "GPa" in material
+    ((_, _, stiffness, damping),) = tables["Spindle: supports"].rows
+    assert "yy: 300 N/um" in stiffness
+    assert "N m/rad" in stiffness
+    assert damping == "yy: 4 kN s/m"
 
 
 def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:

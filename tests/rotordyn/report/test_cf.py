@@ -113,3 +113,9 @@ def test_units_of_pairs_stand_in_their_order(results) -> None:
     each = [cf.units(frf.unit(k))["units"] for k in range(len(frf.pair))]
     assert listed in (each[0], ", ".join(each))
     assert "SI, as computed" in {f.metadata["unit"] for f in declared(frf).values()}
+
+
+def test_a_stiffness_says_its_frame(path: Path) -> None:
+    with xr.open_dataset(path, group="preload", engine="h5netcdf") as preload:
+        said = preload.stiffness.attrs["comment"]
+        assert "in the frame of each bearing: x the way of its thrust" in said

@@ -64,6 +64,9 @@ def test_campbell_has_a_column_per_mode(folder, results):
     assert float(rows[-1]["damped frequency 2 fw [Hz]"]) == pytest.approx(
         results["campbell"].frequency[-1, 3], rel=1e-6
     )
+    assert float(rows[-1]["pole 2 fw imaginary [rad/s]"]) == pytest.approx(
+        results["campbell"].pole[-1, 3].imag, rel=1e-6
+    )
 
 
 def test_curves_and_shapes_are_in_printed_units(folder, results):
@@ -74,6 +77,15 @@ def test_curves_and_shapes_are_in_printed_units(folder, results):
     shape = _rows(folder / "campbell_shapes.csv")[0]
     assert float(shape["station [mm]"]) == pytest.approx(-91.8)
     assert "mode shape y imaginary [-]" in shape
+
+
+def test_a_number_that_does_not_exist_is_an_empty_cell(tmp_path, results):
+    result = results["preload"]
+    load = np.where(result.speed[:, None] > 0.0, np.nan, np.full_like(result.axial_load, 600.0))
+    lost = replace(result, axial_load=load)
+    write_tables(tmp_path, {"preload": lost})
+    cells = [row["axial load [N]"] for row in _rows(tmp_path / "preload.csv")]
+    assert {*cells} == {"600", ""}
 
 
 def test_slices_less_than_a_turn_apart_have_a_file_each_and_lost_ones_none(tmp_path, results):

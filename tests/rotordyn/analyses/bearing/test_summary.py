@@ -68,7 +68,7 @@ def test_two_contacts_need_no_words() -> None:
     [
         ("bearing_balls", 40, "loaded contacts", "2"),
         ("bearing_contacts", 160, "contact load [N]", None),
-        ("bearing_grooves", 4, "angle of the shoulder [deg]", "nan"),
+        ("bearing_grooves", 4, "angle of the shoulder [deg]", ""),
     ],
 )
 def test_tables(name: str, rows: int, column: str, value: str | None) -> None:

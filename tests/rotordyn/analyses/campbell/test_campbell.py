@@ -321,5 +321,27 @@ def test_critical_speeds_keep_their_names_where_planes_become_unlike() -> None:
     assert [*other.values()] == pytest.approx([*one.values()], rel=0.02)
 
 
+def test_pairs_of_bending_modes_are_numbers_also_where_planes_become_unlike() -> None:
+    """No number has the name of a mode and the frequency of another."""
+    soft = overhung()
+    unlike = replace(soft, supports=(support("a", 0.0, (4.9e7, 5e7)), *soft.supports[1:]))
+    one, other = (diagram(each, [0, 15000, 30000], 2000.0) for each in (soft, unlike))
+    first, second = (
+        {n.words: n.value for n in summary.numbers(found, case()) if n.unit == "Hz"}
+        for found in (one, other)
+    )
+    assert "bending 2 backward" in one.mode
+    assert "bending 3" in other.mode
+    assert first.keys() == second.keys() >= {"bending pair 2 backward at 30000 rpm"}
+    assert [*second.values()] == pytest.approx([*first.values()], rel=0.02)
+    assert second["bending pair 2 backward at 0 rpm"] == other.frequency[0, 2]
+    alone = replace(other, whirl=np.ones_like(other.whirl))  # nothing to pair
+    named = [n for n in summary.numbers(alone, case()) if n.unit == "Hz"]
+    assert [n.name for n in named[::2]] == [*other.mode[: len(named) // 2]]
+    assert [n.value for n in named] == other.frequency[
+        [0, -1], : len(named) // 2
+    ].T.ravel().tolist()
+
+
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
     assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []
