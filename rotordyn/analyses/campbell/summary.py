@@ -148,10 +148,13 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
 
 
 def lacking(result: CampbellResult) -> Iterator[Number]:
-    """Bending modes and critical speeds that the machine may have none of."""
+    """Bending modes, in pairs as those of the machine are, and critical speeds that it may have
+    none of."""
     rpm = (result.speed[[0, -1]] * RPM.factor).tolist()
-    for k, part, at in product(range(MODES), ("", *WAYS), rpm):
-        yield Number(f"bending {k + 1}", "Hz", math.nan, part, at)
+    paired = all(number.part for number in _lowest_bending(result))
+    name, parts = ("bending pair", WAYS) if paired else ("bending", ("",))
+    for k, part, at in product(range(MODES), parts, rpm):
+        yield Number(f"{name} {k + 1}", "Hz", math.nan, part, at)
     if len(result.speed) == 1:
         return
     for (name, _), kind, k in product(_lines(result), MOTIONS, range(MOST)):
