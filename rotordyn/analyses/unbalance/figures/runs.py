@@ -19,6 +19,7 @@ from rotordyn.figures.style import (
     new_figure,
     speed_ticks,
 )
+from rotordyn.analyses.unbalance.result import RUNAWAY
 from rotordyn.results.display import MICROMETRE, RPM
 from rotordyn.results.kinds import Array
 
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 4  # panels
-RUNAWAY = 1e3  # times the largest value of steady rotation: a run beyond has no part in the axis
 
 
 def runs_figure(result: UnbalanceResult) -> Figure:
