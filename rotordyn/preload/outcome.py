@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -46,7 +46,7 @@ def outcomes(
     sound, failed = _sound(network, net), np.flatnonzero(~net.converged)
     lost = lost_at_speed(spindle, network, rest_loads(), failed) if failed.size else {}
     words = tuple(
-        ("" if sound[row] else _outcome(spindle, network, net, row, lost, warm=warm))
+        ("" if sound[row] else lost.get(row) or _outcome(spindle, network, net, row, warm=warm))
         or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )
@@ -104,15 +104,7 @@ def unpreloaded(spindle: Spindle, network: Network, row: int) -> str:
     return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
 
 
-def _outcome(
-    spindle: Spindle,
-    network: Network,
-    net: NetworkState,
-    row: int,
-    lost_rows: Mapping[int, str],
-    *,
-    warm: bool,
-) -> str:
+def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
     """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load, names = net.response.load[row], _names(spindle, network)
@@ -120,8 +112,6 @@ def _outcome(
     light = max(pushed(network), float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):
         return unpreloaded(spindle, network, row)
-    if row in lost_rows:
-        return lost_rows[row]
     lost = np.flatnonzero(~np.isfinite(load))
     if lost.size:
         return (

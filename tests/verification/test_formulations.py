@@ -295,7 +295,7 @@ def test_modes_missed_are_named_by_the_frequency_in_the_frame() -> None:
     """A search that leaves out the forward mode of 51 Hz in space at 6000 rpm, 49 Hz in the
     frame."""
     spoken, shown = [], []
-    for scene in between_shown_frequencies():
+    for found in between_shown_frequencies():
 
         def without_one(one: Scene) -> tuple[list[Branch], tuple[str, ...]]:
             every = branches_of(one, Band(300.0))
@@ -304,6 +304,6 @@ def test_modes_missed_are_named_by_the_frequency_in_the_frame() -> None:
             shown.append(left.frequency[-1])
             return named([b for b in every if b is not left])
 
-        _, _, errors = mode_errors(scene, Band(300.0), without_one)
+        _, _, errors = mode_errors(found, Band(300.0), without_one)
         spoken.append(float(errors.unconverged.split("one of ")[1].split(" Hz")[0]))
     assert spoken == pytest.approx([shown[0], abs(shown[-1] - 100.0)], rel=1e-4)

@@ -37,7 +37,7 @@ def test_nothing_is_said_of_sound_speeds_and_something_of_others(
         state = dynamic_preload(spindle, SPEED, Law("outer", "equal"), force)
         sound = _sound(state.network, state.net)
         for row, fine in enumerate(sound):
-            said = _outcome(spindle, state.network, state.net, row, {}, warm=False)
+            said = _outcome(spindle, state.network, state.net, row, warm=False)
             assert said == "" or not fine
             assert fine or said or force
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.result import RUNAWAY, UnbalanceResult
 from rotordyn.figures.amplitudes import decades
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
@@ -19,7 +19,6 @@ from rotordyn.figures.style import (
     new_figure,
     speed_ticks,
 )
-from rotordyn.analyses.unbalance.result import RUNAWAY
 from rotordyn.results.display import MICROMETRE, RPM
 from rotordyn.results.kinds import Array
 
