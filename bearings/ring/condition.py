@@ -34,12 +34,12 @@ def refusal(state: BearingState) -> NoEquilibrium:
     return NoEquilibrium(
         word,
         speed=float(state.operation.speed[0]),
-        remedy=REMEDIES.get(word) or _remedy(state),
+        remedy=REMEDIES.get(word) or remedy(state),
         look=lambda: str(condition(state)).partition(": ")[2],
     )
 
 
-def _remedy(state: BearingState) -> str:
+def remedy(state: BearingState) -> str:
     """What helps where there is no equilibrium under these assumptions."""
     law, free = state.operation.law, state.operation.free
     ways = ["raise the load" if free.any() else "displace the ring less"]

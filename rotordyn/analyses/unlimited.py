@@ -15,8 +15,8 @@ def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
     records = {name: analysis(name) for name in analyses}
     forced = [name for name, each in records.items() if each.forced and not each.over_time]
     if forced and undamped(spindle):
+        ways = "damping.rotor, " + "damping.bearings, " * bool(spindle.seats)
         yield (
             f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
-            "limit at its modes and their peaks mean nothing: give damping.rotor, "
-            "damping.bearings, or damping of supports"
+            f"limit at its modes and their peaks mean nothing: give {ways}or damping of supports"
         )

@@ -9,6 +9,7 @@ from typing import Any
 from bearings.bearing import BallBearing
 from rotordyn.case.arranged import arrange
 from rotordyn.case.faults import Faults
+from rotordyn.case.keys import COMMON
 from rotordyn.case.node import Node, merged
 from rotordyn.case.reading import Reading
 from rotordyn.description import unchecked
@@ -38,6 +39,7 @@ def read_spindle(
         values = reading.fields(Spindle, tree) | {"name": Path(tree.file).stem}
         made = reading.made(Spindle, values, tree)
         _pushed(reading, tree, made)
+        _of_bearings(reading, tree)
         if tool is None:
             return made, None, tree
         clamped: Tool = reading.value(Tool, tool)
@@ -59,6 +61,17 @@ def _clamped(spindle: Node, tool: Node) -> Node:
     for key in (*OF_TOOL, "points"):
         held[key] = merged(spindle.child(key), tool.child(key))
     return replace(spindle, value={key: node for key, node in held.items() if node is not None})
+
+
+def _of_bearings(reading: Reading, tree: Node) -> None:
+    """What stands once for all bearings has some."""
+    bearings = tree.child("bearings")
+    if bearings is not None and bearings.value:
+        return
+    for common in COMMON[Spindle]:
+        given = tree.child(*common.keys)
+        if given is not None and given.value is not None:
+            reading.faults.at_key(given, "for bearings, and this spindle has none: leave out")
 
 
 def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:

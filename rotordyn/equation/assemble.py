@@ -22,7 +22,7 @@ from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
 from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.hysteresis import Hysteresis
-from rotordyn.equation.linear import Linear, planes_of
+from rotordyn.equation.linear import Linear, planes_alike, planes_of
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
@@ -89,6 +89,7 @@ def assemble(
         if connection.matrices.damping.any():
             damping += connection.damping
     whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
+    whole = replace(whole, isotropic=planes_alike(whole))
     allowed = _allowed(whole, connections)
     if allowed is None:
         return whole

@@ -39,7 +39,8 @@ class Linear:
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
     ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
     which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), beside
-    it: what of ``stiffness`` is not of links.
+    it: what of ``stiffness`` is not of links. ``isotropic``: both planes obey the same equations at
+    all speeds of the machine, so that forward and backward whirl are apart.
     """
 
     structure: Structure
@@ -51,6 +52,7 @@ class Linear:
     loss: Hysteresis | None = None
     allowed: Array | None = None
     bodies: Array | None = None
+    isotropic: bool = False
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -220,28 +222,28 @@ class Linear:
             forces[each.link.name], begin = reaction, begin + len(each.link.rigid)
         return forces
 
-    @cached_property
-    def isotropic(self) -> bool:
-        """Both planes obey the same equations: forward and backward whirl are apart."""
-        firsts = [c for c in self.components if c.way == "y"]
-        seconds = [c for c in self.components if c.way == "z"]
-        if len(firsts) + len(seconds) != len(self.components):
-            return False
-        if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
-            return False
-        names = ("vectors", "stiffness", "damping", "turning")
-        if not all(
-            np.array_equal(getattr(y, name), getattr(z, name))
-            for y, z in zip(firsts, seconds, strict=True)
-            for name in names
-        ):
-            return False
-        return all(
-            answers_alike(part)
-            for each in self.connections
-            for part in (*each.matrices, np.diag(each.rigid))
-            if part.shape[-1] == len(DIRECTIONS)
-        )
+
+def planes_alike(linear: Linear) -> bool:
+    """Both planes obey the same equations at every speed."""
+    firsts = [c for c in linear.components if c.way == "y"]
+    seconds = [c for c in linear.components if c.way == "z"]
+    if len(firsts) + len(seconds) != len(linear.components):
+        return False
+    if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
+        return False
+    names = ("vectors", "stiffness", "damping", "turning")
+    if not all(
+        np.array_equal(getattr(y, name), getattr(z, name))
+        for y, z in zip(firsts, seconds, strict=True)
+        for name in names
+    ):
+        return False
+    return all(
+        answers_alike(part)
+        for each in linear.connections
+        for part in (*each.matrices, np.diag(each.rigid))
+        if part.shape[-1] == len(DIRECTIONS)
+    )
 
 
 def planes_of(linear: Linear) -> list[tuple[int, int]]:

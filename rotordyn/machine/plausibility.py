@@ -76,9 +76,10 @@ def unopposed(spindle: Spindle) -> str:
     if len(ways) != 1 or any(seat.bearing.both_ways for seat in spindle.seats):
         return ""
     way, other = ("+x", "-x") if ways == {1} else ("-x", "+x")
+    one = "turn one round" if len(spindle.seats) > 1 else "add one"
     return (
-        f"all bearings carry thrust towards {way} only, and none opposes them: turn one round "
-        f"(thrust: {other})"
+        f"all bearings carry thrust towards {way} only, and none opposes them: {one} (thrust: "
+        f"{other}), or press them by an axial_force towards {way}"
     )
 
 

@@ -22,6 +22,7 @@ from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.follow import matched
 from rotordyn.numerics.modes import swings
 from rotordyn.results.display import RPM
+from rotordyn.scene.formulation import ROTATING
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
 from rotordyn.scene.scene import Scene
 
@@ -56,7 +57,8 @@ def mode_errors(
 
     def error(solution: tuple[Modes, ModeErrors]) -> float:
         (branches, _), errors = solution
-        return RESPONSES * (math.inf if errors.unconverged else _worst(errors, branches, band))
+        judged = _judged(scene, branches, band)
+        return RESPONSES * (math.inf if errors.unconverged else _worst(errors, judged))
 
     scene, (computed, errors) = solve_accurately(scene, solve, error)
     judged = scene.conditions.element_length is None and scene.checks.wanted
@@ -70,9 +72,9 @@ def mode_errors(
 
 def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
     """What of the accuracy asked for is not reached, as a sentence, or ""."""
-    accuracy = scene.conditions.accuracy
-    most = _worst(errors, branches, band)
-    rounded = _largest(errors.rounding, branches, band)
+    accuracy, judged = scene.conditions.accuracy, _judged(scene, branches, band)
+    most = _worst(errors, judged)
+    rounded = _largest(errors.rounding, judged)
     reasons = [errors.unconverged] if errors.unconverged else []
     if not reasons and most > accuracy and most > CHANCE * rounded:
         reasons.append(f"frequencies change by up to {most:.0e} as the model is refined")
@@ -81,7 +83,7 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
             f"rounding moves frequencies by up to {rounded:.0e}, beside supports that are far "
             "stiffer than the shaft: hold them rigid"
         )
-    slow = _largest(errors.frequency, branches, band, overdamped=True)
+    slow = _largest(errors.frequency, _judged(scene, branches, band, overdamped=True))
     if slow > accuracy:
         much = f"up to {slow:.0e}" if slow < SAME else f"more than {SAME:.0e}"
         reasons.append(
@@ -90,28 +92,29 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
     return "; ".join(reasons)
 
 
-def _worst(errors: ModeErrors, branches: list[Branch], band: Band) -> float:
+def _worst(errors: ModeErrors, judged: Flags) -> float:
     """The largest error of a frequency, or of a damping ratio in that measure."""
     each = errors.frequency, errors.damping / RESPONSES
-    return max(_largest(one, branches, band) for one in each)
+    return max(_largest(one, judged) for one in each)
 
 
-def _largest(
-    errors: Array, branches: list[Branch], band: Band, *, overdamped: bool = False
-) -> float:
-    """The largest of errors (usable, modes) within the band, of modes that swing, or where they
-    hardly do; those that hardly do at most speeds are shown nowhere."""
-    judged = np.array([_judged(b, band, overdamped=overdamped) for b in branches], dtype=bool)
-    return float(np.nanmax(errors[judged.reshape(errors.shape[::-1]).T], initial=0.0))
+def _largest(errors: Array, judged: Flags) -> float:
+    """The largest of errors (usable, modes) that are ``judged``."""
+    return float(np.nanmax(errors[judged], initial=0.0))
 
 
-def _judged(branch: Branch, band: Band, *, overdamped: bool) -> Flags:
-    """Speeds (usable,) at which a mode that is shown swings within the band, or hardly does."""
-    with np.errstate(invalid="ignore"):
-        ratio = -branch.pole.real / np.abs(branch.pole)
-        chosen = (ratio > OVERDAMPED) == overdamped
-        inside = branch.frequency <= band.max_frequency
-        return np.asarray(inside & chosen & (not branch.overdamped))
+def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: bool = False) -> Flags:
+    """Speeds at which modes that are shown swing within the band, or hardly do (usable, modes);
+    those that hardly do at most speeds are shown nowhere."""
+    judged = np.zeros((len(scene.usable), len(branches)), dtype=bool)
+    spin = _spin(scene)
+    for k, branch in enumerate(branches):
+        with np.errstate(invalid="ignore"):
+            ratio = -branch.pole.real / np.abs(branch.pole)
+            chosen = (ratio > OVERDAMPED) == overdamped
+            seen = np.minimum(np.abs(branch.pole.imag), branch.frequency_in_frame(spin))
+        judged[:, k] = (seen <= band.highest) & chosen & (not branch.overdamped)
+    return judged
 
 
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
@@ -120,6 +123,7 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     rows = np.unique([*few, *(b.born for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
     unconverged, highest = "", (1.0 - SAME) * band.highest
+    spin = _spin(scene)
     for subsystem in sorted({branch.subsystem for branch in branches}):
         motions = finer.system_at(subsystem, rows)
         apart = all(b.side for b in branches if b.subsystem == subsystem)
@@ -140,10 +144,11 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             column = [branches[k].column[row] for k in chosen]
             errors[2, place, chosen] = scene.system(subsystem).rounding[row, column]
             for what, lost in (("vanish", here[~known]), ("appear", extra)):
-                if (
-                    judged := lost[(lost.imag < highest) & (-lost.real <= OVERDAMPED * abs(lost))]
-                ).size:
-                    unconverged = _sentence(scene, row, what, judged)
+                turning = np.abs(lost.imag - side * spin[row])
+                judged = np.minimum(lost.imag, turning) < highest
+                judged &= -lost.real <= OVERDAMPED * np.abs(lost)
+                if judged.any():
+                    unconverged = _sentence(scene, row, what, turning[judged][0])
     at = scene.speed[scene.usable] ** 2  # the gyroscopic effect's share of an error follows that
     whole = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
@@ -161,7 +166,13 @@ def _change(here: Complex, there: Complex) -> Array:
     return np.abs([(here.imag - there.imag) / size, here.real / size - there.real / np.abs(there)])
 
 
-def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
-    hertz = np.abs(pole[0].imag) / (2.0 * math.pi)
+def _spin(scene: Scene) -> Array:
+    """Speed (usable,) of the frame in which modes are shown [rad/s]."""
+    turning = scene.conditions.formulation == ROTATING
+    return np.asarray(scene.speed[scene.usable] * turning)
+
+
+def _sentence(scene: Scene, row: int, what: str, omega: float) -> str:
+    hertz = omega / (2.0 * math.pi)
     rpm = scene.speed[scene.usable[row]] * RPM.factor
     return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"

@@ -8,6 +8,8 @@ import numpy as np
 
 from rotordyn.arrays import Array
 
+SAME = 1e-12  # of x: samples that near to each other are one
+
 
 def zero_crossings(x: Array, y: Array) -> list[float]:
     """Zeros of y(x) between neighbouring samples of opposite sign, on the local cubic.
@@ -37,10 +39,16 @@ def above_zero(x: Array, y: Array) -> Array:
 
 
 def _zero(x: Array, y: Array, k: int) -> float:
-    """Bisection on the polynomial through up to four samples around the interval k."""
-    near = np.arange(max(k - 1, 0), min(k + 3, len(x)))
-    near = near[np.isfinite(y[near])]
+    """Bisection on the polynomial through up to four samples around the interval k, none of them
+    the same."""
     middle, width = 0.5 * (x[k] + x[k + 1]), x[k + 1] - x[k]
+    same = SAME * np.abs(x[k : k + 2]).max()
+    if width <= same:
+        return float(middle)
+    apart = np.abs(x[:, None] - x[k : k + 2]).min(axis=1) > same
+    before, after = np.flatnonzero(apart[:k])[-1:], k + 2 + np.flatnonzero(apart[k + 2 :])[:1]
+    near = np.concatenate([before, [k, k + 1], after])
+    near = near[np.isfinite(y[near])]
     fitted = np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
     descending, positive = fitted[::-1].tolist(), bool(y[k] > 0.0)
     low, high = -0.5, 0.5

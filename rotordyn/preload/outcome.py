@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from rotordyn.arrays import Array, Flags
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.matrix import entry_name
 from rotordyn.machine.plausibility import unopposed
@@ -17,15 +17,23 @@ from rotordyn.preload.network import Network, NetworkState
 
 LEAST_PRELOAD = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
 STILL = 1e-9  # m
+UNASKED = 1.0  # N, on bearings that carry nothing at rest, or not in this machine
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 
 def outcomes(
-    spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState, *, warm: bool
+    spindle: Spindle,
+    network: Network,
+    rest: NetworkState,
+    net: NetworkState,
+    rest_loads: Callable[[], Array],
+    *,
+    warm: bool,
 ) -> tuple[str, ...]:
     """One sentence per speed: empty where the state is usable.
 
-    ``rest``: the state under the stated preloads that everything else is measured from; ``warm``:
+    ``rest``: the state under the stated preloads that everything else is measured from;
+    ``rest_loads`` of the bearings (bearings,), the external force included [N]; ``warm``:
     temperatures differ from those of assembly.
     """
     if not rest.converged[0] and np.abs(network.springs.force).max() >= LEAST_PRELOAD:
@@ -35,13 +43,15 @@ def outcomes(
             "bearings that sit in the housing"
         )
         return (sentence,) * len(net.converged)
-    sound = _sound(network, net)
+    sound, failed = _sound(network, net), np.flatnonzero(~net.converged)
+    lost = lost_at_speed(spindle, network, rest_loads(), failed) if failed.size else {}
     words = tuple(
-        ("" if sound[row] else _outcome(spindle, network, net, row, warm=warm))
+        ("" if sound[row] else lost.get(row) or _outcome(spindle, network, net, row, warm=warm))
         or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )
-    alone = unopposed(spindle)
+    pressed = any(network.arrangement.force * seat.thrust > 0.0 for seat in spindle.seats)
+    alone = "" if pressed else unopposed(spindle)
     return (alone,) * len(words) if alone and all(words) else words
 
 
@@ -65,8 +75,8 @@ def _sideways(
 def _sound(network: Network, net: NetworkState) -> Flags:
     """Speeds at which ``_outcome`` has nothing to say, most of them, all at once: in balance, all
     bearings pressed and none too hard."""
-    load, pushed = net.response.load, _pushed(network)
-    size = np.fmax(pushed, np.abs(load).max(axis=1, initial=0.0))
+    load = net.response.load
+    size = np.fmax(pushed(network), np.abs(load).max(axis=1, initial=0.0))
     pressed = np.where(
         network.both_ways, net.response.slope > 0.0, load > LEAST_LOAD * size[:, None]
     )
@@ -77,42 +87,38 @@ def _sound(network: Network, net: NetworkState) -> Flags:
     return np.asarray(sound & np.isfinite(load).all(axis=1))
 
 
-def _pushed(network: Network) -> float:
+def pushed(network: Network) -> float:
     """Largest force of a spring and the one from outside [N]."""
     return float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
 
 
-def _light(spindle: Spindle, pushed: float, rpm: float) -> str:
+def unpreloaded(spindle: Spindle, network: Network, row: int) -> str:
     """That hardly anything presses the bearings."""
-    if not spindle.sleeves and not pushed:
+    force, rpm = pushed(network), network.arrangement.speed[row] * 30.0 / math.pi
+    if not spindle.sleeves and not force:
         return (
             f"no bearing is preloaded at {rpm:.0f} rpm, and no sleeve presses any: put one on a "
             "sleeve with a spring, give an arrangement with its preload, or an axial force"
         )
-    given = f" of {LEAST_PRELOAD:g} N or more: given {pushed:.3g} N" if pushed else ""
+    given = f" of {LEAST_PRELOAD:g} N or more: given {force:.3g} N" if force else ""
     return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
 
 
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
     """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
-    load = net.response.load[row]
-    names = [
-        ", ".join(spindle.seats[k].name for k in bearing.seats)
-        for bearing in network.arrangement.bearings
-    ]
-    pushed = _pushed(network)
+    load, names = net.response.load[row], _names(spindle, network)
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
-    light = max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
+    light = max(pushed(network), float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
     if light and not (pressed.size and pressed.all()):
-        return _light(spindle, pushed, rpm)
+        return unpreloaded(spindle, network, row)
     lost = np.flatnonzero(~np.isfinite(load))
     if lost.size:
         return (
             f"bearing {names[lost[0]]} has no equilibrium at {rpm:.0f} rpm: raise its preload or "
             "lower the speed"
         )
-    if idle := _idle(network, net, row, pushed):
+    if idle := _idle(network, net, row):
         return (
             f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
             "preload"
@@ -133,14 +139,46 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     return apart or _overload(names, net, row, rpm)
 
 
-def _idle(network: Network, net: NetworkState, row: int, pushed: float) -> list[int]:
+def _names(spindle: Spindle, network: Network) -> list[str]:
+    """Of every bearing of the arrangement."""
+    return [
+        ", ".join(spindle.seats[k].name for k in bearing.seats)
+        for bearing in network.arrangement.bearings
+    ]
+
+
+def lost_at_speed(
+    spindle: Spindle, network: Network, loads: Array, rows: Indices
+) -> dict[int, str]:
+    """Of ``rows`` at which a bearing has no state under its axial load at rest, of ``loads``
+    (bearings,) [N]: which, and what helps."""
+    from bearings.ring.condition import remedy
+
+    carries = np.isfinite(loads) & ((loads > 0.0) | network.both_ways)
+    load = np.zeros((len(rows), len(loads), 5))
+    load[..., 0] = np.where(carries, loads, UNASKED)
+    names, speed, words = _names(spindle, network), network.arrangement.speed, {}
+    solved = network.at(rows).solve_bearings(range(len(loads)), None, load=load)
+    for one in solved.values():
+        places, state = one.places, one.state
+        lost = carries[places] & (state.outcome == "no equilibrium")
+        for k, column in np.argwhere(lost).tolist():
+            row, place = int(rows[k]), places[column]
+            words[row] = (
+                f"bearing {names[place]} has no equilibrium at {speed[row] * 30.0 / math.pi:.0f} "
+                f"rpm under the {loads[place]:.4g} N along its axis at rest: {remedy(state)}"
+            )
+    return words
+
+
+def _idle(network: Network, net: NetworkState, row: int) -> list[int]:
     """Bearings whose lost preload leaves play: without any load, and no force from outside presses
     the shaft against others."""
     load = net.response.load[row]
     pressed = np.where(network.both_ways, load != 0.0, load > 0.0)
     if network.arrangement.force and net.converged[row] and pressed.any():
         return []
-    least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
+    least = LEAST_LOAD * max(pushed(network), float(np.abs(load).max()))
     return np.flatnonzero((load <= least) & ~network.both_ways).tolist()
 
 

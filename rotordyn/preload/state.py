@@ -234,5 +234,5 @@ class PreloadState:
         """The state at some of its speeds, without loads across the axis."""
         network, net = self.network.at(index), self.net.rows(index)
         warm = self.temperatures is not None
-        words = outcomes(self.spindle, network, self.mounted, net, warm=warm)
+        words = outcomes(self.spindle, network, self.mounted, net, self.rest_loads, warm=warm)
         return replace(self, network=network, net=net, outcome=words, place=None)

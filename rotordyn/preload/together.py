@@ -23,12 +23,11 @@ from rotordyn.preload.bearing_iterates import Solved
 from rotordyn.preload.equilibrium import confirmed
 from rotordyn.preload.network import Network
 from rotordyn.preload.on_films import Films
-from rotordyn.preload.outcome import outcomes
+from rotordyn.preload.outcome import UNASKED, outcomes
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import meeting_speeds, with_stops
 
 T = TypeVar("T")
-UNASKED = 1.0  # N, on bearings that another machine asks for and that carry nothing in this one
 
 
 class Asked(NamedTuple):
@@ -125,7 +124,8 @@ def settled(begun: Sequence[PreloadState], start: Sequence[Array] = ()) -> list[
     states = []
     for each, end, part in zip(begun, limit, net.parts(rows), strict=True):
         warm = each.temperatures is not None
-        words = outcomes(each.spindle, each.network, each.mounted, part, warm=warm)
+        machine = each.spindle, each.network, each.mounted
+        words = outcomes(*machine, part, each.rest_loads, warm=warm)
         states.append(replace(each, limit=end, net=part, outcome=words))
     return Together.of(states)
 

@@ -22,7 +22,7 @@ from rotordyn.preload.balance import Balance, Force, Point
 from rotordyn.preload.balance_search import balanced
 from rotordyn.preload.leaving import NEARER, Leaving
 from rotordyn.preload.network import Network, NetworkState, Response
-from rotordyn.preload.outcome import pushed_apart
+from rotordyn.preload.outcome import LEAST_PRELOAD, lost_at_speed, pushed, pushed_apart, unpreloaded
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import Together
 
@@ -35,8 +35,12 @@ def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadS
     """``state`` under loads of ``size`` [N], along ``rotor.point`` of a structure in its states."""
     first = Balance.at(state, rotor, np.arange(len(state.speed)))
     balance, there, converged = _marched(first, size)
+    failed = np.flatnonzero(~converged)
+    alone = _alone(state, failed) if failed.size else {}
     words = [
-        _pushed_apart(state, balance, there, row) if good else _why(state, there, row, size)
+        _pushed_apart(state, balance, there, row)
+        if good
+        else alone.get(row) or _why(state, there, row, size)
         for row, good in enumerate(converged.tolist())
     ]
     return _as_state(state, balance, there, balance.error(there, size), tuple(words))
@@ -145,6 +149,17 @@ def _ahead(balance: Balance, here: Point, step: Force, alive: Flags) -> list[Arr
     balls = [one.ball for _, one in here.bearings]
     moved = balance.balls_along(here, change)
     return [here.coordinates + change, *(x + dx for x, dx in zip(balls, moved, strict=True))]
+
+
+def _alone(state: PreloadState, rows: Indices) -> dict[int, str]:
+    """Of ``rows`` at which nothing presses the bearings along their axis, or one has no state by
+    its axial load alone, what keeps them from it."""
+    network = state.network
+    lost = lost_at_speed(state.spindle, network, state.rest_loads(), rows)
+    for row in rows.tolist():
+        if not state.net.converged[row] and pushed(network) < LEAST_PRELOAD:
+            lost[row] = unpreloaded(state.spindle, network, row)
+    return lost
 
 
 def _why(state: PreloadState, there: Point, row: int, size: float) -> str:

@@ -98,7 +98,8 @@ def _on_its_shaft(spindle: Spindle) -> Faults:
     if free and not spindle.seats and "" not in {support.name for support in spindle.supports}:
         yield (
             ("spindle", "supports"),
-            "the shaft is not held: no bearings, no support with stiffness " + " and ".join(free),
+            f"the shaft is not held: no bearings, no support with stiffness {' and '.join(free)}; "
+            "give it, of a shaft that is to be free 1e-15 N/m",
         )
 
 

@@ -24,7 +24,8 @@ class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
     ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
-    compressed. ``along``: force in a shaft under bearing loads and a share of all axial forces.
+    compressed. ``along``: force in a shaft under bearing loads and a share of all axial forces,
+    ``cause``: what these are called.
     """
 
     spindle: Spindle
@@ -33,6 +34,7 @@ class Loading:
     seat_load: Array
     seat_stiffness: Array
     along: Callable[[Spindle, Array, float], AxialForce]
+    cause: str
 
     def outcomes(self) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this speed and what would hold."""
@@ -76,8 +78,8 @@ class Loading:
             )
         most = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
-            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} times that force "
-            "would not: lower it or hold the shaft better"
+            f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {most:.3g} times that force "
+            "would not: lessen it or hold the shaft better"
         )
 
 

@@ -281,7 +281,10 @@ class Statics(Staged):
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
         machine = self.grounded, speed, lambda: self.rotor
-        return Loading(*machine, seat_load, seat_stiffness, self._along).outcomes()
+        cause, tension = "axial force", self.conditions.tension
+        if tension < 0.0 and not self.conditions.axial_force and not self.gravity:
+            cause = f"tension of {tension / 1e3:.4g} kN"
+        return Loading(*machine, seat_load, seat_stiffness, self._along, cause).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
         """Axial force that acts on bending (states, elements) [N]; None where it shall not.

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rotordyn
+from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.result import TurningCampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec
@@ -25,6 +26,10 @@ from rotordyn.job import solve
 from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import Branch, branches_of
+from rotordyn.modes.errors import mode_errors
+from rotordyn.modes.names import named
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.cylinders import NO_SEATS
@@ -268,3 +273,37 @@ def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
     known = error > 1e-8
     assert (told[known] > error[known] / 3.0).all()
     assert (told[known] < error[known] * 3.0).all()
+
+
+def between_shown_frequencies() -> list[Scene]:
+    """A rotor whose second forward mode swings at 457 Hz in space, at 357 Hz in the frame that
+    turns at 6000 rpm."""
+    disc = PointMass("d", 0.3, 15.0, 0.12, 0.065)
+    held = [support(name, x, (5e6, 5e6), 500.0) for name, x in (("a", 0.0), ("b", 0.8))]
+    steel = Material("s", 2e11, 0.3, 7800.0)
+    rotor = uniform(0.8, 0.04, steel, masses=(disc,), supports=held)
+    return both(rotor, np.array([0.0, 3000.0, 6000.0]) * RPM, 300.0)
+
+
+def test_modes_beyond_the_band_of_both_frames_are_not_missed() -> None:
+    fixed, turned = (campbell.answer(s, CampbellSpec(300.0)) for s in between_shown_frequencies())
+    assert fixed.unconverged == turned.unconverged == ""
+    assert np.nanmin(turned.frequency, axis=0).max() <= 300.0
+
+
+def test_modes_missed_are_named_by_the_frequency_in_the_frame() -> None:
+    """A search that leaves out the forward mode of 51 Hz in space at 6000 rpm, 49 Hz in the
+    frame."""
+    spoken, shown = [], []
+    for found in between_shown_frequencies():
+
+        def without_one(one: Scene) -> tuple[list[Branch], tuple[str, ...]]:
+            every = branches_of(one, Band(300.0))
+            forward = [b for b in every if b.side > 0.0]
+            left = min(forward, key=lambda b: b.frequency[-1])
+            shown.append(left.frequency[-1])
+            return named([b for b in every if b is not left])
+
+        _, _, errors = mode_errors(found, Band(300.0), without_one)
+        spoken.append(float(errors.unconverged.split("one of ")[1].split(" Hz")[0]))
+    assert spoken == pytest.approx([shown[0], abs(shown[-1] - 100.0)], rel=1e-4)

@@ -648,5 +648,6 @@ def test_loads_need_bearings_and_analyses_that_take_them() -> None:
     for spec in (SectionForcesSpec(), StiffnessSpec(point="Oc2")):
         sentences = [sentence for _, sentence in spec.faults_on(setting)]
         assert any("loads" in sentence for sentence in sentences)
+    assert any("allowed: variants: [nonlinear], without second_stop" in s for s in sentences)
     only = StiffnessSpec(point="Oc2", variants=("nonlinear",))
     assert not [*only.faults_on(setting)]

@@ -41,7 +41,7 @@ from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.spec import Setting
 from tests.oracles.coaxial import COAXIAL, OUTER
-from tests.oracles.rotors import STEEL, STEPPED, support
+from tests.oracles.rotors import STEEL, STEPPED, support, uniform
 from tests.oracles.spindles import RPM, pairs
 
 Array = NDArray[np.float64]
@@ -609,6 +609,9 @@ def test_motion_over_time_has_a_limit_without_damping() -> None:
     assert [*unlimited(short(0.0), asked)] == []
     (told,) = unlimited(short(0.0), {**asked, "unbalance": None})
     assert told.startswith("unbalance: nothing in the machine is damped")
+    assert told.endswith("give damping.rotor, damping.bearings, or damping of supports")
+    (told,) = unlimited(uniform(0.3, 0.04), {"unbalance": None})
+    assert told.endswith("give damping.rotor, or damping of supports")
 
 
 @pytest.mark.few(1)

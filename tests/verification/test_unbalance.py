@@ -164,6 +164,18 @@ def test_orbit_is_what_a_drawn_ellipse_shows() -> None:
     )
 
 
+@pytest.mark.filterwarnings("error")
+def test_orbit_of_motion_that_has_grown_beyond_squares() -> None:
+    """The same ellipse, larger, down to a circle and a point."""
+    rng = np.random.default_rng(3)
+    y, z = (rng.normal(size=50) + 1j * rng.normal(size=50) for _ in range(2))
+    y[:2], z[:2] = (1.0, 0.0), (-1j, 0.0)
+    one, large = orbit(y, z), orbit(1e250 * y, 1e250 * z)
+    np.testing.assert_allclose(large.major, 1e250 * one.major, rtol=1e-14)
+    np.testing.assert_allclose(large.inclination, one.inclination, rtol=1e-12)
+    assert (one.inclination[:2] == 0.0).all()
+
+
 @pytest.fixture(scope="module")
 def spindle() -> Spindle:
     return undamped(mfw2310())

@@ -45,7 +45,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         every = branches_of(one, wide)
         return named([b for b in every if not turned or _within(one, b, band)])
 
-    scene, (branches, names), errors = mode_errors(scene, wide, modes)
+    scene, (branches, names), errors = mode_errors(scene, band, modes)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, band, branches, names)
     threshold, growing = stability_threshold(scene, band, branches, names)

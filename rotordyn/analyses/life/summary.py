@@ -24,6 +24,8 @@ from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
+SAFE = 1e3  # of S0, next to no load
+LIGHT = 0.01  # GPa
 LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
 
 
@@ -41,7 +43,7 @@ def summary(result: LifeResult) -> list[str]:
         )
         lines.append(
             f"spectrum   L10r [h] {lives}; set {hours(result.spectrum_set_life / HOUR)}; "
-            f"S0 from {number(float(result.spectrum_safety.min()))}"
+            f"S0 {safe(float(result.spectrum_safety.min()))}"
         )
     if math.isfinite(result.viscosity):
         steep = ", ".join(result.bearing[k] for k in np.flatnonzero(unmodified(result)))
@@ -63,8 +65,9 @@ def summary(result: LifeResult) -> list[str]:
         )
         lines.append(f"warm       at {rpm:.0f} rpm {parts} °C")
     low, pressure = np.nanmin(result.static_safety), np.nanmax(result.pressure) / 1e9
+    pressed = f"{pressure:.2f}" if pressure >= LIGHT else f"< {LIGHT:g}"
     lines.append(
-        f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa; {_static(result)}"
+        f"safety     S0 {safe(float(low))}, peak pressure {pressed} GPa; {_static(result)}"
     )
     orders = [
         f"{part} {_range(getattr(result, name)[_last(result)], 3)}"
@@ -111,6 +114,15 @@ def hours(value: float) -> str:
     if math.isnan(value):
         return "none"
     return "> 1e6" if value > LONG else f"{float(f'{value:.3g}'):.0f}"
+
+
+def safe(value: float) -> str:
+    """The least static safety.
+
+    >>> safe(2.459), safe(1.07e10), safe(float("inf"))
+    ('from 2.46', '> 1000', '> 1000')
+    """
+    return f"> {SAFE:.0f}" if value > SAFE else f"from {number(value)}"
 
 
 def _last(result: LifeResult) -> int:

@@ -58,7 +58,7 @@ class StiffnessSpec(Spec):
                 ("variants",),
                 "under static loads of the case (loads, weight, misaligned seats) the radial "
                 "stiffness is solved by the full bearing model alone: given {given}; allowed: "
-                "[nonlinear], without second_stop",
+                "variants: [nonlinear], without second_stop",
             )
         oiled, heated = setting.conditions.films, setting.conditions.heat_flow
         if self.second_stop and (oiled is not None or heated is not None):

@@ -31,5 +31,6 @@ def orbit(y: Complex, z: Complex) -> Orbit:
     forward, backward = 0.5 * (y + 1j * z), 0.5 * (y.conj() + 1j * z.conj())
     ahead, behind = np.abs(forward), np.abs(backward)
     circle = np.minimum(ahead, behind) <= CIRCLE * np.maximum(ahead, behind)
-    turned = np.where(circle, 0.0, 0.5 * np.angle(forward * backward))
+    turned = np.pi - np.mod(np.pi - np.angle(forward) - np.angle(backward), 2.0 * np.pi)
+    turned = np.where(circle, 0.0, 0.5 * turned)
     return Orbit(ahead + behind, ahead - behind, turned)

@@ -13,6 +13,7 @@ from rotordyn.results.kinds import Array, Complex, Flags, Words
 from rotordyn.scene.linearity import LINEAR
 
 NO_RUN = Absence("of a run without a solution", by=("run",))
+RUNAWAY = 1e3  # times the largest value of steady rotation: a run beyond is growth alone
 FEWER = Absence("behind the last peak", last="resonance")
 
 

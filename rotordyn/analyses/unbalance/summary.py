@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.result import RUNAWAY, UnbalanceResult
 from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
@@ -157,8 +157,11 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     """The largest estimated error of the motion."""
     worst = float(result.error.max(initial=0.0))
     lines = [f"response to unbalance within {rounded_up(worst)} of its peak"]
-    if np.isfinite(result.run_error).any():
-        lines.append(f"runs within {rounded_up(float(np.nanmax(result.run_error)))} of theirs")
+    steady = np.nanmax(result.fine_major_axis, initial=0.0)
+    grows = (result.run_peak > RUNAWAY * steady).any(axis=1)
+    errors = result.run_error[np.isfinite(result.run_error) & ~grows]
+    if errors.size:
+        lines.append(f"runs within {rounded_up(float(errors.max()))} of theirs")
     return lines
 
 

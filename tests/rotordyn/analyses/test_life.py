@@ -444,3 +444,11 @@ def test_defect_frequencies_in_the_campbell_diagram() -> None:
     assert found.passing[:3] == ("cage a, b", "cage c", "cage d, e")
     hertz = flagship().cage * np.array(SPEEDS)[:, None] / 60.0
     assert found.passing_frequency[:, :3] == pytest.approx(hertz[:, [0, 2, 3]])
+
+
+def test_bearings_next_to_no_load_have_no_digits_of_safety() -> None:
+    usual = " ".join(summary(flagship()))
+    assert re.search(r"S0 from \d+\.\d+, peak pressure 1\.\d\d GPa", usual)
+    safety = np.full_like(flagship().static_safety, 1.07e10)
+    idle = replace(flagship(), static_safety=safety, pressure=safety * 1e-7)
+    assert "S0 > 1000, peak pressure < 0.01 GPa" in " ".join(summary(idle))

@@ -131,3 +131,50 @@ def test_lossy_supports_answer_ahead_of_the_motion(way: int) -> None:
     assert found.imag == pytest.approx(way * 0.2 * springs)
     plain = bending(EVEN, 3000.0)
     assert answering_stiffness(plain, Signs(0, 0, way)) is plain.stiffness
+
+
+UNEVEN = {
+    "stiffness": ("stiffness", {("z", "z"): 6e7}),
+    "damping": ("damping", {("z", "z"): 900.0}),
+    "cross": ("stiffness", {("y", "z"): 2e7, ("z", "y"): 2e7}),
+}
+
+
+@pytest.mark.parametrize("lossy", [False, True], ids=["", "lossy"])
+@pytest.mark.parametrize("rigid", [(), ("y", "z")], ids=["", "rigid"])
+@pytest.mark.parametrize("even", [0, -1], ids=["first", "last"])
+@pytest.mark.parametrize("what", UNEVEN)
+def test_planes_alike_at_one_speed_alone(
+    what: str, even: int, rigid: tuple[str, ...], lossy: bool
+) -> None:
+    """A table that is even at the first or the last speed: motions at that speed by themselves, and
+    drawn responses, are those of all speeds."""
+    which, entries = UNEVEN[what]
+    front = EVEN[0]
+    alike = getattr(front, which)
+    table = {
+        key: tuple(
+            alike.get(key, 0.0) if k == even % 3 else value * (1.0 + 0.1 * k) for k in range(3)
+        )
+        for key, value in entries.items()
+    }
+    at = np.array([0.0, 6000.0, 12000.0]) * RPM
+    front = replace(front, speeds=tuple(at), **{which: {**alike, **table}})
+    rear = replace(EVEN[1], stiffness={}, damping={}, rigid=rigid) if rigid else EVEN[1]
+    spindle = replace(ROTOR, supports=(front, rear), loss_factor=0.02 * lossy)
+    scene = Scene(spindle, Conditions(), at, 1000.0, (-0.05, 0.11))
+    (k,) = scene.with_motions(("bending",))
+    whole, row = scene.system(k), np.array([even % 3])
+    rows = np.array([whole.linear.row("spindle", x, way) for x in (-0.05, 0.11) for way in "yz"])
+    every = np.repeat(rows, 4, axis=0), np.tile(rows, (4, 1))
+    given = whole.receptance(OMEGA, *every)[row]
+    scale = 1e-9 * np.abs(given).max()
+    np.testing.assert_allclose(whole.at(row).receptance(OMEGA, *every), given, atol=scale)
+    again = free_motions(whole.linear.at(row).scaled(np.ones(1), np.ones(1)))
+    np.testing.assert_allclose(again.receptance(OMEGA, *every), given, atol=scale)
+    spec = FrfSpec(tuple(np.linspace(50.0, 900.0, 30)), pairs("tip.y/tip.y", "mid.z/tip.y"))
+    found = answer(scene, spec)
+    drawn = found.slice_value[
+        even, :, np.searchsorted(found.slice_frequency[even], spec.frequencies)
+    ]
+    np.testing.assert_allclose(drawn.T, found.receptance[even], rtol=1e-9)

@@ -17,6 +17,7 @@ from rotordyn.analyses.thermal_preload.figures.over_difference import load_figur
 from rotordyn.analyses.time_response.figures.histories import bearing_figure
 from rotordyn.analyses.unbalance.figures import headline_curves
 from rotordyn.analyses.unbalance.figures.runs import runs_figure
+from rotordyn.analyses.unbalance.summary import accuracy
 from rotordyn.figures.interval import bands_figure
 from rotordyn.figures.style import add_axes, finish, new_figure
 from rotordyn.results.described import Shown
@@ -184,6 +185,11 @@ def test_a_run_that_grows_beyond_bounds_is_cut_at_the_edge_and_named():
     moved[2, :, 1] = np.nan, 1e-6, 1e-5, 5e-4, 5e-4  # grows, and is seen
     one = {"run": ("up", "on", "down"), "run_outcome": ("",) * 3, "run_amplitude": moved}
     first, second = runs_figure(replace(steady, **one)).axes
+    peak, error = np.nanmax(moved, axis=1), np.array([2e-6, 7e-5, 1e-6])
+    told = accuracy(replace(steady, **one, run_peak=peak, run_error=error))
+    assert told[1:] == ["runs within 2e-06 of theirs"]
+    told = accuracy(replace(steady, **one, run_peak=peak[[1, 1, 1]], run_error=error))
+    assert told[1:] == []
     assert first.get_title() == "Oc2, beyond the axis: on (to 1e+15)"
     assert second.get_title() == "O3"
     largest = 1e6 * np.nanmax(steady.fine_major_axis, axis=0)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rotordyn.numerics.crossing import zero_crossings
+from rotordyn.numerics.crossing import above_zero, zero_crossings
 
 
 @given(st.floats(-2.2, 2.2))
@@ -52,3 +52,17 @@ def test_gap_interrupts_the_curve(gap: float) -> None:
 
 def test_two_samples_are_a_line() -> None:
     assert zero_crossings(np.array([0.0, 1.0]), np.array([1.0, -3.0])) == pytest.approx([0.25])
+
+
+@pytest.mark.parametrize("twice", range(2, 6))
+@pytest.mark.filterwarnings("error")
+def test_samples_that_differ_in_the_last_digit_are_one(twice: int) -> None:
+    """Beside the interval, at either of its ends, or the zero between them."""
+    x = np.arange(1.0, 8.0)
+    y = (x - 4.4) * (1.0 + 0.2 * (x + 1.0) ** 2)
+    x = np.insert(x, twice + 1, np.nextafter(x[twice], np.inf))
+    y = np.insert(y, twice + 1, y[twice])
+    assert zero_crossings(x, y) == pytest.approx([4.4], abs=1e-9)
+    assert above_zero(x, y)[0] == pytest.approx([4.4, 7.0], abs=1e-9)
+    met = np.array([1.0, 2.0, np.nextafter(2.0, 3.0), 3.0])
+    assert zero_crossings(met, np.array([-3.0, -1.0, 1.0, 3.0])) == pytest.approx([2.0])

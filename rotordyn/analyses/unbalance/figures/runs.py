@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.result import RUNAWAY, UnbalanceResult
 from rotordyn.figures.amplitudes import decades
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 4  # panels
-RUNAWAY = 1e3  # times the largest value of steady rotation: a run beyond has no part in the axis
 
 
 def runs_figure(result: UnbalanceResult) -> Figure:
