@@ -12,16 +12,18 @@ import pytest
 from scipy.linalg import expm
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import limit_depth, milled
+from rotordyn.analyses.stability_lobes import limit_depth, milled, planned_cut
 from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.figures import headline_curves
 from rotordyn.analyses.stability_lobes.figures.milled_surface import surface_figure
-from rotordyn.analyses.stability_lobes.forced import Forced
+from rotordyn.analyses.stability_lobes.forced import Forced, _Loop
 from rotordyn.analyses.stability_lobes.forces import Forces
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.spec import PlannedCut, StabilityLobesSpec, Turning
 from rotordyn.analyses.stability_lobes.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve
+from rotordyn.results.described import Shown
 
 KT, KR, KTE, KRE = 7e8, 2.5e8, 2e4, 1.5e4
 MASS, NATURAL, RATIO = (
@@ -191,6 +193,55 @@ def test_turning_all_by_a_right_angle_turns_the_answer():
     assert one.deflection == pytest.approx(force / STIFF[::-1], rel=1e-12)
 
 
+def test_more_harmonics_change_nothing(solved, monkeypatch):
+    wanted = {"cut": "{depth: 1 mm}", "speeds": "[4000 rpm, 11000 rpm]"}
+    usual = lobes(solved(**wanted))
+    monkeypatch.setattr(planned_cut, "HARMONICS", 24.0)
+    finer = lobes(solved(**wanted))
+    near = 2e-3 * usual.tip_vibration.max()
+    for name in ("surface_error_most", "tip_vibration"):
+        np.testing.assert_allclose(getattr(usual, name), getattr(finer, name), atol=near)
+
+
+def test_the_thinnest_chip_is_that_of_any_height_and_tooth():
+    """By the motion at 25 heights of every edge."""
+    pitch = tuple(np.radians([60.0, 100.0, 80.0, 120.0]))
+    cut = Cut(4, KT, KR, 0.0, 1.2, 0.7, pitch)
+    forced = Forced(Forces(cut, 3e-4, 2e-5), DIAMETER, SPEED, 2.0 * math.pi * 9e3)
+    order = np.arange(math.ceil(forced.top / SPEED) + 1.0)
+    own = tip(order * SPEED)
+    moved = np.einsum(
+        "kij,kj->ki", own, _Loop(forced, order, own).solve(forced.forces.harmonics(order))
+    )
+    twice = moved * np.where(order > 0.0, 2.0, 1.0)[:, None]
+
+    def at(angle):
+        return (np.exp(1j * np.multiply.outer(angle, order)) @ twice).real
+
+    angle = np.linspace(0.01, 1.19, 200)
+    angle = angle[np.sin(angle) > 0.3 * math.sin(1.2)]
+    chips = []
+    behind = -np.concatenate([[0.0], np.cumsum(pitch[1:])])
+    for gap, back in zip(pitch, behind, strict=True):
+        for lag in np.linspace(0.0, 0.7, 25):
+            first = angle + lag - back
+            moves = at(first) - at(first - gap)
+            feed = 2e-5 * 4.0 * gap / (2.0 * math.pi)
+            chips.append(1.0 + (moves[:, 0] + moves[:, 1] / np.tan(angle)) / feed)
+    found = forced.solve(tip, ["up"]).thinnest
+    assert found == pytest.approx(np.min(chips), abs=0.02)
+    assert np.ptp([each.min() for each in chips]) > 0.15
+
+
+def test_an_edge_that_hardly_lags_is_straight():
+    straight, hardly = (
+        milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, math.pi, SPEED, DIAMETER, math.radians(helix))
+        for helix in (0.0, 1e-12)
+    )
+    assert hardly.force == pytest.approx(straight.force, rel=1e-9)
+    assert hardly.most == pytest.approx(straight.most, rel=1e-9)
+
+
 def test_teeth_that_leave_the_cut_are_told():
     """In a resonance of the pattern of uneven teeth, and far from it."""
     pitch = tuple(np.radians([70.0, 110.0] * 2))
@@ -268,7 +319,14 @@ spindle:
 speeds: [9000 rpm, 18000 rpm]
 analyses:
 """
-TEETH = ", ".join(f"{each} Hz" for each in (0.1, *range(300, 6001, 300)))  # pass at 9000 rpm
+TEETH = ", ".join(f"{each} Hz" for each in (0.1, *range(300, 12_001, 300)))  # pass at 9000 rpm
+TABLE = (
+    "stiffness: {yy: 1e8 N/m, zz: 6e7 N/m}",
+    (
+        "speeds: [0 rpm, 18000 rpm]\n"
+        "      stiffness: {yy: [1e8 N/m, 3e7 N/m], zz: [6e7 N/m, 2e7 N/m]}"
+    ),
+)
 FRF = f"""  frf:
     frequencies: [{TEETH}]
     matrix: {{responses: [tip.y, tip.z], excitations: [tip.y, tip.z]}}
@@ -277,11 +335,13 @@ FRF = f"""  frf:
 
 @pytest.fixture
 def solved(tmp_path):
-    def run(further="", **given):
+    def run(further="", changed=("", ""), **given):
         asked = {**ASKED, **given}
         lines = "".join(f"    {key}: {value}\n" for key, value in asked.items())
         path = tmp_path / "case.yaml"
-        path.write_text(MACHINE + "  stability_lobes:\n" + lines + further, encoding="utf-8")
+        path.write_text(
+            MACHINE.replace(*changed) + "  stability_lobes:\n" + lines + further, encoding="utf-8"
+        )
         return solve(rotordyn.load(path)).results
 
     return run
@@ -294,28 +354,28 @@ def lobes(results: Any) -> Any:
 def test_a_planned_cut_is_that_of_the_receptances_of_the_machine(solved):
     """Those of the analysis frf at 9000 rpm, at whole multiples of the frequency of the teeth;
     harmonics of the force by FFT. Teeth turn from the normal y to the feed z."""
-    found = solved(FRF, cut="{depth: 2 mm}", speeds="[9000 rpm]", helix="20 deg")
+    found = solved(FRF, TABLE, cut="{depth: 2 mm}", speeds="[4500 rpm, 9000 rpm]", helix="20 deg")
     own, frf = lobes(found), found["frf"]
     lag = 2.0 * 2e-3 * math.tan(math.radians(20.0)) / 0.04
     entry = math.acos(2.0 * 0.4 - 1.0)
     forces = Forces(Cut(2, 6e8, 2e8, entry, math.pi, lag), 2e-3, 1.5e-4)
     angle = math.pi * np.arange(4096) / 4096  # from tooth to tooth
     over = forces.at(angle)[:, 1::-1]  # normal y, feed z
-    spectrum = np.fft.rfft(over, axis=0)[:21] / len(angle)
-    response = frf.response[0].reshape(2, 2, -1)
+    spectrum = np.fft.rfft(over, axis=0)[:41] / len(angle)
+    response = frf.response[0].reshape(2, 2, -1)  # of 9000 rpm
     moved = np.einsum("ijk,kj->ki", response, spectrum)
     mean = moved[0].real
     wall = math.pi + np.linspace(0.0, lag, 30)
-    order = 2.0 * np.arange(21.0)
+    order = 2.0 * np.arange(41.0)
     twice = np.where(order > 0.0, 2.0, 1.0) * moved[:, 0]
     error = (np.exp(1j * wall[:, None] * order) @ twice).real
     near = 5e-3 * np.abs(error).max()
-    assert own.tip_deflection[0] == pytest.approx(mean[::-1], rel=2e-3)
-    assert own.surface_error_least[0, 0] == pytest.approx(error.min(), abs=near)
-    assert own.surface_error_most[0, 0] == pytest.approx(error.max(), abs=near)
+    assert own.tip_deflection[1] == pytest.approx(mean[::-1], rel=2e-3)
+    assert own.surface_error_least[1, 0] == pytest.approx(error.min(), abs=near)
+    assert own.surface_error_most[1, 0] == pytest.approx(error.max(), abs=near)
     assert own.wall == ("down",)
     assert own.planned_depth == 2e-3
-    assert own.cutting_power[0] == pytest.approx(6e8 * 0.4 * 0.04 * 2e-3 * 1.5e-4 * 300.0, rel=1e-9)
+    assert own.cutting_power[1] == pytest.approx(6e8 * 0.4 * 0.04 * 2e-3 * 1.5e-4 * 300.0, rel=1e-9)
 
 
 def test_without_a_cut_there_is_none_and_above_the_limit_it_is_not_stable(solved):
@@ -354,7 +414,66 @@ def test_words_numbers_and_figure(solved):
     assert "up-milled wall" in words
     assert "vibration in normal, peak to peak" in words
     # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
-    assert sum("farther apart than resonances" in each for each in warnings(found)) == 1
+    (told,) = (each for each in warnings(found) if "farther apart than resonances" in each)
+    width = np.fmax(found.resonance_width[1:], found.resonance_width[:-1]) * found.milling_speed[1:]
+    step = 0.5 * width.min() * 30.0 / math.pi
+    assert float(re.findall(r"steps of ([\d.]+) rpm", told)[0]) == pytest.approx(step, rel=6e-3)
+
+
+def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
+    """One of those in the Campbell diagram."""
+    further = "  campbell: {max_frequency: 3000 Hz}\n"
+    found = solved(further, cut="{depth: 1 mm}", speeds="[9000 rpm]")
+    ratio = found["campbell"].damping_ratio[0]
+    assert np.abs(2.0 * ratio / lobes(found).resonance_width[0] - 1.0).min() < 1e-3
+
+
+def test_errors_that_cut_too_deep_count_by_their_amount(solved):
+    found = lobes(solved(cut="{depth: 1 mm}", speeds="[3000 rpm, 5500 rpm]"))
+    below = replace(
+        found,
+        surface_error_least=np.array([[-9e-6], [-2e-6]]),
+        surface_error_most=np.array([[-8e-6], [4e-6]]),
+    )
+    named = {number.name: number.value for number in numbers(below, None)}  # type: ignore[arg-type]
+    assert named["surface error"] == pytest.approx(9.0)
+    curves = {each.figure: each.y for each in headline_curves(None, Shown("", below, (), None))}
+    assert curves["milled_surface"] == pytest.approx([-9.0, 4.0])
+    (told,) = (line for line in summary(below) if line.startswith("surface"))
+    assert "largest -9.00 to -8.00 µm at 3000 rpm" in told.replace("\xa0", " ")
+
+
+def test_unlike_stable_speeds_are_not_compared(solved):
+    """A machine that loses stability where errors are largest would look better."""
+    found = lobes(solved(cut="{depth: 1 mm}"))
+    lost = found.cut_is_stable.copy()
+    lost[2] = False
+    some = replace(found, cut_is_stable=lost)
+    named = {number.name: number for number in numbers(some, None)}  # type: ignore[arg-type]
+    for name in ("surface error", "cutting power"):
+        assert math.isnan(named[name].value)
+        assert named[name].absent == "not stable"
+    unsolved = replace(some, depth=np.where(lost, found.depth, np.nan))
+    named = {number.name: number for number in numbers(unsolved, None)}  # type: ignore[arg-type]
+    assert named["surface error"].value > 0.0
+    shaded = [
+        patch
+        for axes in surface_figure(some).axes
+        for patch in axes.patches
+        if patch.get_label() == "cut not stable, or not solved"
+    ]
+    assert len(shaded) == 2
+    low, high = shaded[0].get_x(), shaded[0].get_x() + shaded[0].get_width()
+    assert (low, high) == pytest.approx((6750.0, 9250.0))
+
+
+def test_a_cut_that_the_band_does_not_hold_is_warned_of(solved):
+    found = lobes(solved(cut="{depth: 1 mm}"))
+    least = np.where(np.arange(len(RPM)) < 2, 0.9e-3, found.depth)
+    told = [each for each in warnings(replace(found, least=least)) if "whole band" in each]
+    assert len(told) == 1
+    assert "at 2 of 7 speeds, first at 3000 rpm" in told[0]
+    assert not any("whole band" in each for each in warnings(found))
 
 
 def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said(solved):

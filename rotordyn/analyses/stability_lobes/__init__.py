@@ -21,6 +21,7 @@ ANALYSIS = in_folder(
     "accuracy",
     "warnings",
     "page",
+    "lacking",
     machine="spindle",
     place=25,
     spec=StabilityLobesSpec,

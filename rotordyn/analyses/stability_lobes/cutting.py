@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and exit are rounding
 LEAST = math.radians(0.999)  # of a pitch
 FULL = 1e-6  # rad, by which all pitches may miss a full turn
+STRAIGHT = 1e-7  # rad of lag: the mean along an edge that lags less is rounding
 ALIKE = 1e-12  # rad: pitches that differ by less are equal
 
 
@@ -95,7 +96,7 @@ class Cut:
         """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]; ``which``: behind
         one of them (n, 2, 2)."""
         at = self.standing(angle) if which is None else self.standing(angle)[:, which]
-        if self.lag > 0.0:
+        if self.lag > STRAIGHT:
             # mean of H along the edge, of which a part is in cut
             begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)
             coefficients = (self.swept(end) - self.swept(begin)) / self.lag

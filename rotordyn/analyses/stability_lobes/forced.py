@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 WALLS = {"up": (0.0, -1.0), "down": (math.pi, 1.0)}  # angle at which a tooth leaves it, and sign
+HEIGHTS = 9  # along an edge, at which its chip is looked at
 FINE = 8  # points of the shortest wave
 THICK = 0.3  # of the thickest chip: thinner ones lose contact anyway
 SEEN = 1e-8  # of the largest harmonic of the motion: smaller ones move no surface
@@ -142,10 +143,12 @@ class Forced:
             return 1.0
         angle = np.linspace(cut.entry, cut.exit, 2 + FINE * 8)[1:-1]
         angle = angle[np.sin(angle) > THICK * np.sin(angle).max()]
+        heights = np.linspace(0.0, cut.lag, HEIGHTS if cut.lag else 1)
         thinnest = 1.0
         for gap, behind, feed in zip(cut.gaps, cut.behind, self.forces.feeds, strict=True):
             own = moved * (1.0 - np.exp(-1j * order * gap))[:, None]
-            x, y = _motion(order, own, angle - behind).T
+            first = (angle + heights[:, None] - behind).ravel()  # what lags is there later
+            x, y = _motion(order, own, first).T.reshape(2, len(heights), len(angle))
             share = 1.0 + (x + y / np.tan(angle)) / feed
             thinnest = min(thinnest, float(share.min()))
         return thinnest
@@ -153,9 +156,9 @@ class Forced:
 
 @dataclass(frozen=True)
 class _Loop:
-    """Forces that the vibration adds at the orders (n,) of ``cut`` with receptances ``own``."""
+    """Forces that the ``vibration`` adds at its orders (n,), with receptances ``own`` there."""
 
-    cut: Forced
+    vibration: Forced
     order: Array
     own: Complex
 
@@ -178,8 +181,8 @@ class _Loop:
         )
         if failed:
             raise NoSolution(
-                f"forces of the vibration are not found at {self.cut.speed:.6g} rad/s: the cut is "
-                "near its limit of stability; take less depth"
+                f"forces of the vibration are not found at {self.vibration.speed:.6g} rad/s: the "
+                "cut is near its limit of stability; take less depth"
             )
         return np.asarray(found.reshape(-1, 2)[len(alone) - 1 :])
 
@@ -189,7 +192,7 @@ class _Loop:
 
     def _loops(self) -> list[Callable[[Complex], Complex]]:
         """From the motion (2n − 1, 2) to forces: of the chip behind every gap, of flanks."""
-        forces, speed = self.cut.forces, self.cut.speed
+        forces, speed = self.vibration.forces, self.vibration.speed
         step, count = self.order[1] - self.order[0], len(self.order)
         apart = step * np.arange(-2 * (count - 1), 2 * count - 1)
         order = step * np.arange(-(count - 1), count)
@@ -200,9 +203,9 @@ class _Loop:
             for gap, behind in zip(forces.cut.gaps, forces.cut.behind, strict=True):
                 kernel = chip * np.exp(1j * apart * behind)[:, None, None]
                 found.append(_convolved(kernel, 1.0 - np.exp(-1j * order * gap)))
-        if self.cut.rubbing > 0.0:
+        if self.vibration.rubbing > 0.0:
             flank = replace(forces, cut=replace(forces.cut, tangential=0.0, radial=1.0))
-            kernel = scale * self.cut.rubbing * flank.by_displacement(apart)
+            kernel = scale * self.vibration.rubbing * flank.by_displacement(apart)
             turned = np.exp(1j * apart[:, None] * forces.cut.behind).sum(axis=1)
             found.append(_convolved(kernel * turned[:, None, None], 1j * order * speed))
         return found

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.cutting import STRAIGHT, Cut
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -52,7 +52,7 @@ class Forces:
         tooth is at ``angle`` (n,): (n, 3)."""
         cut = self.cut
         teeth = cut.standing(angle)
-        if cut.lag > 0.0:
+        if cut.lag > STRAIGHT:
             begin, end = np.maximum(teeth - cut.lag, cut.entry), np.minimum(teeth, cut.exit)
             pairs = zip(self._swept(end), self._swept(begin), strict=True)
             chip, edge = ((one - other) / cut.lag for one, other in pairs)

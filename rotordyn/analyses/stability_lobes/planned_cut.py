@@ -14,7 +14,7 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
-HARMONICS = 3.0  # times the highest frequency that matters
+HARMONICS = 6.0  # times the highest frequency that matters
 VALUES = {
     "surface_error_least": ("least", "wall"),
     "surface_error_most": ("most", "wall"),

@@ -15,7 +15,7 @@ REMOVAL = Shown("cm³/min", 60e6)
 
 
 STABLE = Absence("where no depth is unstable", beside="loss")
-CUT = Absence("where the cut is not stable", beside="cut_is_stable")
+CUT = Absence("where the cut is not stable or not solved", beside="cut_is_stable")
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 

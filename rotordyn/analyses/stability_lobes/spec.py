@@ -124,8 +124,8 @@ class StabilityLobesSpec(Spec):
     )
     feed_per_tooth: Annotated[
         Length,
-        "in turning by revolution; for the removal rate and the planned `cut`, it does not change "
-        "the limits",
+        "in turning by revolution, of uneven teeth on average; for the removal rate and the "
+        "planned `cut`, it does not change the limits",
     ] = 1e-4
     method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
         MULTI_FREQUENCY

@@ -122,7 +122,8 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
     """Least limit, infinite where no depth is unstable, and the deepest pocket with its speed; of a
-    planned cut the largest amount of the error of the surface and the highest power."""
+    planned cut the largest amount of the error of the surface and the highest power, absent unless
+    it is stable at all speeds that are solved."""
     known = result.depth[~np.isnan(result.depth)]
     least = float(known.min()) if known.size else np.nan
     yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
@@ -130,10 +131,18 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
-    if result.cut_is_stable.any():
-        worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor
-        yield Number("surface error", "µm", worst, digits=2)
-        yield Number("cutting power", "kW", float(np.nanmax(result.cutting_power)) / 1e3, digits=2)
+    if result.cut_is_stable.size:  # over unlike speeds machines could not be compared
+        whole, absent = not _unstable_cut(result).any() and result.cut_is_stable.any(), "not stable"
+        worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
+        power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
+        yield Number("surface error", "µm", worst, digits=2, absent=absent)
+        yield Number("cutting power", "kW", power, digits=2, absent=absent)
+
+
+def lacking(_: StabilityLobesResult) -> Iterator[Number]:
+    """Pockets, of which there may be none."""
+    yield Number("pocket", "mm", np.nan)
+    yield Number("pocket at", "rpm", np.nan)
 
 
 def _even(result: StabilityLobesResult) -> list[str]:
@@ -239,7 +248,14 @@ def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]
 
 
 def _of(some: int, every: int) -> str:
+    if every == 1:
+        return "the speed"
     return f"all {every} speeds" if some == every else f"{some} of {every} speeds"
+
+
+def _unstable_cut(result: StabilityLobesResult) -> Flags:
+    """Speeds (n,) with a limit that a planned cut exceeds."""
+    return ~np.isnan(result.depth) & ~result.cut_is_stable
 
 
 def _feed(result: StabilityLobesResult) -> str:
@@ -328,8 +344,7 @@ def _of_cut(result: StabilityLobesResult) -> list[str]:
     stable, sentences = result.cut_is_stable, []
     if not stable.size:
         return []
-    solved = ~np.isnan(result.depth)
-    lost = np.flatnonzero(solved & ~stable)
+    lost = np.flatnonzero(_unstable_cut(result))
     if lost.size:
         sentences.append(
             f"stability_lobes: the planned cut of {_depth(result.planned_depth)} is not stable at "
@@ -347,12 +362,19 @@ def _of_cut(result: StabilityLobesResult) -> list[str]:
             f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
             f"be larger: steps of {number(step, 0)} rpm show them"
         )
+    doubtful = np.flatnonzero(stable & (result.least <= result.planned_depth))
+    if doubtful.size:
+        sentences.append(
+            f"stability_lobes: the planned cut of {_depth(result.planned_depth)} is not stable "
+            f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
+            f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
+        )
     thin = np.flatnonzero(result.thinnest_chip < 0.0)
     if thin.size:
         sentences.append(
             f"stability_lobes: in the planned cut teeth leave the work at {thin.size} of "
-            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration, "
-            "which takes all chips to be cut, is right in kind only there"
+            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration "
+            "and surface, of teeth that stay in it, are not right in size there"
         )
     return sentences
 

@@ -43,7 +43,7 @@ SIZE = 3.0  # of marks
 
 def surface_figure(result: StabilityLobesResult) -> Figure:
     """Errors of every wall between least and largest over its depth; below the vibration of the
-    tip from peak to peak. Speeds at which the cut is not stable are shaded."""
+    tip from peak to peak. Speeds at which the cut is not stable, or not solved, are shaded."""
     rpm = result.milling_speed * RPM.factor
     lines = len(rpm) >= LEAST_SPEEDS
     figure = new_figure(168.0, 106.0)
@@ -94,9 +94,9 @@ def _draw(axes: Axes, rpm: Array, y: Array, label: str, look: Look, *, lines: bo
 
 
 def _unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
-    """Shade speeds at which the cut is not stable, half way to their neighbours."""
+    """Shade speeds at which the cut is not stable or not solved, half way to their neighbours."""
     edges = np.concatenate([rpm[:1], 0.5 * (rpm[1:] + rpm[:-1]), rpm[-1:]])
-    label: str | None = "cut not stable"
+    label: str | None = "cut not stable, or not solved"
     for row in np.flatnonzero(lost):
         axes.axvspan(edges[row], edges[row + 1], color=GREY, alpha=0.25, lw=0.0, label=label)
         label = None
