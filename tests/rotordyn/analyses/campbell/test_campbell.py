@@ -107,6 +107,21 @@ def test_names_do_not_claim_a_whirl_that_changes() -> None:
     assert names == [f"bending {k + 1}" for k in range(len(names))]
 
 
+def test_what_other_machines_may_have_is_named_as_they_name_it() -> None:
+    """Pairs where bending modes pair, at either end of the speeds; critical speeds of every line
+    and kind; modes by whirl or without."""
+    found = lalanne(1000)
+    named = {number.words for number in summary.lacking(found)}
+    own = {number.words for number in summary.numbers(found, None)}  # type: ignore[arg-type]
+    assert {each for each in own if each.startswith("bending")} <= named
+    top = f"{found.speed[-1] / RPM:.0f} rpm"
+    assert {f"bending pair 5 {way} at {top}" for way in ("backward", "forward")} <= named
+    assert {"critical 1× bending (30)", "critical 1× torsion (1)"} <= named
+    entries = dict(summary.unlisted(found))
+    assert {"bending 30", "bending 3 forward", "axial 1"} <= {*entries["mode"]}
+    assert {*entries["critical"]} == {*entries["mode"]}
+
+
 @pytest.mark.parametrize("step", [250, 500, 2500])
 def test_paths_do_not_depend_on_the_step(step: int) -> None:
     coarse, fine = lalanne(5000), lalanne(step)
