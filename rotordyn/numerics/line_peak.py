@@ -56,14 +56,15 @@ def line_peak(frequency: Array, response: Complex, top: int) -> LinePeak:
     around = np.clip(pole.real + abs(pole.imag) * WIDTHS, -1.0, 1.0)
     curve = np.abs((found[1] + found[2] * around) / (around - pole))
     rest = (columns @ found - x * values) * weight
-    # noise of each line of its own, by what the fit without this line would miss there (HC3)
     weighted = columns * weight[:, None]
     inverse = np.linalg.pinv(weighted)
+    noise = np.sqrt((np.abs(rest) ** 2).sum() / (len(x) - 3))
+    if noise * np.linalg.norm(inverse[0]) > TRUSTED * abs(pole.imag):
+        return highest
+    # noise of each line of its own, by what the fit without this line would miss there (HC3)
     own = np.einsum("nk,kn->n", weighted, inverse).real
     moved = inverse * (rest / (1.0 - own))
     spread = moved @ moved.conj().T
-    if np.sqrt(spread[0, 0].real) > TRUSTED * abs(pole.imag):
-        return highest
     place = int(curve.argmax())
     there = around[place]
     top_value = (found[1] + found[2] * there) / (there - pole)

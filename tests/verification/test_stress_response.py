@@ -16,6 +16,7 @@ from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -154,9 +155,9 @@ def test_lists_of_frequencies_ascend(frequencies: tuple[float, ...], said: str) 
 
 def test_more_values_than_fit_are_refused() -> None:
     spec = FrfSpec(tuple(np.linspace(1.0, 2000.0, 100_000)), pairs("tip.y/tip.y"))
-    scene = Scene(bar(), Conditions(), np.linspace(0.0, 100.0, 1001), 2000.0)
+    speeds = tuple(np.linspace(0.0, 100.0, 1001))
     with pytest.raises(InvalidInput, match=r"given 1e\+08 by 1001 speeds, 1 pairs and 100000 freq"):
-        frf.answer(scene, spec)
+        Case("many", "many", speeds, {"frf": spec}, spindle=bar())
 
 
 def test_unbalance_at_a_critical_speed_solved_for() -> None:
