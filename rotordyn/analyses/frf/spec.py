@@ -113,7 +113,7 @@ class FrfSpec(Spec):
         if (count := math.prod(sizes)) > MOST_VALUES:
             yield (
                 ("frequencies",),
-                f"too many values: given {count:.3g} (speeds × pairs × frequencies: "
+                f"too many values: given {count:.6g} (speeds × pairs × frequencies: "
                 f"{' × '.join(map(str, sizes))}); allowed: up to {MOST_VALUES:.0e}",
             )
         for index, speed in enumerate(self.slices):
