@@ -124,16 +124,19 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
         usual, worst = _tails(drawn), _ends(drawn)
         together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
-    usual, worst = (_known(each, ends, np.concatenate(solved)) for each in (usual, worst))
+    usual, worst = (_within_solved(each, ends, np.concatenate(solved)) for each in (usual, worst))
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
     without[~np.isfinite(value)] = 0  # where it has no limit, changes are of nothing
     without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
     return Toleranced(usual, worst, ends, together, without)
 
 
-def _known(found: Array, effect: Array, solved: Array) -> Array:
-    """Changes ``found`` (columns, 2), the end towards which an ``effect`` has no number no farther
-    than of a machine that was ``solved`` (machines, columns) and has one."""
+def _within_solved(found: Array, effect: Array, solved: Array) -> Array:
+    """Changes ``found`` (columns, 2), of which an end beyond that of all machines ``solved``
+    (machines, columns) is theirs where some tolerance has an ``effect`` without a number.
+
+    It counts for the end to which its other effect does not lead.
+    """
     none, other = np.isnan(effect), effect[..., ::-1]
     lost = [(none & ~(other * way > 0.0)).any(axis=(1, 2)) for way in (-1.0, 1.0)]
     least, most = np.fmin.reduce(solved, axis=0), np.fmax.reduce(solved, axis=0)

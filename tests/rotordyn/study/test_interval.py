@@ -253,11 +253,13 @@ def test_a_range_ends_at_machines_that_have_the_number() -> None:
     found = _range(lost, plain)
     solved = np.array([[math.nan], [-3.0], [-0.5], [0.5], [1.0]])
     ends = np.array([[[math.nan, -3.0], [-0.5, 0.5]]])
-    usual = interval._known(found.usual, ends, solved)
+    usual = interval._within_solved(found.usual, ends, solved)
     np.testing.assert_allclose(usual, [[found.usual[0, 0], 1.0]])
-    unknown = interval._known(found.usual, np.full((1, 2, 2), math.nan), solved)
+    mirrored = interval._within_solved(-found.usual[:, ::-1], -ends[..., ::-1], -solved)
+    np.testing.assert_allclose(mirrored, -usual[:, ::-1])
+    unknown = interval._within_solved(found.usual, np.full((1, 2, 2), math.nan), solved)
     np.testing.assert_allclose(unknown, [[max(found.usual[0, 0], -3.0), 1.0]])
-    whole = interval._known(found.usual, np.array([[[3.0, -3.0]]]), solved)
+    whole = interval._within_solved(found.usual, np.array([[[3.0, -3.0]]]), solved)
     np.testing.assert_allclose(whole, found.usual)
 
 
@@ -301,7 +303,7 @@ def test_both_ends_on_one_side_have_a_bar_each_and_titles_are_whole() -> None:
         assert max(text.get_window_extent().x1 for text in titles) <= figure.bbox.x1
 
 
-def test_range_over_tolerances_of_a_linear_number_is_known() -> None:
+def test_range_over_tolerances_of_a_linear_number_is_within_solved() -> None:
     """Uniform within ± 1: one source covers ± 0.95; two equal ones ± (2 − √0.2), of a triangle
     whose tail beyond x holds (2 − x)²/8; many a normal distribution."""
     one = _range(_effect(-1.0, 1.0))
