@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, Shown
+from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, Shown, number
 from rotordyn.results.kinds import Array, Flags, Words
 
 REMOVAL = Shown("cm³/min", 60e6)
@@ -191,3 +191,8 @@ class StabilityLobesResult:
 def banded(result: StabilityLobesResult) -> bool:
     """Whether the case asks for a band, by intervals or by several sources."""
     return not np.allclose(result.least, result.most, rtol=1e-12, equal_nan=True)
+
+
+def in_mm(value: float) -> str:
+    """A length [m] as text."""
+    return f"{number(value * MILLIMETRE.factor, 2)} mm"

@@ -6,12 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
+from rotordyn.analyses.stability_lobes import planned_summary
+from rotordyn.analyses.stability_lobes.result import (
+    REMOVAL,
+    StabilityLobesResult,
+    banded,
+    in_mm,
+)
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, WITHOUT_CUT
 from rotordyn.results.described import Described
 from rotordyn.results.display import (
     MEGAPASCAL,
-    MICROMETRE,
     MILLIMETRE,
     RPM,
     number,
@@ -23,7 +28,6 @@ from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
 SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
-ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
 
@@ -32,10 +36,10 @@ def summary(result: StabilityLobesResult) -> list[str]:
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
-        return [*_material(result), none, *_band(result), *_planned(result)]
+        return [*_material(result), none, *_band(result), *planned_summary.summary(result)]
     pockets = [
         unbroken(
-            f"{_depth(depth)} at {number(speed * RPM.factor, 0)} rpm "
+            f"{in_mm(depth)} at {number(speed * RPM.factor, 0)} rpm "
             f"({number(rate * REMOVAL.factor)} {REMOVAL.unit})"
         )
         for speed, depth, rate in zip(
@@ -48,7 +52,13 @@ def summary(result: StabilityLobesResult) -> list[str]:
     lines = [*_material(result), *_least(result), *_band(result), *_unlimited(result)]
     if pockets:
         lines.append(f"pockets    {'; '.join(pockets)}")
-    return lines + _even(result) + _at_rest(result) + _measured(result) + _planned(result)
+    return (
+        lines
+        + _even(result)
+        + _at_rest(result)
+        + _measured(result)
+        + planned_summary.summary(result)
+    )
 
 
 def _least(result: StabilityLobesResult) -> list[str]:
@@ -62,7 +72,7 @@ def _least(result: StabilityLobesResult) -> list[str]:
     row, many = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
     speeds = f" at {'the other' if growing.any() else 'all'} {many} speeds" if many > 1 else ""
     return [
-        f"chatter    stable up to {_depth(depth[row])}{speeds}, limited at {_rpm(result, row)} by "
+        f"chatter    stable up to {in_mm(depth[row])}{speeds}, limited at {_rpm(result, row)} by "
         f"the mode at {number(result.mode_frequency[row])} Hz (chatter at "
         f"{number(result.chatter[row])} Hz)"
     ]
@@ -94,7 +104,7 @@ def _band(result: StabilityLobesResult) -> list[str]:
         return []
     row = int(np.nanargmin(least))
     return [
-        f"band       over intervals and sources stable up to {_depth(result.least[row])}, limited "
+        f"band       over intervals and sources stable up to {in_mm(result.least[row])}, limited "
         f"at {_rpm(result, row)}"
     ]
 
@@ -121,9 +131,8 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, and the deepest pocket with its speed; of a
-    planned cut the largest amount of the error of the surface and the highest power, absent unless
-    it is stable at all speeds that are solved."""
+    """Least limit, infinite where no depth is unstable, deepest pocket with its speed, and those
+    of a planned cut."""
     known = result.depth[~np.isnan(result.depth)]
     least = float(known.min()) if known.size else np.nan
     yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
@@ -131,12 +140,7 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
-    if result.cut_is_stable.size:  # over unlike speeds machines could not be compared
-        whole, absent = not _unstable_cut(result).any() and result.cut_is_stable.any(), "not stable"
-        worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
-        power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
-        yield Number("surface error", "µm", worst, digits=2, absent=absent)
-        yield Number("cutting power", "kW", power, digits=2, absent=absent)
+    yield from planned_summary.numbers(result)
 
 
 def lacking(_: StabilityLobesResult) -> Iterator[Number]:
@@ -153,11 +157,11 @@ def _even(result: StabilityLobesResult) -> list[str]:
     row, ratio = _largest_difference(result.depth, even)
     line = "even pitch evenly spaced teeth would be stable"
     known = np.isfinite(even).any()
-    line += f" up to {_depth(np.nanmin(even))}" if known else " at any depth"
+    line += f" up to {in_mm(np.nanmin(even))}" if known else " at any depth"
     if ratio > 1.0:
         line += (
-            f"; the uneven ones differ most at {_rpm(result, row)}: {_depth(result.depth[row])} in "
-            f"place of {_depth(result.even[row])}"
+            f"; the uneven ones differ most at {_rpm(result, row)}: {in_mm(result.depth[row])} in "
+            f"place of {in_mm(result.even[row])}"
         )
     return [line]
 
@@ -169,7 +173,7 @@ def _at_rest(result: StabilityLobesResult) -> list[str]:
         return []
     return [
         f"at rest    its receptance misleads most at {_rpm(result, row)}: "
-        f"{_depth(result.at_rest[row])} in place of {_depth(result.depth[row])}"
+        f"{in_mm(result.at_rest[row])} in place of {in_mm(result.depth[row])}"
     ]
 
 
@@ -180,94 +184,15 @@ def _measured(result: StabilityLobesResult) -> list[str]:
     row = int(np.nanargmin(result.measured))
     line = (
         f"measured   the tool on the measured spindle is stable up to "
-        f"{_depth(result.measured[row])}, limited at {_rpm(result, row)}"
+        f"{in_mm(result.measured[row])}, limited at {_rpm(result, row)}"
     )
     most, ratio = _largest_difference(result.measured, result.at_rest)
     if ratio > 1.0:
         line += (
             f"; differs most from the machine as computed at rest at {_rpm(result, most)}: "
-            f"{_depth(result.measured[most])} in place of {_depth(result.at_rest[most])}"
+            f"{in_mm(result.measured[most])} in place of {in_mm(result.at_rest[most])}"
         )
     return [line]
-
-
-def _planned(result: StabilityLobesResult) -> list[str]:
-    """What a planned cut does where it is stable: the surface, the tool, the forces."""
-    stable = result.cut_is_stable
-    if not stable.size:
-        return []
-    what = f"{_depth(result.planned_depth)} deep, {_feed(result)} by tooth"
-    if not stable.any():
-        return [f"cut        {what}: stable at none of {stable.size} speeds"]
-    where = f"stable at {_of(int(stable.sum()), stable.size)}"
-    worst = _worst(result)
-    error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
-    if stable.sum() > 1:
-        error += _errors(result, int(np.nanargmin(worst)), "smallest")
-    swing = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
-    most = int(swing.argmax())
-    force, torque, power = (
-        float(np.nanmax(each))
-        for each in (result.cutting_force, result.cutting_torque, result.cutting_power)
-    )
-    return [
-        f"cut        {what}: {where}",
-        f"surface    error {'; '.join(error)} (positive: material is left)",
-        f"vibration  of the tip up to {_micrometre(float(swing[most]))} from peak to peak at "
-        f"{_milling_rpm(result, most)}",
-        unbroken(
-            f"forces     up to {number(force)} N; mean torque {number(torque, 3)} N m, power up to "
-            f"{number(power * 1e-3, 2)} kW"
-        ),
-    ]
-
-
-def _worst(result: StabilityLobesResult) -> Array:
-    """Largest amount of the error of a wall at every speed (n,) [m]."""
-    ends = np.stack([result.surface_error_least, result.surface_error_most])
-    return np.asarray(np.abs(ends).max(axis=(0, 2)))
-
-
-def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]:
-    """Errors of the walls at the speed where they are ``which``."""
-    walls = zip(
-        result.wall, result.surface_error_least[row], result.surface_error_most[row], strict=True
-    )
-    told = ", ".join(
-        unbroken(
-            (f"{wall}-milled wall " if len(result.wall) > 1 else "")
-            + (
-                _micrometre(most)
-                if most - least < ONE * abs(most)
-                else f"{_micrometre(least)[:-3]} to {_micrometre(most)}"
-            )
-        )
-        for wall, least, most in walls
-    )
-    yield f"{which} {told} at {_milling_rpm(result, row)}"
-
-
-def _of(some: int, every: int) -> str:
-    if every == 1:
-        return "the speed"
-    return f"all {every} speeds" if some == every else f"{some} of {every} speeds"
-
-
-def _unstable_cut(result: StabilityLobesResult) -> Flags:
-    """Speeds (n,) with a limit that a planned cut exceeds."""
-    return ~np.isnan(result.depth) & ~result.cut_is_stable
-
-
-def _feed(result: StabilityLobesResult) -> str:
-    return f"{result.planned_feed * MILLIMETRE.factor:.4g} mm"
-
-
-def _micrometre(value: float) -> str:
-    return f"{number(value * MICROMETRE.factor, 2)} µm"
-
-
-def _milling_rpm(result: StabilityLobesResult, row: int) -> str:
-    return f"{number(result.milling_speed[row] * RPM.factor, 0)} rpm"
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
@@ -322,7 +247,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
-    sentences += _skipped(result) + _of_cut(result)
+    sentences += _skipped(result) + planned_summary.warnings(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         much = percent if np.isfinite(result.error) else "from none or to none"
@@ -335,46 +260,6 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: chatter at {number(highest, 0)} Hz is above the "
             f"{number(result.modelled, 0)} Hz up to which the machine is modelled: raise "
             "max_frequency"
-        )
-    return sentences
-
-
-def _of_cut(result: StabilityLobesResult) -> list[str]:
-    """Speeds at which a planned cut is not stable, or teeth leave the cut."""
-    stable, sentences = result.cut_is_stable, []
-    if not stable.size:
-        return []
-    lost = np.flatnonzero(_unstable_cut(result))
-    if lost.size:
-        sentences.append(
-            f"stability_lobes: the planned cut of {_depth(result.planned_depth)} is not stable at "
-            f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
-            "its vibration and surface are not given there"
-        )
-    speed = result.milling_speed
-    wide = np.fmax(result.resonance_width[1:], result.resonance_width[:-1])
-    coarse = np.flatnonzero(np.diff(speed) > wide * speed[1:])
-    if coarse.size:
-        step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
-        sentences.append(
-            "stability_lobes: speeds are farther apart than resonances of the planned cut are "
-            f"wide, from {_milling_rpm(result, int(coarse[0]))} to "
-            f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
-            f"be larger: steps of {number(step, 0)} rpm show them"
-        )
-    doubtful = np.flatnonzero(stable & (result.least <= result.planned_depth))
-    if doubtful.size:
-        sentences.append(
-            f"stability_lobes: the planned cut of {_depth(result.planned_depth)} is not stable "
-            f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
-            f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
-        )
-    thin = np.flatnonzero(result.thinnest_chip < 0.0)
-    if thin.size:
-        sentences.append(
-            f"stability_lobes: in the planned cut teeth leave the work at {thin.size} of "
-            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration "
-            "and surface, of teeth that stay in it, are not right in size there"
         )
     return sentences
 
@@ -398,7 +283,3 @@ def _skipped(result: StabilityLobesResult) -> list[str]:
         f"{number(speed[first] * RPM.factor, 0)} to {_rpm(result, last)}, between which limits may "
         f"be lower: steps of {number(step * RPM.factor, 0)} rpm show them from the first on"
     ]
-
-
-def _depth(value: float) -> str:
-    return f"{number(value * MILLIMETRE.factor, 2)} mm"

@@ -1,0 +1,146 @@
+"""A planned cut in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.analyses.stability_lobes.result import StabilityLobesResult, in_mm
+from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM, number
+from rotordyn.results.headline import Number
+from rotordyn.results.kinds import Array, Flags
+from rotordyn.results.text import unbroken
+
+ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
+
+
+def summary(result: StabilityLobesResult) -> list[str]:
+    """What a planned cut does where it is stable: the surface, the tool, the forces."""
+    stable = result.cut_is_stable
+    if not stable.size:
+        return []
+    what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} by tooth"
+    if not stable.any():
+        return [f"cut        {what}: stable at none of {stable.size} speeds"]
+    where = f"stable at {_of(int(stable.sum()), stable.size)}"
+    worst = _worst(result)
+    error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
+    if stable.sum() > 1:
+        error += _errors(result, int(np.nanargmin(worst)), "smallest")
+    swing = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
+    most = int(swing.argmax())
+    force, torque, power = (
+        float(np.nanmax(each))
+        for each in (result.cutting_force, result.cutting_torque, result.cutting_power)
+    )
+    return [
+        f"cut        {what}: {where}",
+        f"surface    error {'; '.join(error)} (positive: material is left)",
+        f"vibration  of the tip up to {_micrometre(float(swing[most]))} from peak to peak at "
+        f"{_milling_rpm(result, most)}",
+        unbroken(
+            f"forces     up to {number(force)} N; mean torque {number(torque, 3)} N m, power up to "
+            f"{number(power * 1e-3, 2)} kW"
+        ),
+    ]
+
+
+def numbers(result: StabilityLobesResult) -> Iterator[Number]:
+    """The largest amount of the error of the surface and the highest power, absent unless the cut
+    is stable at all speeds that are solved: over unlike speeds machines could not be compared."""
+    if not result.cut_is_stable.size:
+        return
+    whole, absent = not _unstable_cut(result).any() and result.cut_is_stable.any(), "not stable"
+    worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
+    power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
+    yield Number("surface error", "µm", worst, digits=2, absent=absent)
+    yield Number("cutting power", "kW", power, digits=2, absent=absent)
+
+
+def warnings(result: StabilityLobesResult) -> list[str]:
+    """Speeds at which a planned cut is not stable, or teeth leave the cut."""
+    stable, sentences = result.cut_is_stable, []
+    if not stable.size:
+        return []
+    lost = np.flatnonzero(_unstable_cut(result))
+    if lost.size:
+        sentences.append(
+            f"stability_lobes: the planned cut of {in_mm(result.planned_depth)} is not stable at "
+            f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
+            "its vibration and surface are not given there"
+        )
+    speed = result.milling_speed
+    wide = np.fmax(result.resonance_width[1:], result.resonance_width[:-1])
+    coarse = np.flatnonzero(np.diff(speed) > wide * speed[1:])
+    if coarse.size:
+        step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
+        sentences.append(
+            "stability_lobes: speeds are farther apart than resonances of the planned cut are "
+            f"wide, from {_milling_rpm(result, int(coarse[0]))} to "
+            f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
+            f"be larger: steps of {number(step, 0)} rpm show them"
+        )
+    doubtful = np.flatnonzero(stable & (result.least <= result.planned_depth))
+    if doubtful.size:
+        sentences.append(
+            f"stability_lobes: the planned cut of {in_mm(result.planned_depth)} is not stable "
+            f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
+            f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
+        )
+    thin = np.flatnonzero(result.thinnest_chip < 0.0)
+    if thin.size:
+        sentences.append(
+            f"stability_lobes: in the planned cut teeth leave the work at {thin.size} of "
+            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration "
+            "and surface, of teeth that stay in it, are not right in size there"
+        )
+    return sentences
+
+
+def _worst(result: StabilityLobesResult) -> Array:
+    """Largest amount of the error of a wall at every speed (n,) [m]."""
+    ends = np.stack([result.surface_error_least, result.surface_error_most])
+    return np.asarray(np.abs(ends).max(axis=(0, 2)))
+
+
+def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]:
+    """Errors of the walls at the speed where they are ``which``."""
+    walls = zip(
+        result.wall, result.surface_error_least[row], result.surface_error_most[row], strict=True
+    )
+    told = ", ".join(
+        unbroken(
+            (f"{wall}-milled wall " if len(result.wall) > 1 else "")
+            + (
+                _micrometre(most)
+                if most - least < ONE * abs(most)
+                else f"{_micrometre(least)[:-3]} to {_micrometre(most)}"
+            )
+        )
+        for wall, least, most in walls
+    )
+    yield f"{which} {told} at {_milling_rpm(result, row)}"
+
+
+def _of(some: int, every: int) -> str:
+    if every == 1:
+        return "the speed"
+    return f"all {every} speeds" if some == every else f"{some} of {every} speeds"
+
+
+def _unstable_cut(result: StabilityLobesResult) -> Flags:
+    """Speeds (n,) with a limit that a planned cut exceeds."""
+    return ~np.isnan(result.depth) & ~result.cut_is_stable
+
+
+def _feed(result: StabilityLobesResult) -> str:
+    return f"{result.planned_feed * MILLIMETRE.factor:.4g} mm"
+
+
+def _micrometre(value: float) -> str:
+    return f"{number(value * MICROMETRE.factor, 2)} µm"
+
+
+def _milling_rpm(result: StabilityLobesResult, row: int) -> str:
+    return f"{number(result.milling_speed[row] * RPM.factor, 0)} rpm"
