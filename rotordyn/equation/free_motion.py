@@ -204,11 +204,15 @@ class FreeMotions:
         ]
         ahead, back = np.split(answer(*map(self._folded, folded)), 2, axis=-1)
         back = back.conj()
-        turn = (place[0] - place[1])[:, None]
-        same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
-        if not self._coupled.all():
-            across = np.where(self._coupled[:, None, None], across, 0.0)
-        return np.where(turn == 0, same, turn * across)
+        turn = place[0] - place[1]
+        whole = ahead + back
+        whole *= 0.5
+        if (crossed := turn != 0).any():
+            across = -0.5j * turn[crossed, None] * (ahead - back)[:, crossed]
+            if not self._coupled.all():
+                across = np.where(self._coupled[:, None, None], across, 0.0)
+            whole[:, crossed] = across
+        return np.asarray(whole)
 
     @cached_property
     def _coupled(self) -> Flags:

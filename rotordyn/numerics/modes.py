@@ -22,7 +22,7 @@ EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LARGE = 120  # coordinates
 LEAST = 4  # systems to a thread
-PIECE, FEW = 512, 32  # frequencies summed, and solved for, at a time
+PIECE, FEW = 1024, 32  # frequencies summed, and solved for, at a time
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -122,11 +122,14 @@ class Modes:
         turned = residue * (1j * pole.imag - pole.real)
         weights = np.concatenate([turned.real, turned.imag, residue.real, residue.imag])
         total = np.empty((count, len(omega)), dtype=complex)
+        squared = pole.real[:, None] ** 2
         for first in range(0, len(omega), PIECE):
             piece = omega[first : first + PIECE]
-            with np.errstate(divide="ignore", over="ignore"):
-                table = 1.0 / (pole.real[:, None] ** 2 + (piece - pole.imag[:, None]) ** 2)
-            with np.errstate(invalid="ignore"):
+            table = piece - pole.imag[:, None]
+            with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+                table *= table
+                table += squared
+                np.reciprocal(table, out=table)
                 parts = (weights @ table).reshape(4, count, -1)
             total[:, first : first + PIECE].real = parts[0] + piece * parts[3]
             total[:, first : first + PIECE].imag = parts[1] - piece * parts[2]

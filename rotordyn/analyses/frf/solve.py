@@ -118,12 +118,11 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     for k, places in _by_system(scene, spec.pairs).items() if len(frequency) else ():
         motions, pairs = scene.system(k), [spec.pairs[place] for place in places]
         answered = _answered(scene, motions, pairs, power)
-        values[:, places] = answered(frequency)
-        _refuse_unlimited(scene, answered, motions, frequency, values[:, places])
+        values[:, places] = grid = answered(frequency)
+        _refuse_unlimited(scene, answered, motions, frequency, grid)
         poles.append(poles_of(motions, frequency[0], frequency[-1], turning=turning))
         reach = np.linalg.norm(_rows(scene, motions, pairs), axis=2).prod(axis=1)
         reach *= (2.0 * math.pi) ** power
-        grid = values[:, places]
         parts.append((places, peaks_of(answered, poles[-1], frequency, grid, reach, power)))
     at, high = joined(parts, shape)
     damping = np.full(at.shape, np.nan)
@@ -260,7 +259,7 @@ def _answered(
         omega = 2.0 * math.pi * np.nan_to_num(frequency, nan=1.0)
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
             values = of_rows(omega, response[some], excitation[some])
-            return np.asarray(values * (1j * omega[..., None, :]) ** power)
+            return values * (1j * omega[..., None, :]) ** power if power else values
 
     return answered
 
