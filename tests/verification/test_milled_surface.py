@@ -47,7 +47,8 @@ def tip(omega):
 
 def over_time(cut, edges, rubbing, turns=16, slices=40):
     """Position of the tip (steps, 2) over the last of some revolutions from rest, and the largest
-    force: each tooth in slices along its edge, each step exact under the force at its middle."""
+    force: each tooth in slices along its edge, each step exact under the force at its middle. With
+    run-out each takes off what the deepest of all teeth before it left, or nothing."""
     pitches = np.array(cut.pitches or [2.0 * math.pi / cut.teeth] * cut.teeth)
     behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
     feeds = FEED * cut.teeth * pitches / (2.0 * math.pi)
@@ -76,12 +77,24 @@ def over_time(cut, edges, rubbing, turns=16, slices=40):
         axis=(1, 2)
     )
     uneven = len({*np.round(pitches, 9)}) > 1
+    before = (np.arange(cut.teeth)[:, None] - np.arange(cut.teeth)) % cut.teeth
+    since, passed = np.cumsum(feeds[before], axis=1), np.cumsum(ago[before], axis=1)
+    out = np.array(cut.runout or [0.0] * cut.teeth)
+    higher = out[:, None] - out[np.roll(before, -1, axis=1)]
     state, path, largest = np.zeros(4), np.zeros((turns * STEPS + 1, 2)), 0.0
     for n in range(turns * STEPS):
         place = n % STEPS
         here = state[:2] + 0.5 * step * state[2:]
         total = alone[place] + flank[place] @ state[2:]
-        if uneven:
+        if cut.runout:
+            moved = here - 0.5 * (path[n - passed] + path[n - passed + 1])  # not yet passed: 0
+            chip = np.einsum("jmi,jli->jml", moved, normal[place]) + higher[..., None]
+            chip = (chip + since[..., None] * s[place][:, None]).min(axis=1)
+            cuts = share[place] * (chip > 0.0)
+            total = np.einsum("jl,jl,jli->i", cuts, chip, force[place])
+            total += np.einsum("jl,jli->i", cuts, edge[place])
+            total -= rubbing * np.einsum("jl,jli,jlk->ik", cuts, *[normal[place]] * 2) @ state[2:]
+        elif uneven:
             for k in range(cut.teeth):
                 old = 0.5 * (path[n - ago[k]] + path[n - ago[k] + 1]) if n >= ago[k] else 0.0
                 total = total + by_chip[place, k] @ (here - old)
@@ -92,6 +105,7 @@ def over_time(cut, edges, rubbing, turns=16, slices=40):
 
 
 UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
+OUT = (1e-5, -8e-6, 3e-6)
 
 
 @pytest.mark.parametrize(
@@ -103,8 +117,14 @@ UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
         (Cut(3, KT, KR, 0.0, math.pi / 2, 0.4, UNEVEN), (KTE, KRE), 0.0),
         (Cut(2, KT, KR, math.pi / 2, math.pi), (0.0, 0.0), 8e5 / (SPEED * DIAMETER / 2)),
         (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(2, KT, KR, 0.0, math.pi, runout=(0.0, 3e-5)), (0.0, 0.0), 0.0),
+        (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN, OUT), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 5e-5, -1.2e-4)), (0.0, 0.0), 0.0),
     ],
-    ids=["up", "helix and edges", "pattern", "uneven helix", "flanks", "uneven, helix, flanks"],
+    ids=[
+        *("up", "helix and edges", "pattern", "uneven helix", "flanks", "uneven, helix, flanks"),
+        *("run-out", "all at once", "a tooth that does not cut"),
+    ],
 )
 def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     forces = Forces(cut, DEPTH, FEED, *edges)
@@ -118,11 +138,13 @@ def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     every = np.linspace(0.0, 2.0 * math.pi, STEPS + 1)
     pitches = cut.pitches or (2.0 * math.pi / cut.teeth,) * cut.teeth
     behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
+    out = np.array(cut.runout or [0.0] * cut.teeth)
     for k, wall in enumerate(walls):
         angle = (0.0 if wall == "up" else math.pi) + np.linspace(0.0, cut.lag, 41)
         left = (-1.0 if wall == "up" else 1.0) * np.interp(
             np.mod(angle - behind[:, None], 2.0 * math.pi), every, path[:, 1]
         )
+        left = (left - out[:, None]).min(axis=0)  # the deepest tooth
         assert found.least[k] == pytest.approx(left.min(), abs=near)
         assert found.most[k] == pytest.approx(left.max(), abs=near)
 
@@ -146,9 +168,10 @@ def test_mean_forces_and_power_of_a_slot_in_closed_form(teeth):
     assert found.power == pytest.approx(KT * removal + edges, rel=1e-12)
 
 
-def test_harmonics_are_those_of_the_force_over_a_revolution():
+@pytest.mark.parametrize("runout", [(), (2e-5, -3e-5, 0.0), (0.0, 5e-5, -1.5e-4)])
+def test_harmonics_are_those_of_the_force_over_a_revolution(runout):
     """Of edges on a helix, whose force has no steps."""
-    cut = Cut(3, KT, KR, 0.3, 2.1, 0.7, UNEVEN)
+    cut = Cut(3, KT, KR, 0.3, 2.1, 0.7, UNEVEN, runout)
     forces = Forces(cut, DEPTH, FEED, KTE, KRE)
     angle = 2.0 * math.pi * np.arange(16384) / 16384
     over = forces.at(angle)
@@ -157,6 +180,60 @@ def test_harmonics_are_those_of_the_force_over_a_revolution():
     found = forces.harmonics(order)
     np.testing.assert_allclose(found, spectrum[:40], atol=1e-6 * np.abs(spectrum).max())
     assert forces.mean_torque() == pytest.approx(over[:, 2].mean(), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("pitches", "runout"),
+    [
+        ((), (2e-5, -3e-5, 0.0)),
+        (UNEVEN, OUT),
+        (UNEVEN, (0.0, 9e-5, -1.5e-4)),
+        ((), (0.0, -1e-3, 0.0)),
+    ],
+)
+def test_chips_are_what_teeth_before_left(pitches, runout):
+    """Of a rigid machine: the surface at every angle is kept, lowered by the teeth as they pass."""
+    cut = Cut(3, KT, KR, 0.0, 2.5, 0.0, pitches, runout)
+    gaps = np.array(pitches or [2.0 * math.pi / 3] * 3)
+    forces, angle = Forces(cut, DEPTH, FEED), np.linspace(1e-3, 2.499, 997)
+    surface, travelled = np.full_like(angle, -np.inf), 0.0
+    for turn in range(6):
+        for tooth in range(3):
+            travelled += FEED * 3.0 * gaps[tooth] / (2.0 * math.pi)
+            reach = travelled * np.sin(angle) + runout[tooth]
+            taken, surface = np.maximum(reach - surface, 0.0), np.maximum(surface, reach)
+            if turn < 5:
+                continue
+            own = [chip for chip in forces.chips if chip.tooth == tooth]
+            thickness = np.zeros_like(angle)
+            for chip in own:
+                inside = (angle > chip.entry) & (angle < chip.exit)
+                thickness[inside] += chip.thickness(angle[inside])
+            np.testing.assert_allclose(thickness, taken, atol=1e-12)
+    assert sum(chip.gap > 2.0 for chip in forces.chips) >= 1
+
+
+def test_run_out_alike_is_none_and_moves_the_wall():
+    asked = (tip, DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
+    plain, out = milled(*asked), milled(*asked, runout=(4e-6, 4e-6, 4e-6))
+    assert out.force == pytest.approx(plain.force, rel=1e-12)
+    assert out.swing == pytest.approx(plain.swing, rel=1e-12)
+    assert out.most == pytest.approx(plain.most - 4e-6, rel=1e-9)
+    half = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6))
+    whole = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6 + 1e-11))
+    assert half.swing == pytest.approx(whole.swing, rel=1e-4)  # a pattern of two and of four
+
+
+def test_an_idle_tooth_is_as_none():
+    """Two of three teeth, uneven, of which the feed is that of the pitches."""
+    feed, pitches = 1e-4, tuple(np.radians([120.0, 240.0]))
+    asked = {"speed": SPEED, "diameter": DIAMETER, "exit": 2.0}
+    three = milled(tip, DEPTH, feed, 3, KT, KR, runout=(0.0, 0.0, -1e-3), **asked)
+    two = milled(tip, DEPTH, 1.5 * feed, 2, KT, KR, pitch=(pitches[1], pitches[0]), **asked)
+    assert three.force == pytest.approx(two.force, rel=1e-9)
+    assert three.swing == pytest.approx(two.swing, rel=1e-9)
+    assert three.most == pytest.approx(two.most, rel=1e-9)
+    assert Forces(Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 0.0, -1e-3)), DEPTH, feed).idle == 1
 
 
 def test_slow_milling_leaves_what_the_force_bends():
@@ -278,6 +355,8 @@ def test_forced_vibration_grows_without_bound_towards_a_fold():
         ({"helix": 2.0}, "helix: given 114.592°"),
         ({"entry": 2.0, "exit": 1.0}, "entry and exit"),
         ({"speed": 1e-4}, "harmonics of the teeth in the band"),
+        ({"runout": (1e-6,)}, r"runout: given \(1e-06,\); allowed: one to each of 2 teeth"),
+        ({"runout": (1e-6, math.nan)}, "runout must be numbers"),
     ],
 )
 def test_cuts_that_there_are_not(given, why):
@@ -488,17 +567,36 @@ def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said
     assert sum("teeth leave the work at 1 of 1 speeds" in each for each in warnings(lost)) == 1
 
 
+def test_run_out_of_a_case(solved):
+    """In proportion, as deep as the longest tooth, and what is said of teeth without a chip."""
+    plain = lobes(solved(cut="{depth: 1 mm}"))
+    found = lobes(solved(cut="{depth: 1 mm, runout: [3 um, -2 um]}"))
+    assert found.idle_teeth == plain.idle_teeth == 0
+    swing = found.tip_vibration[0, 1]
+    assert found.surface_error_most[0, 0] == pytest.approx(-3e-6, abs=swing)
+    assert found.surface_error_most[0, 0] < plain.surface_error_most[0, 0] - 2e-6
+    assert not any("run-out" in each for each in warnings(found))
+    found = lobes(solved(cut="{depth: 1 mm, runout: [0 um, -0.2 mm]}"))
+    assert found.idle_teeth == 1
+    assert (
+        sum("by their run-out 1 tooth takes off nothing" in each for each in warnings(found)) == 1
+    )
+    with pytest.raises(InvalidInput, match=r"cut\.runout: given 3 in number; allowed: 2"):
+        solved(cut="{depth: 1 mm, runout: [1 um, 2 um, 3 um]}")
+
+
 def test_edges_and_process_damping_of_a_case_reach_the_planned_cut():
     spec = StabilityLobesSpec(
         *("tip", 0.05, 3, 6e8, 2e8),
         process_damping=3e4,
         feed_per_tooth=2e-4,
-        cut=PlannedCut(1e-3, KTE, KRE),
+        cut=PlannedCut(1e-3, KTE, KRE, (1e-6, 0.0, 2e-6)),
     )
     found = Operation(spec, 6e8, 2e8).forced(200.0, 1e4)
     assert found.rubbing == pytest.approx(3e4 / (200.0 * 0.025))
     assert (found.forces.tangential, found.forces.radial) == (KTE, KRE)
     assert (found.forces.depth, found.forces.feed) == (1e-3, 2e-4)
+    assert found.forces.cut.runout == (1e-6, 0.0, 2e-6)
 
 
 def test_a_planned_cut_beside_turning_is_refused():

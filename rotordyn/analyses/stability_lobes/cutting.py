@@ -24,7 +24,7 @@ LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and e
 LEAST = math.radians(0.999)  # of a pitch
 FULL = 1e-6  # rad, by which all pitches may miss a full turn
 STRAIGHT = 1e-7  # rad of lag: the mean along an edge that lags less is rounding
-ALIKE = 1e-12  # rad: pitches that differ by less are equal
+ALIKE = 1e-12  # rad, m: pitches and run-out that differ by less are equal
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +33,7 @@ class Cut:
 
     ``lag`` [rad]: how far the end of an edge is behind its tip. ``pitches`` [rad]: from each tooth
     to the one that cut before it, in the order in which they cut; none where all are equal.
+    ``runout`` [m]: how far each tooth stands out; none where all are as far.
     """
 
     teeth: int
@@ -42,16 +43,20 @@ class Cut:
     exit: float
     lag: float = 0.0
     pitches: tuple[float, ...] = ()
+    runout: tuple[float, ...] = ()
 
     @property
     def gaps(self) -> tuple[float, ...]:
         """Pitches [rad] of the shortest pattern that repeats around the cutter; one of a cutter
-        whose teeth are evenly spaced."""
-        return _pattern(self.pitches) if self.pitches else (2.0 * math.pi / self.teeth,)
+        whose teeth are evenly spaced and stand out alike."""
+        if not (self.pitches or self.runout):
+            return (2.0 * math.pi / self.teeth,)
+        pitches = self.pitches or (2.0 * math.pi / self.teeth,) * self.teeth
+        return pitches[: _pattern(pitches, self.runout or (0.0,) * self.teeth)]
 
     @property
     def even(self) -> bool:
-        """The teeth are evenly spaced."""
+        """The teeth follow one another alike, evenly spaced."""
         return len(self.gaps) == 1
 
     @property
@@ -138,14 +143,15 @@ class Cut:
 
 
 @lru_cache
-def _pattern(pitches: tuple[float, ...]) -> tuple[float, ...]:
-    """The shortest part of the pitches that repeats around the cutter."""
-    count = len(pitches)
-    for k in (k for k in range(1, count) if count % k == 0):
-        repeated = pitches[:k] * (count // k)
-        if all(abs(a - b) < ALIKE for a, b in zip(pitches, repeated, strict=True)):
-            return pitches[:k]
-    return pitches
+def _pattern(*values: tuple[float, ...]) -> int:
+    """How many teeth the shortest pattern of their values has that repeats around the cutter."""
+    teeth = np.array(values)
+    count = teeth.shape[1]
+    return next(
+        k
+        for k in range(1, count + 1)
+        if count % k == 0 and (np.abs(teeth - np.roll(teeth, k, axis=1)) < ALIKE).all()
+    )
 
 
 def checked(cut: Cut) -> Cut:

@@ -2,8 +2,8 @@
 
 What the teeth do repeats with their pattern, and so does the vibration, of which each harmonic is
 that of the force times the receptance. Evenly spaced teeth all follow the same path, so that no
-tooth sees the vibration of the one before. Uneven ones do, and flanks rub: then the forces of the
-vibration itself are solved for with it.
+tooth sees the vibration of the one before. Teeth that are unevenly spaced or run out do, and flanks
+rub: then the forces of the vibration itself are solved for with it.
 
 Theory: docs/theory/lobes.md.
 """
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arguments import typed
+from rotordyn.analyses.stability_lobes.chips import Chip
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.forces import Forces
 from rotordyn.errors import InvalidInput, NoSolution
@@ -42,10 +43,10 @@ AT_ONCE = 2_000_000  # values
 class Milled:
     """What a stable cut does at one speed.
 
-    ``least``, ``most`` (walls,) [m]: of the error of each wall over its depth and over the teeth,
-    positive where material is left. In feed and normal (2,) [m]: ``deflection``, the mean
-    displacement of the tip, and ``swing``, its vibration from peak to peak. ``force``: the largest
-    on the tip [N]; ``torque`` [N m] and ``power`` [W]: on average. ``thinnest``: chip that
+    ``least``, ``most`` (walls,) [m]: over the depth of the error of each wall as the deepest tooth
+    leaves it, positive where material is left. In feed and normal (2,) [m]: ``deflection``, the
+    mean displacement of the tip, and ``swing``, its vibration from peak to peak. ``force``: the
+    largest on the tip [N]; ``torque`` [N m] and ``power`` [W]: on average. ``thinnest``: chip that
     a tooth takes off at least over that of a rigid machine, below 0 where it leaves the cut.
     """
 
@@ -111,11 +112,13 @@ class Forced:
         order, moved = order[seen], moved[seen]
         waves = cut.lag * order.max(initial=0.0) / (2.0 * math.pi)
         along = np.linspace(0.0, cut.lag, 1 + FINE * math.ceil(waves)) if waves else np.zeros(1)
+        out = np.array(cut.runout[: len(cut.gaps)] or (0.0,))[:, None]
         least, most = np.empty(len(walls)), np.empty(len(walls))
         for k, (angle, sign) in enumerate(WALLS[wall] for wall in walls):
-            at = (angle + along - cut.behind[:, None]).ravel()
-            error = sign * _motion(order, moved, at)[:, 1]
-            least[k], most[k] = error.min(), error.max()
+            at = angle + along - cut.behind[:, None]
+            error = sign * _motion(order, moved, at.ravel())[:, 1].reshape(at.shape) - out
+            deepest = error.min(axis=0)
+            least[k], most[k] = deepest.min(), deepest.max()
         return least, most
 
     def _largest(self, order: Array, moved: Complex) -> float:
@@ -126,13 +129,18 @@ class Forced:
         inside = np.array([1.0, -1.0] * (len(ends) // 2)) * JUST * cut.turn
         angle = np.append(cut.turn * np.arange(steps) / steps, np.mod(ends + inside, cut.turn))
         force = self.forces.at(angle)[:, :2]
-        if not cut.even:
-            for kernel, gap in zip(cut.by_gap(angle), cut.gaps, strict=True):
-                chip = _motion(order, moved * (1.0 - np.exp(-1j * order * gap))[:, None], angle)
-                force = force - depth * np.einsum("nij,nj->ni", kernel, chip)
-        if self.rubbing > 0.0:
-            velocity = _motion(order, moved * (1j * order * self.speed)[:, None], angle)
-            kernel = replace(cut, tangential=0.0, radial=self.rubbing).matrix(angle)
+        if cut.even and self.rubbing == 0.0:
+            return float(np.hypot(*force.T).max())
+        chips = self.forces.chips
+        amplitude = [_since(chip, order, moved) for chip in chips]
+        amplitude.append(moved * (1j * order * self.speed)[:, None])
+        motion = _motion(order, np.concatenate(amplitude, axis=1), angle)
+        velocity = motion[:, -2:]
+        for k, chip in enumerate(chips):
+            own = replace(cut, entry=chip.entry, exit=chip.exit)
+            kernel, change = own.by_gap(angle, chip.tooth), motion[:, 2 * k : 2 * k + 2]
+            force = force - depth * np.einsum("nij,nj->ni", kernel, change)
+            kernel = replace(own, tangential=0.0, radial=self.rubbing).by_gap(angle, chip.tooth)
             force = force - depth * np.einsum("nij,nj->ni", kernel, velocity)
         return float(np.hypot(*force.T).max())
 
@@ -141,16 +149,19 @@ class Forced:
         cut = self.forces.cut
         if cut.even:
             return 1.0
-        angle = np.linspace(cut.entry, cut.exit, 2 + FINE * 8)[1:-1]
-        angle = angle[np.sin(angle) > THICK * np.sin(angle).max()]
-        heights = np.linspace(0.0, cut.lag, HEIGHTS if cut.lag else 1)
-        thinnest = 1.0
-        for gap, behind, feed in zip(cut.gaps, cut.behind, self.forces.feeds, strict=True):
-            own = moved * (1.0 - np.exp(-1j * order * gap))[:, None]
-            first = (angle + heights[:, None] - behind).ravel()  # what lags is there later
-            x, y = _motion(order, own, first).T.reshape(2, len(heights), len(angle))
-            share = 1.0 + (x + y / np.tan(angle)) / feed
-            thinnest = min(thinnest, float(share.min()))
+        heights, thinnest = np.linspace(0.0, cut.lag, HEIGHTS if cut.lag else 1), 1.0
+        chips = self.forces.chips
+        spans = [np.linspace(chip.entry, chip.exit, 2 + FINE * 8)[1:-1] for chip in chips]
+        thickest = np.zeros(len(cut.gaps))
+        for chip, span in zip(chips, spans, strict=True):
+            thickest[chip.tooth] = max(thickest[chip.tooth], chip.thickness(span).max())
+        for chip, span in zip(chips, spans, strict=True):
+            angle = span[chip.thickness(span) > THICK * thickest[chip.tooth]]
+            first = angle + heights[:, None] - cut.behind[chip.tooth]  # what lags is there later
+            change = _motion(order, _since(chip, order, moved), first.ravel())
+            x, y = change.T.reshape(2, len(heights), len(angle))
+            share = 1.0 + (x * np.sin(angle) + y * np.cos(angle)) / chip.thickness(angle)
+            thinnest = min(thinnest, float(share.min(initial=1.0)))
         return thinnest
 
 
@@ -198,16 +209,19 @@ class _Loop:
         order = step * np.arange(-(count - 1), count)
         scale = forces.depth * forces.repeats
         found = []
-        if not forces.cut.even:
-            chip = scale * forces.by_displacement(apart)
-            for gap, behind in zip(forces.cut.gaps, forces.cut.behind, strict=True):
-                kernel = chip * np.exp(1j * apart * behind)[:, None, None]
-                found.append(_convolved(kernel, 1.0 - np.exp(-1j * order * gap)))
+        flank = replace(forces, cut=replace(forces.cut, tangential=0.0, radial=1.0))
+        rubbed: Complex = np.zeros((len(apart), 2, 2), dtype=complex)
+        for chip in forces.chips:
+            turned = scale * np.exp(1j * apart * forces.cut.behind[chip.tooth])[:, None, None]
+            if not forces.cut.even:
+                kernel = turned * forces.by_displacement(apart, chip)
+                found.append(_convolved(kernel, 1.0 - np.exp(-1j * order * chip.gap)))
+            if self.vibration.rubbing > 0.0:
+                rubbed += turned * flank.by_displacement(apart, chip)
         if self.vibration.rubbing > 0.0:
-            flank = replace(forces, cut=replace(forces.cut, tangential=0.0, radial=1.0))
-            kernel = scale * self.vibration.rubbing * flank.by_displacement(apart)
-            turned = np.exp(1j * apart[:, None] * forces.cut.behind).sum(axis=1)
-            found.append(_convolved(kernel * turned[:, None, None], 1j * order * speed))
+            found.append(
+                _convolved(np.asarray(self.vibration.rubbing * rubbed), 1j * order * speed)
+            )
         return found
 
 
@@ -224,6 +238,11 @@ def _convolved(kernel: Complex, factor: Complex) -> Callable[[Complex], Complex]
         return np.asarray(whole[count - 1 : 2 * count - 1])
 
     return force
+
+
+def _since(chip: Chip, order: Array, moved: Complex) -> Complex:
+    """Amplitudes of the motion since what a ``chip`` was left by passed (k, 2)."""
+    return moved * (1.0 - np.exp(-1j * order * chip.gap))[:, None]
 
 
 def _motion(order: Array, amplitude: Complex, angle: Array) -> Array:
@@ -257,6 +276,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
     tangential_edge: float = 0.0,
     radial_edge: float = 0.0,
     highest: float = 10_000.0,
+    runout: Sequence[float] = (),
 ) -> Milled:
     """Forced vibration, surface and forces of a stable cut.
 
@@ -268,6 +288,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
     helix : angle of the edges [rad]
     pitch : angles from each tooth to the one that cut before it [rad], as of ``limit_depth``
     highest : frequency up to which the receptance is taken [Hz]
+    runout : how far each tooth stands out [m], in the order in which they cut
 
     Walls are those that the cut leaves: "up" where entry is 0, "down" where exit is π. Whether the
     cut is stable is not asked: ``limit_depth`` says so.
@@ -288,8 +309,10 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
             raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
     if not 0.0 <= helix < 0.5 * math.pi * (1.0 - 1e-9):
         raise InvalidInput(f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°")
+    if runout and len(runout) != teeth:
+        raise InvalidInput(f"runout: given {runout}; allowed: one to each of {teeth} teeth [m]")
     lag = 2.0 * depth * math.tan(helix) / diameter
-    cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch)))
+    cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch), tuple(runout)))
     forces = Forces(cut, depth, feed_per_tooth, tangential_edge, radial_edge)
     ends = {"up": entry < 1e-9, "down": exit > math.pi - 1e-9}
     walls = [wall for wall, left in ends.items() if left]

@@ -1,7 +1,8 @@
 """Forces of the teeth of a cutter that a rigid machine would feel: of the feed, and of the edges.
 
-A tooth at the angle φ takes off h = f sin φ, its feed f in proportion to its pitch; on the length
-of its edge in cut act K_t h + K_te tangentially and K_n h + K_ne radially.
+A tooth at the angle φ takes off h = f sin φ, its feed f in proportion to its pitch, with run-out
+the chips of ``chips``; on the length of its edge in cut act K_t h + K_te tangentially and
+K_n h + K_ne radially.
 
 Theory: docs/theory/lobes.md.
 """
@@ -14,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.chips import Chip, chips
 from rotordyn.analyses.stability_lobes.cutting import STRAIGHT, Cut
 
 Array = NDArray[np.float64]
@@ -38,69 +40,90 @@ class Forces:
     radial: float = 0.0
 
     @property
-    def feeds(self) -> Array:
-        """Of the tooth behind each of the gaps (gaps,) [m]."""
-        return self.feed * self.cut.teeth * np.array(self.cut.gaps) / (2.0 * math.pi)
+    def chips(self) -> tuple[Chip, ...]:
+        """Of the teeth behind each of the gaps."""
+        return chips(self.cut, self.feed)
 
     @property
     def repeats(self) -> int:
         """How often the pattern of teeth stands around the cutter."""
         return round(2.0 * math.pi / self.cut.turn)
 
+    @property
+    def idle(self) -> int:
+        """How many teeth take off nothing."""
+        cutting = {chip.tooth for chip in self.chips}
+        return self.repeats * (len(self.cut.gaps) - len(cutting))
+
     def at(self, angle: Array) -> Array:
         """Force on the tip in feed and normal [N] and torque over the radius [N] while the first
         tooth is at ``angle`` (n,): (n, 3)."""
-        cut = self.cut
-        teeth = cut.standing(angle)
-        if cut.lag > STRAIGHT:
-            begin, end = np.maximum(teeth - cut.lag, cut.entry), np.minimum(teeth, cut.exit)
+        standing, whole = self.cut.standing(angle), np.zeros((len(angle), 3))
+        for chip in self.chips:
+            whole += self._of_chip(chip, standing[:, chip.tooth])
+        return self.depth * whole * np.array([-1.0, -1.0, 1.0])
+
+    def _of_chip(self, chip: Chip, at: Array) -> Array:
+        """Sum of what acts at its tooth ``at`` angles (turns, n), by depth (n, 3)."""
+        lag = self.cut.lag
+        if lag > STRAIGHT:
+            begin, end = np.maximum(at - lag, chip.entry), np.minimum(at, chip.exit)
             pairs = zip(self._swept(end), self._swept(begin), strict=True)
-            chip, edge = ((one - other) / cut.lag for one, other in pairs)
+            by_feed, level, edge = ((one - other) / lag for one, other in pairs)
         else:
-            chip, edge = self._one(teeth)
-        each = chip * self.feeds[:, None, None] + edge
-        whole = np.where(cut.cutting(teeth)[..., None], each, 0.0).sum(axis=(0, 1))
-        return np.asarray(self.depth * whole * np.array([-1.0, -1.0, 1.0]))
+            by_feed, level, edge = self._one(at)
+        inside = (at > chip.entry) & (at - lag < chip.exit)
+        each = by_feed * chip.feed + level * chip.height + edge
+        return np.where(inside[..., None], each, 0.0).sum(axis=0)
 
-    def _one(self, angle: Array) -> tuple[Array, Array]:
-        """Of a tooth in cut, by feed and depth and by depth alone (…, 3)."""
+    def _one(self, angle: Array) -> tuple[Array, Array, Array]:
+        """Of a tooth in cut, by depth and by a chip of sin φ, of 1, and of none (…, 3)."""
         s, c = np.sin(angle), np.cos(angle)
-        t, r = self.tangential, self.radial
-        chip = np.concatenate(
-            [self.cut.one_tooth(angle)[..., 0], self.cut.tangential * s[..., None]], -1
+        own = self.cut.tangential, self.cut.radial
+        chip = np.concatenate([self.cut.one_tooth(angle)[..., 0], own[0] * s[..., None]], -1)
+        level, edge = (
+            np.stack([t * c + r * s, r * c - t * s, np.full_like(s, t)], axis=-1)
+            for t, r in (own, (self.tangential, self.radial))
         )
-        return chip, np.stack([t * c + r * s, r * c - t * s, np.full_like(s, t)], axis=-1)
+        return chip, level, edge
 
-    def _swept(self, angle: Array) -> tuple[Array, Array]:
+    def _swept(self, angle: Array) -> tuple[Array, Array, Array]:
         """Antiderivatives of the same."""
         s, c = np.sin(angle), np.cos(angle)
-        t, r = self.tangential, self.radial
-        torque = -self.cut.tangential * c[..., None]
-        chip = np.concatenate([self.cut.swept(angle)[..., 0], torque], axis=-1)
-        return chip, np.stack([t * s - r * c, r * s + t * c, t * angle], axis=-1)
+        own = self.cut.tangential, self.cut.radial
+        chip = np.concatenate([self.cut.swept(angle)[..., 0], -own[0] * c[..., None]], axis=-1)
+        level, edge = (
+            np.stack([t * s - r * c, r * s + t * c, t * angle], axis=-1)
+            for t, r in (own, (self.tangential, self.radial))
+        )
+        return chip, level, edge
 
     def mean_torque(self) -> float:
         """Mean torque over the radius [N]."""
-        cut = self.cut
-        swept = cut.tangential * self.feed * (math.cos(cut.entry) - math.cos(cut.exit))
-        swept += self.tangential * (cut.exit - cut.entry)
-        return self.depth * cut.teeth * swept / (2.0 * math.pi)
+        tangential, swept = self.cut.tangential, 0.0
+        for chip in self.chips:
+            length = chip.exit - chip.entry
+            cosine = math.cos(chip.entry) - math.cos(chip.exit)
+            swept += tangential * (chip.feed * cosine + chip.height * length)
+            swept += self.tangential * length
+        return self.depth * self.repeats * swept / (2.0 * math.pi)
 
     def harmonics(self, order: Array) -> Complex:
         """Amplitudes of e^(ikφ) of the force on the tip (n, 2) [N], φ the angle of the first tooth,
         at the orders k of the revolution, whole multiples of those of the pattern."""
-        t, r = self.tangential, self.radial
-        edge = np.stack([t * COSINE + r * SINE, r * COSINE - t * SINE], axis=-1)
-        shift = np.exp(1j * order[:, None] * self.cut.behind)
-        chip = self.by_displacement(order)[..., 0] * (shift @ self.feeds)[:, None]
-        return (
-            -self.depth
-            * self.repeats
-            * (chip + self._series(edge, order) * shift.sum(axis=1, keepdims=True))
+        level, edge = (
+            np.stack([t * COSINE + r * SINE, r * COSINE - t * SINE], axis=-1)
+            for t, r in ((self.cut.tangential, self.cut.radial), (self.tangential, self.radial))
         )
+        whole: Complex = np.zeros((len(order), 2), dtype=complex)
+        for chip in self.chips:
+            one = chip.feed * self.by_displacement(order, chip)[..., 0]
+            one += self._series(chip.height * level + edge, order, chip)
+            whole += one * np.exp(1j * order * self.cut.behind[chip.tooth])[:, None]
+        return np.asarray(-self.depth * self.repeats * whole)
 
-    def by_displacement(self, order: Array) -> Complex:
-        """Amplitudes of H of one tooth (n, 2, 2) [Pa]."""
+    def by_displacement(self, order: Array, chip: Chip) -> Complex:
+        """Amplitudes of H of a tooth that takes off a ``chip`` (n, 2, 2) [Pa]."""
         t, r = self.cut.tangential, self.cut.radial
         return self._series(
             np.stack(
@@ -111,13 +134,14 @@ class Forces:
                 axis=-2,
             ),
             order,
+            chip,
         )
 
-    def _series(self, coefficients: NDArray[np.inexact], order: Array) -> Complex:
-        """Amplitudes (n, …) of what is Σ coefficients e^(imφ) of a tooth in cut, mean over its
-        edge."""
+    def _series(self, coefficients: NDArray[np.inexact], order: Array, chip: Chip) -> Complex:
+        """Amplitudes (n, …) of what is Σ coefficients e^(imφ) of a tooth while it takes off a
+        ``chip``, mean over its edge."""
         cut, turned = self.cut, TURNS - order[:, None]
-        ends = [_primitive(turned, angle) for angle in (cut.exit, cut.entry)]
+        ends = [_primitive(turned, angle) for angle in (chip.exit, chip.entry)]
         within = (ends[0] - ends[1]) / (2.0 * math.pi)
         if cut.lag > 0.0:
             within = within * (_primitive(-order, cut.lag) / cut.lag)[:, None]

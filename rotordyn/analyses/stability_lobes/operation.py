@@ -87,7 +87,8 @@ class Operation:
         assert planned is not None
         lag = 2.0 * planned.depth * math.tan(own.helix) / self.diameter
         edges = planned.tangential_edge, planned.radial_edge
-        forces = Forces(replace(self.cut, lag=lag), planned.depth, own.feed_per_tooth, *edges)
+        cut = replace(self.cut, lag=lag, runout=planned.runout)
+        forces = Forces(cut, planned.depth, own.feed_per_tooth, *edges)
         rubbing = own.process_damping / float(self._cutting_speed(np.array(speed)))
         return Forced(forces, self.diameter, speed, top, rubbing)
 

@@ -49,7 +49,7 @@ def planned_cut(
         name: np.full((len(speed), *([len(names[dim])] if dim else [])), np.nan)
         for name, (_, dim) in VALUES.items()
     }
-    width = np.full(len(speed), np.nan)
+    width, idle = np.full(len(speed), np.nan), 0
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
@@ -57,6 +57,7 @@ def planned_cut(
         rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)
         for at, row, own in (each for each in rows if stable[each[0]]):
             forced = operation.forced(own, HARMONICS * float(tip.tops[row]))
+            idle = forced.forces.idle
             milled = forced.solve(partial(_receptance, tip.at(row)), spec.walls)
             for name, (attribute, _) in VALUES.items():
                 found[name][at] = getattr(milled, attribute)
@@ -66,6 +67,7 @@ def planned_cut(
         "milling_speed": speed,
         "cut_is_stable": stable,
         "resonance_width": width,
+        "idle_teeth": idle,
         **names,
         **found,
     }

@@ -59,7 +59,7 @@ def numbers(result: StabilityLobesResult) -> Iterator[Number]:
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Speeds at which a planned cut is not stable, or teeth leave the cut."""
+    """Speeds at which a planned cut is not stable, teeth that leave the cut or have none."""
     stable, sentences = result.cut_is_stable, []
     if not stable.size:
         return []
@@ -87,6 +87,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: the planned cut of {in_mm(result.planned_depth)} is not stable "
             f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
             f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
+        )
+    if result.idle_teeth:
+        some = "1 tooth takes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth take"
+        sentences.append(
+            f"stability_lobes: by their run-out {some} off nothing in the planned cut; limits of "
+            "stability are those of a cutter whose teeth all cut"
         )
     thin = np.flatnonzero(result.thinnest_chip < 0.0)
     if thin.size:

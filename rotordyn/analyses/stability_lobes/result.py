@@ -32,9 +32,10 @@ class StabilityLobesResult:
     a workpiece, that of the limits first; none where the case gives coefficients itself.
     ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
     are those of the cutter, none without such a cut; where it is stable follow
-    the error of every ``wall`` that it leaves, least and largest over its depth and over the teeth,
-    positive where material is left, and the mean displacement of the tip, its vibration from peak
-    to peak, the largest force, mean torque and power. ``thinnest_chip``: over that of a rigid
+    the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
+    tooth, positive where material is left, and the mean displacement of the tip, its vibration from
+    peak to peak, the largest force, mean torque and power. ``idle_teeth`` take off nothing, by
+    their run-out. ``thinnest_chip``: over that of a rigid
     machine, below 0 where a tooth leaves the cut. ``resonance_width``: twice the least
     damping ratio of the high modes, so wide are resonances over speed.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
@@ -183,6 +184,7 @@ class StabilityLobesResult:
         label="width of the sharpest resonance over its frequency",
         absent=(CUT,),
     )
+    idle_teeth: int = quantity(unit="", label="teeth that do not cut")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
     error: float = quantity(unit="1", label="change of a limit by a finer model")
     error_asked: float = quantity(unit="1", label="largest change asked for")

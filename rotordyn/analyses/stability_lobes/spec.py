@@ -50,6 +50,7 @@ Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="90 %")]
 Pitch = Annotated[float, Quantity("angle", at_least="1 deg", at_most="360 deg")]
 Ploughing = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e9 N/m")]
 EdgeForce = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e6 N/m")]
+Runout = Annotated[float, Quantity("length", at_least="-1 mm", at_most="1 mm")]
 CutDepth = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
@@ -85,6 +86,11 @@ class PlannedCut(Description):
         EdgeForce, "tangential edge force by length of edge in cut, Kte; it stands for wear"
     ] = 0.0
     radial_edge: Annotated[EdgeForce, "radial one, Kre"] = 0.0
+    runout: Annotated[
+        tuple[Runout, ...],
+        "how far each tooth stands out radially, in the order in which they cut; by default all "
+        "are as far",
+    ] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,6 +217,12 @@ class StabilityLobesSpec(Spec):
             yield (
                 ("pitch",),
                 f"given {math.degrees(whole):.6g}° together; allowed: 360°, a full turn",
+            )
+        if self.cut is not None and self.teeth and len(self.cut.runout) not in (0, self.teeth):
+            many = len(self.cut.runout)
+            yield (
+                ("cut", "runout"),
+                f"given {many} in number; allowed: {self.teeth}, one to each tooth",
             )
         given = [self.tangential is not None, self.radial is not None]
         if self.workpiece is None and not all(given):

@@ -1,0 +1,80 @@
+"""Chips of the teeth of a cutter in a rigid machine, with run-out.
+
+A tooth at the angle φ takes off what the deepest of those before it left there: with F the feed
+since that one and D by how much it stands out farther, h = F sin φ + D. Where that is below 0 the
+tooth is not in cut, and the next one takes off more.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import groupby, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.cutting import Cut
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Chip:
+    """What a ``tooth`` takes off from ``entry`` to ``exit`` [rad]: ``feed`` sin φ + ``height`` [m],
+    left by the tooth that passed there ``gap`` [rad] before."""
+
+    tooth: int
+    entry: float
+    exit: float
+    feed: float
+    height: float
+    gap: float
+
+    def thickness(self, angle: Array) -> Array:
+        """At angles of the tooth (…) [m]."""
+        return self.feed * np.sin(angle) + self.height
+
+
+@lru_cache
+def chips(cut: Cut, feed: float) -> tuple[Chip, ...]:
+    """Chips of all teeth of the pattern of a ``cut``, with ``feed`` by tooth [m] on average."""
+    feeds = feed * cut.teeth * np.array(cut.gaps) / (2.0 * math.pi)
+    return tuple(chip for tooth in range(len(feeds)) for chip in _of_tooth(cut, feeds, tooth))
+
+
+def _of_tooth(cut: Cut, feeds: Array, tooth: int) -> Iterator[Chip]:
+    count = len(feeds)
+    if not cut.runout:
+        yield Chip(tooth, cut.entry, cut.exit, float(feeds[tooth]), 0.0, cut.gaps[tooth])
+        return
+    before = [(tooth - k) % count for k in range(count)]  # itself, then those before it
+    since, gap = np.cumsum(feeds[before]), np.cumsum(np.array(cut.gaps)[before])
+    out = np.array(cut.runout)
+    height = out[tooth] - out[[*before[1:], tooth]]
+    for (entry, exit), left in _left_by(cut, since, height):
+        yield Chip(tooth, entry, exit, *(float(each[left]) for each in (since, height, gap)))
+
+
+def _left_by(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
+    """Spans of angle in which a tooth is in cut, and which of those before it left the chip there:
+    that of the least of ``feed`` sin φ + ``height``, where it is above 0."""
+    steeper, higher = np.subtract.outer(feed, feed), np.subtract.outer(height, height)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sine = np.append((-higher / steeper)[np.triu_indices(len(feed), 1)], -height / feed)
+    turned = np.arcsin(sine[(sine > 0.0) & (sine < 1.0)])
+    ends = np.concatenate([turned, math.pi - turned, [cut.entry, cut.exit]])
+    ends = np.unique(ends[(ends >= cut.entry) & (ends <= cut.exit)])
+    middle = np.sin(0.5 * (ends[1:] + ends[:-1]))
+    thickness = feed[:, None] * middle + height[:, None]
+    left = np.where(thickness.min(axis=0) > 0.0, thickness.argmin(axis=0), -1)
+    for which, spans in groupby(
+        zip(left.tolist(), pairwise(ends.tolist()), strict=True), lambda each: each[0]
+    ):
+        known = [span for _, span in spans]
+        if which >= 0:
+            yield (known[0][0], known[-1][1]), which
