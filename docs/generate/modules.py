@@ -21,6 +21,7 @@ PLAIN = {
     "result",
     "known",
     "summary",
+    "planned_summary",
     "tables",
     "meshes",
     "gltf",
