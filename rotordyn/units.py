@@ -86,6 +86,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "unbalance": ("g mm", "kg mm", "kg m"),
     "balance quality": ("mm/s",),
     "rate": ("1/s",),
+    "power": ("kW", "W"),
     "time": ("s", "ms", "us"),
     "pressure": ("Pa", "MPa", "GPa"),
     "viscosity": ("Pa s", "mPa s"),

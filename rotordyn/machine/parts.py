@@ -28,6 +28,8 @@ def part_rows(spindle: Spindle) -> Iterator[Row]:
     yield from (("joint", each.name, _mm(each.x), "") for each in spindle.joints)
     if (bar := spindle.drawbar) is not None:
         yield "drawbar", "", f"{_mm(bar.start)} to {_mm(bar.end)}", f"{bar.force:.4g} N"
+    if spindle.motor is not None:
+        yield "motor", "", "", spindle.motor.words
     yield from map(_bearing, spindle.seats)
     yield from map(_sleeve, spindle.sleeves)
     yield from map(_support, spindle.supports)

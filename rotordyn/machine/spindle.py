@@ -20,6 +20,7 @@ from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
+from rotordyn.machine.motor import Motor
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.rotor import ModalDamping, Place, Rayleigh, Rotor, TurningShare
 from rotordyn.machine.seat import BearingSeat
@@ -83,6 +84,7 @@ class Spindle(Description):
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
     cutter_diameter: Annotated[float | None, HIDDEN] = None
+    motor: Annotated[Motor | None, "what drives it; limits a cut beside chatter"] = None
 
     def __post_init__(self) -> None:
         own: object = self.arrangement

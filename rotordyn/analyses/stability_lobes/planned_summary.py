@@ -23,7 +23,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
     what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} by tooth"
     if not stable.any():
         return [f"cut        {what}: stable at none of {stable.size} speeds"]
-    where = f"stable at {_of(int(stable.sum()), stable.size)}"
+    where = f"stable at {of_speeds(int(stable.sum()), stable.size)}"
     worst = _worst(result)
     error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
     if stable.sum() > 1:
@@ -69,6 +69,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: the planned cut of {in_mm(result.planned_depth)} is not stable at "
             f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
             "its vibration and surface are not given there"
+        )
+    weak = np.flatnonzero(stable & (result.motor_depth < result.planned_depth))
+    if weak.size:
+        sentences.append(
+            f"stability_lobes: the planned cut takes more than the motor gives ({result.motor}) at "
+            f"{weak.size} of {stable.size} speeds, first at {_milling_rpm(result, int(weak[0]))}"
         )
     speed = result.milling_speed
     wide = np.fmax(result.resonance_width[1:], result.resonance_width[:-1])
@@ -129,7 +135,8 @@ def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]
     yield f"{which} {told} at {_milling_rpm(result, row)}"
 
 
-def _of(some: int, every: int) -> str:
+def of_speeds(some: int, every: int) -> str:
+    """How many of them in words."""
     if every == 1:
         return "the speed"
     return f"all {every} speeds" if some == every else f"{some} of {every} speeds"

@@ -16,6 +16,8 @@ REMOVAL = Shown("cm³/min", 60e6)
 
 STABLE = Absence("where no depth is unstable", beside="loss")
 CUT = Absence("where the cut is not stable or not solved", beside="cut_is_stable")
+NO_MOTOR = Absence("where no motor is given")
+NO_TORQUE = Absence("where the force does not brake the spindle")
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 
@@ -25,9 +27,10 @@ class StabilityLobesResult:
     where no depth is unstable.
 
     ``waves``: periods of the chatter from one tooth to the next, over the longest pitch.
-    ``at_rest``: what the receptance of the machine at rest gives instead; ``even``: what as many
-    evenly spaced teeth give, NaN where the teeth are evenly spaced; ``measured``: that of the
-    tool on the measured spindle, NaN where none was. ``least``, ``most``:
+    ``motor_depth``: of the mean torque of the ``motor`` at the speed, and ``motor_removal`` by the
+    lesser of it and the limit. ``at_rest``: what the receptance of the machine at rest gives
+    instead; ``even``: what as many evenly spaced teeth give, NaN where the teeth are evenly spaced;
+    ``measured``: that of the tool on the measured spindle, NaN where none was. ``least``, ``most``:
     over the intervals of the case and all sources of the cutting coefficients. ``source``: those of
     a workpiece, that of the limits first; none where the case gives coefficients itself.
     ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
@@ -78,6 +81,23 @@ class StabilityLobesResult:
         label="removal rate at the limit",
         printed=REMOVAL,
         infinite=(Absence("where no depth is unstable", beside="loss"),),
+    )
+    motor: str = quantity(unit="", label="motor")
+    motor_depth: Array = quantity(
+        "cutting_speed",
+        unit="m",
+        label="depth of cut that the motor drives",
+        printed=MILLIMETRE,
+        absent=(NO_MOTOR,),
+        infinite=(NO_TORQUE,),
+    )
+    motor_removal: Array = quantity(
+        "cutting_speed",
+        unit="m³/s",
+        label="removal rate that is stable and driven by the motor",
+        printed=REMOVAL,
+        absent=(NO_MOTOR,),
+        infinite=(Absence("where neither it nor chatter limits the depth", beside="loss"),),
     )
     at_rest: Array = quantity(
         "cutting_speed",

@@ -73,6 +73,10 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     nearest = [_nearest(poles[r], o.frequency) for r, o in zip(rows, own, strict=True)]
     modes = _spread(place, len(speeds), np.array(nearest))
     deepest = pockets(speeds, depth)
+    by_motor = np.full(len(speeds), np.nan)
+    if (motor := scene.spindle.motor) is not None:
+        needed = operations[0].torque()
+        by_motor[:] = motor.torque_at(speeds) / needed if needed > 0.0 else math.inf
     of_file = () if spec.workpiece is None else spec.pairs
     coefficients = np.reshape(np.array(of_file, dtype=float), (len(of_file), 2))
     return StabilityLobesResult(
@@ -86,6 +90,9 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         mode_frequency=modes[:, 0],
         mode_damping=modes[:, 1],
         removal=removal,
+        motor="" if motor is None else motor.words,
+        motor_depth=by_motor,
+        motor_removal=operations[0].removal(speeds, np.minimum(depth, by_motor)),
         at_rest=_spread(place, len(speeds), _depths(at_rest)),
         even=_spread(place, len(speeds), even),
         waves=waves,

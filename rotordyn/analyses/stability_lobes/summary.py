@@ -36,7 +36,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
-        return [*_material(result), none, *_band(result), *planned_summary.summary(result)]
+        rest = [*_band(result), *_motor(result), *planned_summary.summary(result)]
+        return [*_material(result), none, *rest]
     pockets = [
         unbroken(
             f"{in_mm(depth)} at {number(speed * RPM.factor, 0)} rpm "
@@ -52,13 +53,9 @@ def summary(result: StabilityLobesResult) -> list[str]:
     lines = [*_material(result), *_least(result), *_band(result), *_unlimited(result)]
     if pockets:
         lines.append(f"pockets    {'; '.join(pockets)}")
-    return (
-        lines
-        + _even(result)
-        + _at_rest(result)
-        + _measured(result)
-        + planned_summary.summary(result)
-    )
+    for part in (_motor, _even, _at_rest, _measured, planned_summary.summary):
+        lines += part(result)
+    return lines
 
 
 def _least(result: StabilityLobesResult) -> list[str]:
@@ -140,6 +137,9 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
+    if result.motor:
+        most = float(np.nan_to_num(result.motor_removal).max())
+        yield Number("removal", REMOVAL.unit, most * REMOVAL.factor, digits=1)
     yield from planned_summary.numbers(result)
 
 
@@ -147,6 +147,25 @@ def lacking(_: StabilityLobesResult) -> Iterator[Number]:
     """Pockets, of which there may be none."""
     yield Number("pocket", "mm", np.nan)
     yield Number("pocket at", "rpm", np.nan)
+
+
+def _motor(result: StabilityLobesResult) -> list[str]:
+    """Where the motor limits the cut rather than chatter, and the most that both let remove."""
+    if not result.motor:
+        return []
+    known = ~np.isnan(result.depth)
+    less = int((result.motor_depth < result.depth)[known].sum())
+    where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
+    line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
+    rate = np.nan_to_num(result.motor_removal)
+    if rate.max() > 0.0:
+        row = int(rate.argmax())
+        depth = min(result.depth[row], result.motor_depth[row])
+        line += "; most is removed by " + unbroken(
+            f"{in_mm(depth)} at {_rpm(result, row)} ({number(rate[row] * REMOVAL.factor)} "
+            f"{REMOVAL.unit})"
+        )
+    return [line]
 
 
 def _even(result: StabilityLobesResult) -> list[str]:

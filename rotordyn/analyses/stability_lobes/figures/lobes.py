@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     BLACK,
     BLUE,
     FONT_SIZE,
+    GREEN,
     GREY,
     ORANGE,
     RED,
@@ -70,6 +71,10 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
         draw(tested, "on the measured spindle", marks, color=BLACK, lw=1.0, ls=":")
+    if result.motor:
+        marks = {"marker": "v", "ms": 3.0}
+        by_motor = result.motor_depth * MILLIMETRE.factor
+        draw(by_motor, f"limit of the motor ({result.motor})", marks, color=GREEN, lw=1.4, ls=":")
     if np.isfinite(even).any():
         marks = {"marker": "s", "ms": 3.0}
         draw(even, "with evenly spaced teeth", marks, color=BLACK, lw=0.8, ls="-.")
