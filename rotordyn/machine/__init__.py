@@ -20,6 +20,7 @@ from rotordyn.machine.joint import Joint as Joint
 from rotordyn.machine.lumped import Disc as Disc
 from rotordyn.machine.lumped import PointMass as PointMass
 from rotordyn.machine.misalignment import Misalignment as Misalignment
+from rotordyn.machine.motor import Motor as Motor
 from rotordyn.machine.reference import Reference as Reference
 from rotordyn.machine.rotor import Rotor as Rotor
 from rotordyn.machine.seat import BearingSeat as BearingSeat

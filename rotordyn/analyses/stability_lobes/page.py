@@ -1,4 +1,4 @@
-"""What a page shows of it: the depth of cut over speed, of one machine with its band."""
+"""What a page shows of it: the depth of cut over speed, of one machine with its band and motor."""
 
 from __future__ import annotations
 
@@ -22,10 +22,13 @@ def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
 
 
 def _with_band(spec: Any, variant: Shown) -> Iterator[Curve]:
-    """Headline curves, and both ends of the band where there is one."""
+    """Headline curves, and the limit of a motor and both ends of a band where there are such."""
     result = variant.result
     for curve in headline_curves(spec, variant):
         yield curve
+        if result.motor and curve.figure == LIMITS:
+            depth = result.motor_depth * MILLIMETRE.factor
+            yield curve._replace(y=depth, series=f"limit of the motor ({result.motor})")
         if banded(result) and curve.figure == LIMITS:
             for words, depth in (("least", result.least), ("largest", result.most)):
                 yield curve._replace(y=depth * MILLIMETRE.factor, series=f"{words} of the band")

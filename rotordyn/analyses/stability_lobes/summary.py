@@ -28,6 +28,7 @@ from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
 SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
+AS_MUCH = 0.999  # of the highest removal rate
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
 
@@ -159,12 +160,16 @@ def _motor(result: StabilityLobesResult) -> list[str]:
     line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
     rate = np.nan_to_num(result.motor_removal)
     if rate.max() > 0.0:
-        row = int(rate.argmax())
-        depth = min(result.depth[row], result.motor_depth[row])
+        depth = np.minimum(result.depth, result.motor_depth)
+        most = rate >= AS_MUCH * rate.max()
+        margin = np.divide(result.depth, depth, out=np.zeros_like(depth), where=most)
+        row = int(margin.argmax())  # of the speeds at which the power is used up, the safest
         line += "; most is removed by " + unbroken(
-            f"{in_mm(depth)} at {_rpm(result, row)} ({number(rate[row] * REMOVAL.factor)} "
+            f"{in_mm(depth[row])} at {_rpm(result, row)} ({number(rate[row] * REMOVAL.factor)} "
             f"{REMOVAL.unit})"
         )
+        if np.isfinite(result.depth[row]) and margin[row] > 1.0:
+            line += f", stable up to {in_mm(result.depth[row])}"
     return [line]
 
 

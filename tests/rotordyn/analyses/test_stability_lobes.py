@@ -572,14 +572,17 @@ def test_a_page_shows_the_band_of_one_machine():
     rpm, depth = np.linspace(6e3, 18e3, 9), np.linspace(2e-3, 3e-3, 9)
     result = SimpleNamespace(cutting_speed=rpm * math.pi / 30.0, depth=depth, least=0.5 * depth)
     result.most, result.wall = 2.0 * depth, ()
+    result.motor, result.motor_depth = "4 kW", 0.7 * depth
     one = Shown("one", result, (), None)
     (chart,) = page(None, [one])
     drawn = {trace["name"]: trace["y"] for trace in chart.traces if trace.get("showlegend", True)}
     assert drawn["depth of cut"] == pytest.approx(1e3 * depth)
     assert drawn["least of the band"] == pytest.approx(0.5e3 * depth)
     assert drawn["largest of the band"] == pytest.approx(2e3 * depth)
+    assert drawn["limit of the motor (4 kW)"] == pytest.approx(0.7e3 * depth)
     (both,) = page(None, [one, one._replace(title="other")])
     assert "least of the band" not in str(both.traces)
+    result.motor = ""
     # the error of the wall of a planned cut has a chart of its own, without the band of the limits
     result.wall, result.surface_error_least = ("up",), np.full((len(rpm), 1), -3e-6)
     result.surface_error_most = np.full((len(rpm), 1), 2e-6)
@@ -790,7 +793,7 @@ def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
     """Among headline numbers; of speeds without a solution there is none."""
     for depth, least in (([np.inf, np.nan], np.inf), ([np.inf, 2e-3], 2.0), ([np.nan], np.nan)):
         result = SimpleNamespace(
-            depth=np.array(depth), pocket_depth=np.zeros(0), cut_is_stable=np.zeros(0)
+            depth=np.array(depth), pocket_depth=np.zeros(0), cut_is_stable=np.zeros(0), motor=""
         )
         (number,) = numbers(result, None)
         assert number.value == pytest.approx(least, nan_ok=True)
@@ -864,6 +867,7 @@ def spoken(**given):
         "at_rest": nothing,
         "measured": nothing,
         "cut_is_stable": np.zeros(0),
+        "motor": "",
     }
     lines = summary(SimpleNamespace(**usual | given))
     return {line.split()[0]: " ".join(line.split()) for line in lines}

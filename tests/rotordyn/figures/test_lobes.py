@@ -20,7 +20,7 @@ def _result(count):
     return SimpleNamespace(
         cutting_speed=rpm * math.pi / 30.0, depth=depth, at_rest=0.5 * depth,
         measured=np.full(count, np.nan), even=np.full(count, np.nan), least=depth, most=depth,
-        loss=("",) * count,
+        loss=("",) * count, motor="",
         removal=depth * rpm * 1e-6, chatter=np.full(count, 900.0),
         mode_frequency=np.full(count, 850.0), pocket=np.arange(3), pocket_speed=speed,
         pocket_from=speed - near, pocket_to=speed + near, pocket_depth=np.full(3, 3e-3),
