@@ -6,9 +6,6 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
-import numpy as np
-
-from rotordyn.arrays import Array
 from rotordyn.description import Description, Faults
 from rotordyn.quantity import Quantity
 
@@ -31,12 +28,10 @@ class Motor(Description):
         if self.power is None and self.torque is None:
             yield (), "missing key: power, torque or both"
 
-    def torque_at(self, speed: Array) -> Array:
-        """Torque that it gives at speeds [rad/s] (s,) above 0: (s,) [N m]."""
-        most = math.inf if self.torque is None else self.torque
-        if self.power is None:
-            return np.full_like(speed, most)
-        return np.minimum(most, self.power / speed)
+    def torque_at(self, speed: float) -> float:
+        """Torque that it gives at a speed [rad/s] above 0 [N m]."""
+        of_power = math.inf if self.power is None else self.power / speed
+        return of_power if self.torque is None else min(self.torque, of_power)
 
     @property
     def words(self) -> str:

@@ -127,10 +127,12 @@ def test_without_a_motor_nothing_is_said_or_drawn(solved):
 
 
 def test_power_alone_and_torque_alone():
-    speed = np.array([100.0, 400.0])
-    assert Motor(power=2e3).torque_at(speed) == pytest.approx([20.0, 5.0])
-    assert Motor(torque=8.0).torque_at(speed) == pytest.approx([8.0, 8.0])
-    assert Motor(2e3, 8.0).torque_at(speed) == pytest.approx([8.0, 5.0])
+    for motor, expected in (
+        (Motor(power=2e3), [20.0, 5.0]),
+        (Motor(torque=8.0), [8.0, 8.0]),
+        (Motor(2e3, 8.0), [8.0, 5.0]),
+    ):
+        assert [motor.torque_at(speed) for speed in (100.0, 400.0)] == pytest.approx(expected)
     assert Motor(torque=8.0).words == "8 N m"
     with pytest.raises(InvalidInput, match="missing key: power, torque or both"):
         Motor()

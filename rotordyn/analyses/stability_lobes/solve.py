@@ -76,7 +76,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     by_motor = np.full(len(speeds), np.nan)
     if (motor := scene.spindle.motor) is not None:
         needed = operations[0].torque()
-        by_motor[:] = motor.torque_at(speeds) / needed if needed > 0.0 else math.inf
+        given = np.array([motor.torque_at(speed) for speed in speeds.tolist()])
+        by_motor[:] = given / needed if needed > 0.0 else math.inf
     of_file = () if spec.workpiece is None else spec.pairs
     coefficients = np.reshape(np.array(of_file, dtype=float), (len(of_file), 2))
     return StabilityLobesResult(
