@@ -105,7 +105,8 @@ def over_time(cut, edges, rubbing, turns=16, slices=40):
 
 
 UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
-OUT = (1e-5, -8e-6, 3e-6)
+PAIR = tuple(np.radians([150.0, 210.0]))
+OUT = (2e-5, -2e-5, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -117,13 +118,14 @@ OUT = (1e-5, -8e-6, 3e-6)
         (Cut(3, KT, KR, 0.0, math.pi / 2, 0.4, UNEVEN), (KTE, KRE), 0.0),
         (Cut(2, KT, KR, math.pi / 2, math.pi), (0.0, 0.0), 8e5 / (SPEED * DIAMETER / 2)),
         (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(2, KT, KR, math.pi / 2, math.pi, 0.0, PAIR), (0.0, 0.0), 8e5 / (SPEED * DIAMETER / 2)),
         (Cut(2, KT, KR, 0.0, math.pi, runout=(0.0, 3e-5)), (0.0, 0.0), 0.0),
-        (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN, OUT), (0.0, 0.0), 2e4 / (SPEED * DIAMETER / 2)),
+        (Cut(3, KT, KR, 0.0, math.pi, 0.4, UNEVEN, OUT), (0.0, 0.0), 1e5 / (SPEED * DIAMETER / 2)),
         (Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 5e-5, -1.2e-4)), (0.0, 0.0), 0.0),
     ],
     ids=[
         *("up", "helix and edges", "pattern", "uneven helix", "flanks", "uneven, helix, flanks"),
-        *("run-out", "all at once", "a tooth that does not cut"),
+        *("uneven and flanks", "run-out", "all at once", "a tooth that does not cut"),
     ],
 )
 def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
@@ -168,7 +170,7 @@ def test_mean_forces_and_power_of_a_slot_in_closed_form(teeth):
     assert found.power == pytest.approx(KT * removal + edges, rel=1e-12)
 
 
-@pytest.mark.parametrize("runout", [(), (2e-5, -3e-5, 0.0), (0.0, 5e-5, -1.5e-4)])
+@pytest.mark.parametrize("runout", [(), (2e-5, -3e-5, 0.0), (0.0, 2e-5, -6e-5)])
 def test_harmonics_are_those_of_the_force_over_a_revolution(runout):
     """Of edges on a helix, whose force has no steps."""
     cut = Cut(3, KT, KR, 0.3, 2.1, 0.7, UNEVEN, runout)
@@ -234,6 +236,42 @@ def test_an_idle_tooth_is_as_none():
     assert three.swing == pytest.approx(two.swing, rel=1e-9)
     assert three.most == pytest.approx(two.most, rel=1e-9)
     assert Forces(Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 0.0, -1e-3)), DEPTH, feed).idle == 1
+    assert Forces(Cut(4, KT, KR, 0.0, 2.0, runout=(0.0, -1e-3) * 2), DEPTH, feed).idle == 2
+
+
+def test_forces_by_a_motion_are_those_of_each_angle():
+    """Of chips and flanks, with teeth in cut on a part of their way: products over the revolution,
+    tooth by tooth, against those of harmonics."""
+    cut = Cut(3, KT, KR, 0.0, 2.4, 0.0, UNEVEN, (0.0, 3e-5, -7e-5))
+    forces, rubbing, points = Forces(cut, DEPTH, FEED), 2e5, 1 << 15
+    forced = Forced(forces, DIAMETER, SPEED, SPEED * 60.0, rubbing)
+    order = np.arange(61.0)
+    motion = np.zeros((121, 2), dtype=complex)  # orders from −60 up
+    random = np.random.default_rng(1)
+    half = random.normal(size=(5, 2)) + 1j * random.normal(size=(5, 2))
+    motion[61:66], motion[55:60] = half, half[::-1].conj()
+    found = sum(each(motion) for each in _Loop(forced, order, tip(order * SPEED))._loops())
+
+    angle = 2.0 * math.pi * (np.arange(points) + 0.5) / points
+    every = np.arange(-60.0, 61.0)
+
+    def at(angle, rate=False):
+        turned = np.exp(1j * np.multiply.outer(angle, every)) * (1j * every * SPEED if rate else 1)
+        return (turned @ motion).real
+
+    total = np.zeros((points, 2))
+    ends = [(chip.tooth, chip.entry, chip.exit, chip.gap) for chip in forces.chips]
+    for tooth, entry, leaving, gap in ends:
+        own = np.mod(angle + cut.behind[tooth], 2.0 * math.pi)
+        inside = (own > entry) & (own < leaving)
+        s, c = np.sin(own), np.cos(own)
+        away = np.stack([s, c], axis=-1)
+        thickness = ((at(angle) - at(angle - gap)) * away).sum(axis=1)
+        flank = rubbing * (at(angle, rate=True) * away).sum(axis=1)
+        push = np.stack([KT * c + KR * s, KR * c - KT * s], axis=-1) * thickness[:, None]
+        total += DEPTH * inside[:, None] * (push + flank[:, None] * away)
+    spectrum = (np.exp(-1j * np.multiply.outer(every[50:71], angle)) @ total) / points
+    np.testing.assert_allclose(found[50:71], spectrum, atol=2e-4 * np.abs(spectrum).max())
 
 
 def test_slow_milling_leaves_what_the_force_bends():

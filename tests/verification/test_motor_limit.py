@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -103,6 +104,8 @@ def test_edges_of_a_planned_cut_take_their_part(solved):
     assert len(told) == 1
     assert "(1 kW, 2 N m) at 1 of 4 speeds, first at 8000 rpm" in told[0]
     assert not [each for each in warnings(first) if "motor" in each]
+    unstable = replace(over, cut_is_stable=np.zeros(4, dtype=bool))
+    assert not [each for each in warnings(unstable) if "motor" in each]
 
 
 @pytest.mark.parametrize("angle", [0.0, 35.0, 60.0])

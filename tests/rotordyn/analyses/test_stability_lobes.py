@@ -887,6 +887,18 @@ def test_lines_of_limits_leave_speeds_out_that_are_unstable_without_a_cut():
     assert "misleads most at 1000 rpm: 5.00 mm in place of 0.00 mm" in lines["at"]
 
 
+def test_of_rates_next_to_the_highest_the_safest_is_named():
+    lines = spoken(
+        depth=np.array([1.2e-3, 2e-3, 6e-3]),
+        loss=("hopf",) * 3,
+        motor="3 kW",
+        motor_depth=np.array([3e-3, 1.5e-3, 1e-3]),
+        motor_removal=np.array([1e-6, 2e-6, 1.999e-6]),
+    )
+    assert "3 kW: limits the cut before chatter does at 2 of 3 speeds" in lines["motor"]
+    assert lines["motor"].endswith("by 1.00 mm at 3000 rpm (119.9 cm³/min), stable up to 6.00 mm")
+
+
 @pytest.mark.parametrize(
     ("depth", "loss", "first"),
     [
