@@ -533,17 +533,29 @@ def test_words_numbers_and_figure(solved):
     assert "vibration in normal, peak to peak" in words
     # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
     (told,) = (each for each in warnings(found) if "farther apart than resonances" in each)
-    width = np.fmax(found.resonance_width[1:], found.resonance_width[:-1]) * found.milling_speed[1:]
-    step = 0.5 * width.min() * 30.0 / math.pi
+    width = found.resonance_width[:-1] * found.milling_speed[1:]
+    step = 0.5 * np.nanmin(width) * 30.0 / math.pi
     assert float(re.findall(r"steps of ([\d.]+) rpm", told)[0]) == pytest.approx(step, rel=6e-3)
 
 
 def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
-    """One of those in the Campbell diagram."""
+    """One of those in the Campbell diagram, which a multiple of the frequency of teeth meets."""
     further = "  campbell: {max_frequency: 3000 Hz}\n"
-    found = solved(further, cut="{depth: 1 mm}", speeds="[9000 rpm]")
-    ratio = found["campbell"].damping_ratio[0]
-    assert np.abs(2.0 * ratio / lobes(found).resonance_width[0] - 1.0).min() < 1e-3
+    found = solved(further, cut="{depth: 1 mm}", speeds="[9000 rpm, 11000 rpm, 11100 rpm]")
+    ratio, width = found["campbell"].damping_ratio[0], lobes(found).resonance_width
+    near = np.abs(2.0 * ratio / width[0] - 1.0)
+    assert near.min() < 1e-3
+    order = found["campbell"].frequency[0, near.argmin()] / (np.array([9000.0, 11000.0]) / 30.0)
+    assert math.floor(order[0]) > math.floor(order[1])
+    assert np.isnan(width[1:]).all()
+    assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
+
+
+def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):
+    found = lobes(solved(cut="{depth: 1 um}", teeth=80, speeds="[3000 rpm, 6000 rpm]"))
+    assert found.cut_is_stable.all()
+    assert np.isnan(found.resonance_width).all()
+    assert not any("farther apart than resonances" in each for each in warnings(found))
 
 
 def test_errors_that_cut_too_deep_count_by_their_amount(solved):

@@ -81,16 +81,20 @@ class Operation:
         rate = own.process_damping / float(self._cutting_speed(np.array(speed)))
         return Process(cut, period, lag, replace(cut, tangential=0.0, radial=rate))
 
-    def forced(self, speed: float, top: float) -> Forced:
-        """The planned cut at a speed [rad/s], its harmonics up to ``top`` [rad/s]."""
+    @property
+    def planned(self) -> Forces:
+        """Forces of the planned cut."""
         own, planned = self.spec, self.spec.cut
         assert planned is not None
         lag = 2.0 * planned.depth * math.tan(own.helix) / self.diameter
         edges = planned.tangential_edge, planned.radial_edge
         cut = replace(self.cut, lag=lag, runout=planned.runout)
-        forces = Forces(cut, planned.depth, own.feed_per_tooth, *edges)
-        rubbing = own.process_damping / float(self._cutting_speed(np.array(speed)))
-        return Forced(forces, self.diameter, speed, top, rubbing)
+        return Forces(cut, planned.depth, own.feed_per_tooth, *edges)
+
+    def forced(self, speed: float, top: float) -> Forced:
+        """The planned cut at a speed [rad/s], its harmonics up to ``top`` [rad/s]."""
+        rubbing = self.spec.process_damping / float(self._cutting_speed(np.array(speed)))
+        return Forced(self.planned, self.diameter, speed, top, rubbing)
 
     def torque(self, depth: float = 1.0) -> float:
         """Mean torque of a stable cut of some depth [m], with the edge forces of the planned one

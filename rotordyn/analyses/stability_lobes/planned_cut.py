@@ -53,11 +53,13 @@ def planned_cut(
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
-        width[place] = np.where(stable[place], 2.0 * tip.least_damped[limits.rows], np.nan)
+        idle = operation.planned.idle
+        repeats = operation.planned.repeats  # in a revolution, and so in its frequency
+        sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
+        width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)
         rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)
         for at, row, own in (each for each in rows if stable[each[0]]):
             forced = operation.forced(own, HARMONICS * float(tip.tops[row]))
-            idle = forced.forces.idle
             milled = forced.solve(partial(_receptance, tip.at(row)), spec.walls)
             for name, (attribute, _) in VALUES.items():
                 found[name][at] = getattr(milled, attribute)
@@ -71,6 +73,18 @@ def planned_cut(
         **names,
         **found,
     }
+
+
+def _sharpest(pole: NDArray[np.complex128], speed: Array) -> Array:
+    """Least damping ratio of the modes (s, k) that a multiple of a ``speed`` (s,) meets on the way
+    to the next one (s,), NaN where none is met."""
+    with np.errstate(invalid="ignore"):
+        order = pole.imag / speed[:, None]
+        after = pole.imag[:-1] / speed[1:, None]
+        met = np.zeros(pole.shape, dtype=bool)
+        met[:-1] = np.floor(order[:-1]) > np.floor(after)
+        ratio = np.where(met, -pole.real / np.abs(pole), np.inf).min(axis=1)
+    return np.where(np.isfinite(ratio), ratio, np.nan)
 
 
 def _receptance(tip: Tip, omega: Array) -> NDArray[np.complex128]:

@@ -77,7 +77,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{weak.size} of {stable.size} speeds, first at {_milling_rpm(result, int(weak[0]))}"
         )
     speed = result.milling_speed
-    wide = np.fmax(result.resonance_width[1:], result.resonance_width[:-1])
+    wide = result.resonance_width[:-1]
     coarse = np.flatnonzero(np.diff(speed) > wide * speed[1:])
     if coarse.size:
         step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor

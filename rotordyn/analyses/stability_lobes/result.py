@@ -40,7 +40,8 @@ class StabilityLobesResult:
     peak to peak, the largest force, mean torque and power. ``idle_teeth`` take off nothing, by
     their run-out. ``thinnest_chip``: over that of a rigid
     machine, below 0 where a tooth leaves the cut. ``resonance_width``: twice the least
-    damping ratio of the high modes, so wide are resonances over speed.
+    damping ratio of the high modes that a multiple of the frequency of the teeth meets on the way
+    to the next speed, so wide are resonances over speed.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
     limit at some speeds by a model of twice the frequencies, over the limit.
     """
@@ -201,8 +202,8 @@ class StabilityLobesResult:
     resonance_width: Array = quantity(
         "milling_speed",
         unit="1",
-        label="width of the sharpest resonance over its frequency",
-        absent=(CUT,),
+        label="width of the sharpest resonance on the way to the next speed over its frequency",
+        absent=(Absence("where none is met, or the cut is not stable or not solved"),),
     )
     idle_teeth: int = quantity(unit="", label="teeth that do not cut")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")

@@ -159,12 +159,17 @@ class Tip:
         size = np.abs(self.receptance(at)).max(axis=(2, 3))
         return np.where(np.isnan(self.poles.imag), 0.0, size)
 
+    @cached_property
+    def high_poles(self) -> Complex:
+        """Those of the ``poles`` with high peaks (s, k), NaN in place of others."""
+        high = self._peaks > HIGH * self._peaks.max(axis=1, keepdims=True)
+        return np.where(high, self.poles, complex(np.nan, np.nan))
+
     @property
     def least_damped(self) -> Array:
-        """Least damping ratio of the modes with high peaks at every speed (s,)."""
-        high = self._peaks > HIGH * self._peaks.max(axis=1, keepdims=True)
-        ratio = -self.poles.real / np.abs(self.poles)
-        return np.asarray(np.where(high, ratio, np.inf).min(axis=1))
+        """Their least damping ratio at every speed (s,)."""
+        ratio = -self.high_poles.real / np.abs(self.high_poles)
+        return np.asarray(np.nan_to_num(ratio, nan=np.inf).min(axis=1))
 
     @cached_property
     def tops(self) -> Array:
