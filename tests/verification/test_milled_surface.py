@@ -534,7 +534,7 @@ def test_words_numbers_and_figure(solved):
     # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
     (told,) = (each for each in warnings(found) if "farther apart than resonances" in each)
     width = found.resonance_width[:-1] * found.milling_speed[1:]
-    step = 0.5 * np.nanmin(width) * 30.0 / math.pi
+    step = 0.5 * width[width > 0.0].min() * 30.0 / math.pi
     assert float(re.findall(r"steps of ([\d.]+) rpm", told)[0]) == pytest.approx(step, rel=6e-3)
 
 
@@ -547,14 +547,14 @@ def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
     assert near.min() < 1e-3
     order = found["campbell"].frequency[0, near.argmin()] / (np.array([9000.0, 11000.0]) / 30.0)
     assert math.floor(order[0]) > math.floor(order[1])
-    assert np.isnan(width[1:]).all()
+    assert (width[1:] == 0.0).all()
     assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
 
 
 def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):
     found = lobes(solved(cut="{depth: 1 um}", teeth=80, speeds="[3000 rpm, 6000 rpm]"))
     assert found.cut_is_stable.all()
-    assert np.isnan(found.resonance_width).all()
+    assert (found.resonance_width == 0.0).all()
     assert not any("farther apart than resonances" in each for each in warnings(found))
 
 

@@ -77,14 +77,14 @@ def planned_cut(
 
 def _sharpest(pole: NDArray[np.complex128], speed: Array) -> Array:
     """Least damping ratio of the modes (s, k) that a multiple of a ``speed`` (s,) meets on the way
-    to the next one (s,), NaN where none is met."""
+    to the next one (s,), 0 where none is met."""
     with np.errstate(invalid="ignore"):
         order = pole.imag / speed[:, None]
         after = pole.imag[:-1] / speed[1:, None]
         met = np.zeros(pole.shape, dtype=bool)
         met[:-1] = np.floor(order[:-1]) > np.floor(after)
         ratio = np.where(met, -pole.real / np.abs(pole), np.inf).min(axis=1)
-    return np.where(np.isfinite(ratio), ratio, np.nan)
+    return np.where(np.isfinite(ratio), ratio, 0.0)
 
 
 def _receptance(tip: Tip, omega: Array) -> NDArray[np.complex128]:

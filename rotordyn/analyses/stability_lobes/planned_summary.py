@@ -78,7 +78,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     speed = result.milling_speed
     wide = result.resonance_width[:-1]
-    coarse = np.flatnonzero(np.diff(speed) > wide * speed[1:])
+    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > wide * speed[1:]))
     if coarse.size:
         step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
         sentences.append(

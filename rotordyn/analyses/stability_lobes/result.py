@@ -41,7 +41,7 @@ class StabilityLobesResult:
     their run-out. ``thinnest_chip``: over that of a rigid
     machine, below 0 where a tooth leaves the cut. ``resonance_width``: twice the least
     damping ratio of the high modes that a multiple of the frequency of the teeth meets on the way
-    to the next speed, so wide are resonances over speed.
+    to the next speed, so wide are resonances over speed; 0 where none is met.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
     limit at some speeds by a model of twice the frequencies, over the limit.
     """
@@ -203,7 +203,7 @@ class StabilityLobesResult:
         "milling_speed",
         unit="1",
         label="width of the sharpest resonance on the way to the next speed over its frequency",
-        absent=(Absence("where none is met, or the cut is not stable or not solved"),),
+        absent=(CUT,),
     )
     idle_teeth: int = quantity(unit="", label="teeth that do not cut")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
