@@ -115,6 +115,10 @@ def test_turning_takes_the_part_of_its_force_along_the_cut(solved, angle):
     along = 1500e6 * math.sin(math.radians(angle)) * 0.15e-3 * 0.02  # torque over depth
     if angle == 0.0:
         assert np.isinf(found.motor_depth).all()
+        bare = replace(found, depth=found.motor_depth, motor_removal=found.motor_depth)
+        (told,) = (line for line in summary(bare) if line.startswith("motor"))
+        assert told.endswith("before chatter does at no speed")
+        assert {each.name: each.value for each in numbers(bare, None)}["removal"] == math.inf
         assert found.motor_removal == pytest.approx(found.removal)
     else:
         assert found.motor_depth == pytest.approx(torque(RPM) / along, rel=1e-12)

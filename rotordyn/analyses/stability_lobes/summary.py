@@ -139,7 +139,7 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
     if result.motor:
-        most = float(np.nan_to_num(result.motor_removal).max())
+        most = float(np.fmax.reduce(result.motor_removal))
         yield Number("removal", REMOVAL.unit, most * REMOVAL.factor, digits=1)
     yield from planned_summary.numbers(result)
 
@@ -158,8 +158,8 @@ def _motor(result: StabilityLobesResult) -> list[str]:
     less = int((result.motor_depth < result.depth)[known].sum())
     where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
     line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
-    rate = np.nan_to_num(result.motor_removal)
-    if rate.max() > 0.0:
+    rate = np.where(known, result.motor_removal, 0.0)
+    if 0.0 < rate.max() < np.inf:
         depth = np.minimum(result.depth, result.motor_depth)
         most = rate >= AS_MUCH * rate.max()
         margin = np.divide(result.depth, depth, out=np.zeros_like(depth), where=most)
