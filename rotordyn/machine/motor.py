@@ -15,14 +15,11 @@ Torque = Annotated[float, Quantity("moment", above="0 N m", at_most="100 kN m")]
 
 @dataclass(frozen=True, slots=True)
 class Motor(Description):
-    """Its rated power, its rated torque or both, of which the lesser counts at a speed."""
+    """Its rated power, its rated torque or both: it gives the lesser of that torque and the power
+    over the speed."""
 
-    power: Annotated[Power | None, "rated power, of the duty that is planned (S1: without end)"] = (
-        None
-    )
-    torque: Annotated[
-        Torque | None, "rated torque at the shaft, up to the speed at which it is the power"
-    ] = None
+    power: Annotated[Power | None, "rated power, for the intended duty (S1: continuous)"] = None
+    torque: Annotated[Torque | None, "rated torque at the shaft"] = None
 
     def _faults(self) -> Faults:
         if self.power is None and self.torque is None:

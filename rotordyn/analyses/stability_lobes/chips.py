@@ -61,16 +61,16 @@ def _of_tooth(cut: Cut, feeds: Array, tooth: int) -> Iterator[Chip]:
 
 
 def _left_by(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
-    """Spans of angle in which a tooth is in cut, and which of those before it left the chip there:
-    that of the least of ``feed`` sin φ + ``height``, where it is above 0."""
+    """Spans of angle in which a tooth is in cut, and the place among those before it of the one that
+    left the chip there: that of the least of ``feed`` sin φ + ``height``, where it is above 0."""
     steeper, higher = np.subtract.outer(feed, feed), np.subtract.outer(height, height)
     with np.errstate(divide="ignore", invalid="ignore"):
         sine = np.append((-higher / steeper)[np.triu_indices(len(feed), 1)], -height / feed)
-    turned = np.arcsin(sine[(sine > 0.0) & (sine < 1.0)])
+    turned = np.arcsin(sine[(sine > 0.0) & (sine <= 1.0)])
     ends = np.concatenate([turned, math.pi - turned, [cut.entry, cut.exit]])
     ends = np.unique(ends[(ends >= cut.entry) & (ends <= cut.exit)])
-    middle = np.sin(0.5 * (ends[1:] + ends[:-1]))
-    thickness = feed[:, None] * middle + height[:, None]
+    inside = np.sin(0.3 * ends[1:] + 0.7 * ends[:-1])  # off the middle, where two may be alike
+    thickness = feed[:, None] * inside + height[:, None]
     left = np.where(thickness.min(axis=0) > 0.0, thickness.argmin(axis=0), -1)
     for which, spans in groupby(
         zip(left.tolist(), pairwise(ends.tolist()), strict=True), lambda each: each[0]

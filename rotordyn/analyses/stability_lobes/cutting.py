@@ -33,7 +33,7 @@ class Cut:
 
     ``lag`` [rad]: how far the end of an edge is behind its tip. ``pitches`` [rad]: from each tooth
     to the one that cut before it, in the order in which they cut; none where all are equal.
-    ``runout`` [m]: how far each tooth stands out; none where all are as far.
+    ``runout`` [m]: how far each tooth stands out; none where all are alike.
     """
 
     teeth: int

@@ -13,12 +13,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.arguments import typed
-from rotordyn.analyses.stability_lobes.chips import Chip
+from rotordyn.analyses.stability_lobes.contact import Beyond, Contact
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.forces import Forces
 from rotordyn.errors import InvalidInput, NoSolution
@@ -27,14 +28,15 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 WALLS = {"up": (0.0, -1.0), "down": (math.pi, 1.0)}  # angle at which a tooth leaves it, and sign
-HEIGHTS = 9  # along an edge, at which its chip is looked at
 FINE = 8  # points of the shortest wave
-THICK = 0.3  # of the thickest chip: thinner ones lose contact anyway
+SETTLED, ROUNDS = 1e-3, 40  # of the vibration, in which its contact is settled
+LESS = 0.8  # times: where changes do not fall so from one to the next, shorter steps are taken
+SHORTEST = 0.1  # of a whole step
 SEEN = 1e-8  # of the largest harmonic of the motion: smaller ones move no surface
 SOLVED = 1e-10  # of the forces
 SEARCHED, RESTARTED = 80, 25  # directions, and how often
 MOST_HARMONICS = 100_000
-MOST_POINTS = 4000  # at which the largest force is looked for
+POINTS = 4000  # at which the largest force is looked for
 JUST = 1e-9  # of a turn of the pattern, inside of the ends of a cut
 AT_ONCE = 2_000_000  # values
 
@@ -46,8 +48,9 @@ class Milled:
     ``least``, ``most`` (walls,) [m]: over the depth of the error of each wall as the deepest tooth
     leaves it, positive where material is left. In feed and normal (2,) [m]: ``deflection``, the
     mean displacement of the tip, and ``swing``, its vibration from peak to peak. ``force``: the
-    largest on the tip [N]; ``torque`` [N m] and ``power`` [W]: on average. ``thinnest``: chip that
-    a tooth takes off at least over that of a rigid machine, below 0 where it leaves the cut.
+    largest on the tip [N]; ``torque`` [N m] and ``power`` [W]: on average. The vibration moves
+    the ends of its own contact: ``departure``, by how much that changes it, and ``error``, what
+    it still asks for, small where it settles, both over its size.
     """
 
     least: Array
@@ -57,7 +60,8 @@ class Milled:
     force: float
     torque: float
     power: float
-    thinnest: float
+    error: float
+    departure: float
 
 
 @dataclass(frozen=True)
@@ -88,23 +92,56 @@ class Forced:
             )
         order: Array = first * np.arange(count + 1.0)
         own = receptance(order * self.speed)
-        force = self.forces.harmonics(order)
+        force, torque = self.forces.harmonics(order), self.forces.mean_torque()
         if self.rubbing > 0.0 or not self.forces.cut.even:
-            force = _Loop(self, order, own).solve(force)
-        moved = np.einsum("kij,kj->ki", own, force)
+            found = self._settled(order, own, force)
+            moved = np.einsum("kij,kj->ki", own, found.force)
+            largest = self._contact.largest(order, moved, found.beyond)
+            torque += found.beyond.torque
+            doubt = found.error, found.departure
+        else:
+            moved = np.einsum("kij,kj->ki", own, force)
+            largest, doubt = self._largest(), (0.0, 0.0)
         least, most = self._surface(order, moved, walls)
-        path = _over_pattern(moved)
-        torque = 0.5 * self.diameter * self.forces.mean_torque()
+        torque *= 0.5 * self.diameter
         return Milled(
             least,
             most,
             moved[0].real,
-            np.ptp(path, axis=0),
-            self._largest(order, moved),
+            np.ptp(_over_pattern(moved), axis=0),
+            largest,
             torque,
             torque * self.speed,
-            self._thinnest(order, moved),
+            *doubt,
         )
+
+    @property
+    def _contact(self) -> Contact:
+        return Contact(self.forces, self.speed, self.rubbing)
+
+    def _settled(self, order: Array, own: Complex, alone: Complex) -> _Settled:
+        """Forces of the vibration, which moves the ends of its own contact: those that its motion
+        asks for beyond linear ones are given, in whole steps or shorter ones, until they stay."""
+        loop, rest = _Loop(self, order, own), np.zeros_like(alone)
+
+        def size(force: Complex) -> float:
+            path = _over_pattern(np.einsum("kij,kj->ki", own, force))
+            return float(np.ptp(path, axis=0).max())
+
+        linear = force = loop.solve(alone)
+        share, error, best = 1.0, math.inf, math.inf
+        for _ in range(ROUNDS):
+            beyond = self._contact.of(order, np.einsum("kij,kj->ki", own, force))
+            change = loop.solve(beyond.force - rest)
+            before, error = error, size(change) / size(force)
+            if error < best:
+                best = error
+                found = _Settled(force, beyond, error, size(force - linear) / size(force))
+            if error < SETTLED:
+                break
+            share = share if error < LESS * before else max(0.5 * share, SHORTEST)
+            force, rest = force + share * change, rest + share * (beyond.force - rest)
+        return found
 
     def _surface(self, order: Array, moved: Complex, walls: Sequence[str]) -> tuple[Array, Array]:
         """Least and largest error of each wall (walls,) [m]."""
@@ -121,48 +158,23 @@ class Forced:
             least[k], most[k] = deepest.min(), deepest.max()
         return least, most
 
-    def _largest(self, order: Array, moved: Complex) -> float:
-        """The largest force [N], that of the vibration included."""
-        cut, depth = self.forces.cut, self.forces.depth
-        steps = min(FINE * len(order), MOST_POINTS)
+    def _largest(self) -> float:
+        """The largest force of teeth that all follow the same path [N]."""
+        cut = self.forces.cut
         ends = np.array([end for low, high in cut.pieces() for end in (low, high)])
         inside = np.array([1.0, -1.0] * (len(ends) // 2)) * JUST * cut.turn
-        angle = np.append(cut.turn * np.arange(steps) / steps, np.mod(ends + inside, cut.turn))
-        force = self.forces.at(angle)[:, :2]
-        if cut.even and self.rubbing == 0.0:
-            return float(np.hypot(*force.T).max())
-        chips = self.forces.chips
-        amplitude = [_since(chip, order, moved) for chip in chips]
-        amplitude.append(moved * (1j * order * self.speed)[:, None])
-        motion = _motion(order, np.concatenate(amplitude, axis=1), angle)
-        velocity = motion[:, -2:]
-        for k, chip in enumerate(chips):
-            own = replace(cut, entry=chip.entry, exit=chip.exit)
-            kernel, change = own.by_gap(angle, chip.tooth), motion[:, 2 * k : 2 * k + 2]
-            force = force - depth * np.einsum("nij,nj->ni", kernel, change)
-            kernel = replace(own, tangential=0.0, radial=self.rubbing).by_gap(angle, chip.tooth)
-            force = force - depth * np.einsum("nij,nj->ni", kernel, velocity)
-        return float(np.hypot(*force.T).max())
+        angle = cut.turn * np.arange(POINTS) / POINTS
+        angle = np.append(angle, np.mod(ends + inside, cut.turn))
+        return float(np.hypot(*self.forces.at(angle)[:, :2].T).max())
 
-    def _thinnest(self, order: Array, moved: Complex) -> float:
-        """Least chip over that of a rigid machine, where that is not thin itself."""
-        cut = self.forces.cut
-        if cut.even:
-            return 1.0
-        heights, thinnest = np.linspace(0.0, cut.lag, HEIGHTS if cut.lag else 1), 1.0
-        chips = self.forces.chips
-        spans = [np.linspace(chip.entry, chip.exit, 2 + FINE * 8)[1:-1] for chip in chips]
-        thickest = np.zeros(len(cut.gaps))
-        for chip, span in zip(chips, spans, strict=True):
-            thickest[chip.tooth] = max(thickest[chip.tooth], chip.thickness(span).max())
-        for chip, span in zip(chips, spans, strict=True):
-            angle = span[chip.thickness(span) > THICK * thickest[chip.tooth]]
-            first = angle + heights[:, None] - cut.behind[chip.tooth]  # what lags is there later
-            change = _motion(order, _since(chip, order, moved), first.ravel())
-            x, y = change.T.reshape(2, len(heights), len(angle))
-            share = 1.0 + (x * np.sin(angle) + y * np.cos(angle)) / chip.thickness(angle)
-            thinnest = min(thinnest, float(share.min(initial=1.0)))
-        return thinnest
+
+class _Settled(NamedTuple):
+    """Forces of a vibration (n, 2) and what they have ``beyond`` linear ones; see ``Milled``."""
+
+    force: Complex
+    beyond: Beyond
+    error: float
+    departure: float
 
 
 @dataclass(frozen=True)
@@ -240,11 +252,6 @@ def _convolved(kernel: Complex, factor: Complex) -> Callable[[Complex], Complex]
     return force
 
 
-def _since(chip: Chip, order: Array, moved: Complex) -> Complex:
-    """Amplitudes of the motion since what a ``chip`` was left by passed (k, 2)."""
-    return moved * (1.0 - np.exp(-1j * order * chip.gap))[:, None]
-
-
 def _motion(order: Array, amplitude: Complex, angle: Array) -> Array:
     """Motion (n, 2) at angles (n,) by its amplitudes (k, 2) of e^(i order angle), order from 0 up;
     in parts for the sake of memory."""
@@ -309,7 +316,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
             raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
     if not 0.0 <= helix < 0.5 * math.pi * (1.0 - 1e-9):
         raise InvalidInput(f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°")
-    if runout and len(runout) != teeth:
+    if len(runout) not in (0, teeth):
         raise InvalidInput(f"runout: given {runout}; allowed: one to each of {teeth} teeth [m]")
     lag = 2.0 * depth * math.tan(helix) / diameter
     cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch), tuple(runout)))

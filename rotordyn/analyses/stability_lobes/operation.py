@@ -97,14 +97,15 @@ class Operation:
         return Forced(self.planned, self.diameter, speed, top, rubbing)
 
     def torque(self, depth: float = 1.0) -> float:
-        """Mean torque of a stable cut of some depth [m], with the edge forces of the planned one
-        [N m]: in proportion to the depth."""
+        """Mean torque of a stable cut of some depth [m], with edge forces and run-out of the
+        planned one [N m]: in proportion to the depth."""
         own = self.spec
         if own.turning is not None:
             tangential = own.turning.force * math.sin(own.turning.force_angle)
             return 0.5 * self.diameter * depth * tangential * own.feed_per_tooth
-        edges = (own.cut.tangential_edge, own.cut.radial_edge) if own.cut else (0.0, 0.0)
-        forces = Forces(self.cut, depth, own.feed_per_tooth, *edges)
+        forces = Forces(self.cut, depth, own.feed_per_tooth)
+        if own.cut is not None:
+            forces = replace(self.planned, depth=depth)
         return 0.5 * self.diameter * forces.mean_torque()
 
     def removal(self, speed: Array, depth: Array) -> Array:

@@ -23,7 +23,8 @@ VALUES = {
     "cutting_force": ("force", ""),
     "cutting_torque": ("torque", ""),
     "cutting_power": ("power", ""),
-    "thinnest_chip": ("thinnest", ""),
+    "vibration_error": ("error", ""),
+    "contact_departure": ("departure", ""),
 }
 
 

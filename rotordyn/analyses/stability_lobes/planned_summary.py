@@ -12,6 +12,8 @@ from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
+UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration
+OF_MARGIN = 0.5  # to the limit of stability: contact that moves so much may cross it
 ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
 
 
@@ -97,15 +99,17 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     if result.idle_teeth:
         some = "1 tooth takes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth take"
         sentences.append(
-            f"stability_lobes: by their run-out {some} off nothing in the planned cut; limits of "
-            "stability are those of a cutter whose teeth all cut"
+            f"stability_lobes: by their run-out {some} off nothing in the planned cut; without "
+            "them limits of stability may be lower than those of all teeth that are given"
         )
-    thin = np.flatnonzero(result.thinnest_chip < 0.0)
-    if thin.size:
+    margin = OF_MARGIN * (result.depth / result.planned_depth - 1.0)
+    departed = result.contact_departure > np.fmin(margin, DEPARTED)
+    restless = np.flatnonzero((result.vibration_error > UNSETTLED) | departed)
+    if restless.size:
         sentences.append(
-            f"stability_lobes: in the planned cut teeth leave the work at {thin.size} of "
-            f"{stable.size} speeds, first at {_milling_rpm(result, int(thin[0]))}: its vibration "
-            "and surface, of teeth that stay in it, are not right in size there"
+            f"stability_lobes: in the planned cut teeth leave the work at {restless.size} of "
+            f"{stable.size} speeds, first at {_milling_rpm(result, int(restless[0]))}: whether the "
+            "motion that repeats with them stays is not known there, nor are vibration and surface"
         )
     return sentences
 

@@ -38,10 +38,11 @@ class StabilityLobesResult:
     the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
     tooth, positive where material is left, and the mean displacement of the tip, its vibration from
     peak to peak, the largest force, mean torque and power. ``idle_teeth`` take off nothing, by
-    their run-out. ``thinnest_chip``: over that of a rigid
-    machine, below 0 where a tooth leaves the cut. ``resonance_width``: twice the least
-    damping ratio of the high modes that a multiple of the frequency of the teeth meets on the way
-    to the next speed, so wide are resonances over speed; 0 where none is met.
+    their run-out. The vibration moves the ends of its own contact: ``contact_departure``, by how
+    much that changes it, and ``vibration_error``, what it still asks for, both over its size.
+    ``resonance_width``: twice the least damping ratio of the high modes that a multiple of the
+    frequency of the teeth meets on the way to the next speed, so wide are resonances over speed; 0
+    where none is met.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
     limit at some speeds by a model of twice the frequencies, over the limit.
     """
@@ -87,7 +88,7 @@ class StabilityLobesResult:
     motor_depth: Array = quantity(
         "cutting_speed",
         unit="m",
-        label="depth of cut that the motor drives",
+        label="depth of cut at the limit of the motor",
         printed=MILLIMETRE,
         absent=(NO_MOTOR,),
         infinite=(NO_TORQUE,),
@@ -95,7 +96,7 @@ class StabilityLobesResult:
     motor_removal: Array = quantity(
         "cutting_speed",
         unit="m³/s",
-        label="removal rate that is stable and driven by the motor",
+        label="removal rate within the limits of stability and motor",
         printed=REMOVAL,
         absent=(NO_MOTOR,),
         infinite=(Absence("where neither it nor chatter limits the depth", beside="loss"),),
@@ -196,8 +197,14 @@ class StabilityLobesResult:
         "milling_speed", unit="N·m", label="mean torque", absent=(CUT,)
     )
     cutting_power: Array = quantity("milling_speed", unit="W", label="mean power", absent=(CUT,))
-    thinnest_chip: Array = quantity(
-        "milling_speed", unit="1", label="thinnest chip over that of a rigid machine", absent=(CUT,)
+    vibration_error: Array = quantity(
+        "milling_speed", unit="1", label="error of the vibration over its size", absent=(CUT,)
+    )
+    contact_departure: Array = quantity(
+        "milling_speed",
+        unit="1",
+        label="change of the vibration by its moving contact over its size",
+        absent=(CUT,),
     )
     resonance_width: Array = quantity(
         "milling_speed",

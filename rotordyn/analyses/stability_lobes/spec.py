@@ -88,8 +88,7 @@ class PlannedCut(Description):
     radial_edge: Annotated[EdgeForce, "radial one, Kre"] = 0.0
     runout: Annotated[
         tuple[Runout, ...],
-        "how far each tooth stands out radially, in the order in which they cut; by default all "
-        "are as far",
+        "radial run-out of each tooth (positive: it stands out), in the order in which they cut",
     ] = ()
 
 

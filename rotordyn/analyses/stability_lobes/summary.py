@@ -164,7 +164,7 @@ def _motor(result: StabilityLobesResult) -> list[str]:
         most = rate >= AS_MUCH * rate.max()
         margin = np.divide(result.depth, depth, out=np.zeros_like(depth), where=most)
         row = int(margin.argmax())  # of the speeds at which the power is used up, the safest
-        line += "; most is removed by " + unbroken(
+        line += "; highest removal rate " + unbroken(
             f"{in_mm(depth[row])} at {_rpm(result, row)} ({number(rate[row] * REMOVAL.factor)} "
             f"{REMOVAL.unit})"
         )

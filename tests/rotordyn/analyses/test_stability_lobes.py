@@ -896,7 +896,7 @@ def test_of_rates_next_to_the_highest_the_safest_is_named():
         motor_removal=np.array([1e-6, 2e-6, 1.999e-6]),
     )
     assert "3 kW: limits the cut before chatter does at 2 of 3 speeds" in lines["motor"]
-    assert lines["motor"].endswith("by 1.00 mm at 3000 rpm (119.9 cm³/min), stable up to 6.00 mm")
+    assert lines["motor"].endswith("rate 1.00 mm at 3000 rpm (119.9 cm³/min), stable up to 6.00 mm")
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,137 @@
+"""What teeth take off as the vibration itself moves the ends of their contact.
+
+Every tooth takes off what the deepest of those before it left, with all that the tip moved since,
+and nothing where that is below 0. Forces of the chips of a rigid machine with the vibration since
+one tooth are the linear part; here is what the true ones have beyond that.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.forces import Forces
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+FINE, LEAST = 8, 2000  # angles to the shortest wave, and in all
+SLICE = 0.05  # rad, by which an edge lags from slice to slice
+
+
+@dataclass(frozen=True, slots=True)
+class Beyond:
+    """Beyond the linear ones: force on the tip over the pattern (count, 2) and its amplitudes
+    (n, 2) [N], and the mean torque over the radius [N]."""
+
+    over: Array
+    force: Complex
+    torque: float
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Of ``forces`` at a ``speed`` [rad/s], with ``rubbing`` flanks [N s/m²] by depth."""
+
+    forces: Forces
+    speed: float
+    rubbing: float
+
+    def of(self, order: Array, moved: Complex) -> Beyond:
+        """With a motion of the tip (n, 2) at orders of the revolution, from 0 up."""
+        angle, velocity = self._angle(order), self._over(order, moved * self._rate(order))
+        linear, true = np.zeros((len(angle), 3)), np.zeros((len(angle), 3))
+        for tooth, gaps in enumerate(self._before()):
+            since = [self._over(order, moved * _since(order, gap)) for gap, *_ in gaps]
+            for at, where in self._slices(angle, tooth):
+                s, c = np.sin(at), np.cos(at)
+                away = np.stack([s, c], axis=-1)
+                left = [
+                    feed * s + height + (motion[where] * away).sum(axis=-1)
+                    for motion, (_, feed, height) in zip(since, gaps, strict=True)
+                ]
+                rate = self.rubbing * (velocity[where] * away).sum(axis=-1)
+                thick = np.minimum.reduce(left)
+                true[where] += self._push(s, c, thick, rate) * (thick > 0.0)[:, None]
+                for chip in self.forces.chips:
+                    if chip.tooth == tooth:
+                        inside = (at > chip.entry) & (at < chip.exit)
+                        which = [gap for gap, *_ in gaps].index(chip.gap)
+                        push = self._push(s, c, left[which], rate)
+                        linear[where] += push * inside[:, None]
+        beyond = true - linear
+        amplitude = np.fft.rfft(beyond[:, :2], axis=0)[: len(order)] / len(angle)
+        force = amplitude * np.exp(-1j * order * angle[0])[:, None]
+        return Beyond(beyond[:, :2], force, float(beyond[:, 2].mean()))
+
+    def largest(self, order: Array, moved: Complex, beyond: Beyond) -> float:
+        """Largest force on the tip [N]."""
+        cut, angle, forces = self.forces.cut, self._angle(order), self.forces
+        total = forces.at(angle)[:, :2] + beyond.over
+        velocity = self._over(order, moved * self._rate(order))
+        for chip in forces.chips:
+            own = replace(cut, entry=chip.entry, exit=chip.exit)
+            flank = replace(own, tangential=0.0, radial=self.rubbing)
+            since = self._over(order, moved * _since(order, chip.gap))
+            for each, motion in ((own, since), (flank, velocity)):
+                kernel = each.by_gap(angle, chip.tooth)
+                total -= forces.depth * np.einsum("nij,nj->ni", kernel, motion)
+        return float(np.hypot(*total.T).max())
+
+    def _angle(self, order: Array) -> Array:
+        """Of the cutter over its pattern (count,), between the steps."""
+        count = max(FINE * len(order), LEAST)
+        return self.forces.cut.turn * (np.arange(count) + 0.5) / count
+
+    def _over(self, order: Array, amplitude: Complex) -> Array:
+        """Values at these angles (count, 2) of amplitudes (n, 2)."""
+        angle = self._angle(order)
+        begun = amplitude * np.exp(1j * order * angle[0])[:, None]
+        return np.asarray(np.fft.irfft(begun, len(angle), axis=0) * len(angle))
+
+    def _rate(self, order: Array) -> Complex:
+        return np.asarray(1j * order * self.speed)[:, None]
+
+    def _before(self) -> list[list[tuple[float, float, float]]]:
+        """Of each tooth the gap [rad], the feed and the greater height [m] since each of those
+        before it."""
+        cut, forces = self.forces.cut, self.forces
+        count = len(cut.gaps)
+        gaps = np.array(cut.gaps)
+        feeds = forces.feed * cut.teeth * gaps / (2.0 * math.pi)
+        out = np.array(cut.runout[:count] or [0.0] * count)
+        found = []
+        for tooth in range(count):
+            before = [(tooth - k) % count for k in range(count)]
+            height = out[tooth] - out[[*before[1:], tooth]]
+            values = np.cumsum(gaps[before]), np.cumsum(feeds[before]), height
+            found.append([*zip(*(each.tolist() for each in values), strict=True)])
+        return found
+
+    def _slices(self, angle: Array, tooth: int) -> Iterator[tuple[Array, NDArray[np.intp]]]:
+        """Angles of the slices of an edge that are between entry and exit, and their places among
+        the ``angle`` of the cutter."""
+        cut = self.forces.cut
+        count = max(1, math.ceil(cut.lag / SLICE))
+        for lag in cut.lag * (np.arange(count) + 0.5) / count:
+            for at in cut.standing(angle)[:, tooth] - lag:
+                where = np.flatnonzero((at > cut.entry) & (at < cut.exit))
+                yield at[where], where
+
+    def _push(self, s: Array, c: Array, thick: Array, rate: Array) -> Array:
+        """Force on the tip in feed and normal and torque over the radius (n, 3) of a slice."""
+        forces, cut = self.forces, self.forces.cut
+        share = forces.depth / max(1, math.ceil(cut.lag / SLICE))
+        t = share * (cut.tangential * thick + forces.tangential)
+        r = share * (cut.radial * thick + forces.radial + rate)
+        return np.stack([-t * c - r * s, t * s - r * c, t], axis=-1)
+
+
+def _since(order: Array, gap: float) -> Complex:
+    """From amplitudes to those of what moved since a ``gap`` [rad] (n, 1)."""
+    return np.asarray(1.0 - np.exp(-1j * order * gap))[:, None]
