@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.analyses.control.control_map import THIRD
 from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fitted
 from rotordyn.figures.legends import top_legend
@@ -76,7 +77,8 @@ def load_name(result: ControlResult) -> str:
 
 
 def _regions(axes: Axes, result: ControlResult) -> None:
-    """Shades from the margins; where there is no state the ground stays white."""
+    """Shades from the margins; where there is no state, or a third contact, the ground stays
+    white."""
     rpm = result.speed * RPM.factor
     inner, outer = (np.ma.masked_invalid(m.T) for m in (result.inner_margin, result.outer_margin))
     fields = {"neither": np.ma.ones(inner.shape), "inner": inner, "outer": outer}
@@ -87,7 +89,9 @@ def _regions(axes: Axes, result: ControlResult) -> None:
             axes.contourf(rpm, result.load, fields[name], above, colors=[colour], zorder=0.5)
             axes.fill([], [], color=colour, label=word + (" all balls" if result.radial else ""))
     if not np.isfinite(result.inner_margin).all():
-        axes.fill([], [], facecolor="white", edgecolor=GREY, label="no state")
+        words = {THIRD if word == THIRD else "no state" for word in result.state.flat if word}
+        white = " or ".join(sorted(words))
+        axes.fill([], [], facecolor="white", edgecolor=GREY, label=white)
 
 
 def _between(result: ControlResult) -> bool:
