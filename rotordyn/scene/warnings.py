@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.arrays import Array, Flags
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -242,18 +242,28 @@ def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
     rows = np.flatnonzero(idle.all(axis=1) if seat.bearing.both_ways else idle.any(axis=1))
     if not rows.size:
         return
-    balls, rpm = idle[rows[0]], speed[rows[0]] * RPM.factor
+    balls, when = idle[rows[0]], _rows_when(speed, rows)
     if balls.all():
         why = "it stands within its play" if seat.bearing.both_ways else "static loads unload it"
         yield (
-            f"{name}: {why} at {rpm:.0f} rpm: it holds nothing there, and modes, stiffness and "
+            f"{name}: {why} {when}: it holds nothing there, and modes, stiffness and "
             "responses are those of the shaft without it; raise its preload, or change the loads"
         )
         return
     angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
     first, last = int(angle[0]) % 360, int(balls.sum())
     yield (
-        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing from "
-        f"{rpm:.0f} rpm on, such as that at {first}° from y towards z: raise its preload, or lower "
-        "the loads (bearing_loads says under which part of them)"
+        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing {when}, "
+        f"such as that at {first}° from y towards z: raise its preload, or lower the loads "
+        "(bearing_loads says under which part of them)"
     )
+
+
+def _rows_when(speed: Array, rows: Indices) -> str:
+    """At which of the speeds [rad/s] something holds."""
+    first = f"{speed[rows[0]] * RPM.factor:.0f} rpm"
+    if rows.size == 1:
+        return f"at {first}"
+    if rows.size == len(speed) - rows[0]:
+        return f"from {first} on"
+    return f"at {rows.size} of {len(speed)} speeds, first at {first}"

@@ -88,10 +88,10 @@ def _regions(axes: Axes, result: ControlResult) -> None:
             above = [0.0, np.inf]
             axes.contourf(rpm, result.load, fields[name], above, colors=[colour], zorder=0.5)
             axes.fill([], [], color=colour, label=word + (" all balls" if result.radial else ""))
-    if not np.isfinite(result.inner_margin).all():
-        words = {THIRD if word == THIRD else "no state" for word in result.state.flat if word}
-        white = " or ".join(sorted(words))
-        axes.fill([], [], facecolor="white", edgecolor=GREY, label=white)
+    third = result.state == THIRD
+    white = {"no state": np.isnan(result.inner_margin) & ~third, THIRD: third}
+    if label := " or ".join(word for word, where in white.items() if where.any()):
+        axes.fill([], [], facecolor="white", edgecolor=GREY, label=label)
 
 
 def _between(result: ControlResult) -> bool:
