@@ -111,12 +111,12 @@ def test_a_bearing_within_its_play_is_told() -> None:
     assert "it stands within its play at 2865 rpm" in said
     assert not [*_lost("rear", speed[:1], usable[:1], load[:1], deep)]
     three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
-    for pressed, when in (
+    for first_ball, when in (
         ([0.0, 0.0, 0.0], "its play from 0 rpm on:"),
         ([5.0, 0.0, 0.0], "its play from 955 rpm on:"),
         ([0.0, 5.0, 0.0], "its play at 2 of 3 speeds, first at 0 rpm:"),
     ):
-        (said,) = _lost("rear", three, usable, np.outer(pressed, np.ones(3)), deep)
+        (said,) = _lost("rear", three, usable, np.outer(first_ball, np.ones(3)), deep)
         assert when in said
     (some,) = _lost("a", speed[:1], usable[:1], load[:1], angular)
     assert "1 of its 3 balls carry nothing" in some
