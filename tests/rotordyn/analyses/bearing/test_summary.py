@@ -39,7 +39,8 @@ def test_ellipse_past_the_inner_shoulder() -> None:
 
 def test_an_ellipse_wholly_past_its_shoulder() -> None:
     bearing = replace(four_point(QJ218), **SHOULDERS)
-    found = answer(bearing, OUTER, np.zeros(1), BearingMapSpec((1e3,), static_growth=-300e-6))
+    spec, speed = BearingMapSpec((1e3,), static_growth=-300e-6), np.array([6000.0]) * RPM
+    found = answer(bearing, Conditions(), speed, spec)
     assert cut_off(found)[0].endswith("up to 100 % of its length lost")
 
 
