@@ -103,6 +103,22 @@ def friction_notes(scene: Scene) -> Iterator[str]:
         )
 
 
+def arc_notes(scene: Scene) -> Iterator[str]:
+    """Turning balls with more than two contacts, whose motion is that of the resultants."""
+    if "preload" not in scene.solved:
+        return
+    state = scene.preload
+    turning = state.usable & (state.speed > 0.0)
+    for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
+        more = (balls.contacts[:, column] > 2) & (balls.inner_load[:, column] > 0.0)
+        if (rows := np.flatnonzero(turning & more.any(axis=1))).size:
+            yield (
+                f"balls of bearing {seat.name} have more than two contacts "
+                f"{_rows_when(state.speed, rows)}, one of which slides: their orbit, defect "
+                "frequencies and heat are those of the resultants of each race, estimates there"
+            )
+
+
 def ring_notes(scene: Scene) -> Iterator[str]:
     """How far rings deform under their balls."""
     if not any(seat.flexible_rings for seat in scene.spindle.seats):

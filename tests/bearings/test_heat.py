@@ -208,6 +208,70 @@ def test_a_third_contact_loses_what_it_slides(way: float) -> None:
     assert heat.sliding(state, 0.05).power[0, third] == pytest.approx(known, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("force", "rpm", "orbit", "power", "of_state"),
+    [
+        (500.0, 6000.0, 0.4358, 101.0, (0.4626, 868.0)),
+        (5e3, 6000.0, 0.4389, 638.0, (0.4343, 1066.0)),
+        (20e3, 3000.0, 0.4295, 292.0, (0.4296, 365.0)),
+    ],
+)
+def test_how_far_resultants_are_from_the_balance_of_friction(
+    force: float, rpm: float, orbit: float, power: float, of_state: tuple[float, float]
+) -> None:
+    """Orbit and rotation of a ball that make its loss in all contacts least, without gyroscopic
+    moment: the figures of docs/theory/four_point.md, beside those of the state."""
+    bearing, omega = four_point(QJ218), rpm * RPM
+    state = bearing.equilibrium(load=[force, 0, 0, 0, 0], speed=omega, kinematics="outer")
+    d, pitch, g = bearing.ball_diameter, bearing.pitch_diameter, state.operation.geometry
+    r, turn = np.meshgrid((np.arange(14) + 0.5) / 14.0, 2.0 * np.pi * (np.arange(24) + 0.5) / 24.0)
+    weight = np.sqrt(1.0 - r**2) * r
+    weight /= weight.sum()
+    touching = []
+    for k, side in enumerate((1.0, -1.0, -1.0, 1.0)):
+        if (q := float(state.contact_load[0, k])) > 0.0:
+            race, f = (g.inner, g.inner_conformity) if k < 2 else (g.outer, g.outer_conformity)
+            a, b = (float(each) for each in half_axes(race, np.array(q)))
+            curve = (a * r * np.cos(turn)) ** 2 * (2.0 * f + 1.0) / (4.0 * f * d)
+            angle = side * float(state.contact_angle[0, k])
+            touching.append((k < 2, angle, q, a * r * np.cos(turn), b * r * np.sin(turn), curve))
+
+    def lost(motion: Array) -> float:
+        cage, axial, radial = motion  # rotation of the ball against the inner ring's, and outwards
+        total = 0.0
+        for inner, angle, q, xi, eta, curve in touching:
+            sin, cos, way = math.sin(angle), math.cos(angle), -1.0 if inner else 1.0
+            race = float(inner) - cage
+            spin, roll = (race + axial) * sin - radial * cos, (race + axial) * cos + radial * sin
+            slide = race * (0.5 * pitch + way * 0.5 * d * cos)
+            slide += way * 0.5 * d * (axial * cos + radial * sin)
+            speed = np.hypot(spin * eta, slide - spin * xi - way * roll * curve) * omega
+            total += 0.05 * q * float((weight * speed).sum())
+        return total * bearing.balls
+
+    ball = ball_motion(state)
+    beta, spins = math.atan(ball.tan_beta[0]), float(ball.rotation[0])
+    here = np.array([ball.orbit[0], spins * math.cos(beta), spins * math.sin(beta)])
+    starts = here, np.array([0.436, spins, 0.0])
+    simplex = np.vstack([np.zeros(3), np.diag([0.02, 0.2, 0.2])])
+    best = min(
+        (
+            minimize(
+                lost,
+                start,
+                method="Nelder-Mead",
+                options={"xatol": 1e-6, "fatol": 1e-4, "initial_simplex": start + simplex},
+            )
+            for start in starts
+        ),
+        key=lambda found: float(found.fun),
+    )
+    assert best.x[0] == pytest.approx(orbit, abs=1e-4)
+    assert best.fun == pytest.approx(power, rel=0.01)
+    assert here[0] == pytest.approx(of_state[0], abs=1e-4)
+    assert heat.sliding(state, 0.05).power.sum() == pytest.approx(of_state[1], rel=0.01)
+
+
 def test_losses_are_one_balance() -> None:
     state = VEX70.equilibrium(load=LOAD, speed=np.array([0.0, 6e3, 12e3]) * RPM)
     for model in ("ellipse", "palmgren"):
