@@ -97,7 +97,8 @@ def test_a_load_without_state_keeps_its_reason() -> None:
     """Inner control ends with a jump at low load: NaN only beside the outcome, in every tangent."""
     spec = BearingMapSpec((5.0, 2000.0), tangents=("complete", "frozen", "difference"))
     found = answer(VEX70, Conditions(kinematics="inner"), SPEED[2:], spec)
-    assert "no equilibrium at 30000 rpm under 5 N" in found.outcome[0, 0]
+    assert "no equilibrium at 30000 rpm under 5 N: raise the load" in found.outcome[0, 0]
+    assert "or use outer or hybrid kinematics" in found.outcome[0, 0]
     assert np.isnan(found.stiffness[0, 0]).all()
     assert np.isnan(found.inner_spin_to_roll[0, 0])
     assert (found.control[0, 0], found.control_agrees[0, 0]) == ("", False)
