@@ -1,7 +1,8 @@
 """Limits of tolerance classes (ISO 286), of bearing rings (ISO 492), and the interference of fits.
 
 Deviations and interferences are on the DIAMETER [m]; ``bearings.fit.compound`` takes the radius.
-Grades IT3 to IT7 above 18 mm were read in a catalogue; all else is from memory of the standard [M].
+Grades IT3 to IT7 above 18 mm and rings of the normal class were read in catalogues; all else is
+from memory of the standard [M].
 """
 
 from __future__ import annotations
@@ -42,7 +43,10 @@ _BORE = {
     "normal": (8, 10, 12, 15, 20, 25, 30),
     "P4": (4, 5, 6, 7, 8, 10, 12),
 }
-_OUTSIDE = {"P4": {30.0: 5, 50.0: 6, 80.0: 7, 120.0: 8, 150.0: 9, 180.0: 10, 250.0: 11}}
+_OUTSIDE = {
+    "normal": {30.0: 9, 50.0: 11, 80.0: 13, 120.0: 15, 150.0: 18, 180.0: 25, 250.0: 30},
+    "P4": {30.0: 5, 50.0: 6, 80.0: 7, 120.0: 8, 150.0: 9, 180.0: 10, 250.0: 11},
+}
 
 
 class Interference(NamedTuple):
@@ -121,7 +125,8 @@ def bearing_bore(diameter: float, grade: str = "normal") -> tuple[float, float]:
 
 @checked
 def bearing_outside(diameter: float, grade: str = "P4") -> tuple[float, float]:
-    """Lower and upper deviation of a bearing's outside diameter [m], class ``"P4"``."""
+    """Lower and upper deviation of a bearing's outside diameter [m], class ``"normal"`` or
+    ``"P4"``."""
     if grade not in _OUTSIDE:
         raise InvalidBearing(f"unknown class of a bearing {shown(grade)}: {', '.join(_OUTSIDE)}")
     size, table = diameter * 1e3, _OUTSIDE[grade]

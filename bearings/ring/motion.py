@@ -8,6 +8,7 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.kinematics import orbit_and_spin
+from bearings.ring.request import sides
 
 if TYPE_CHECKING:
     from bearings.ring.state import BearingState
@@ -59,7 +60,7 @@ def contact_motion(state: BearingState) -> ContactMotion:
     motion, split = ball_motion(state), len(g.inner_grooves)
     orbit, rotation = motion.orbit[..., None], motion.rotation[..., None]
     beta = np.arctan(motion.tan_beta)[..., None]
-    alpha = np.asarray(state.contact_angle)
+    alpha = np.asarray(state.contact_angle) * sides(g)  # as β: positive towards +x
     inner = np.arange(alpha.shape[-1]) < split
     race = np.where(inner, 1.0 - orbit, -orbit)  # about the axis, against the ball's rotation
     side = np.where(inner, -1.0, 1.0)
@@ -72,5 +73,5 @@ def contact_motion(state: BearingState) -> ContactMotion:
         roll=rotation * np.cos(alpha - beta) + race * cos,
         spin=rotation * np.sin(alpha - beta) + race * sin,
         slide=np.where(single, 0.0, side * (ball_speed - race_speed)),
-        entrainment=0.5 * (np.abs(ball_speed) + race_speed),
+        entrainment=0.5 * np.abs(ball_speed + race_speed),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from itertools import product
 from math import prod
@@ -11,7 +11,7 @@ from typing import Any
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance, tolerance
 from rotordyn.case.uncertain import ALL, Uncertain
-from rotordyn.case.usual import HYPOTHESES, usual_of
+from rotordyn.case.usual import HYPOTHESES, ground_plays, usual_of
 from rotordyn.case.varied import found_at, places
 from rotordyn.case.vary import vary
 from rotordyn.description import Faults, unchecked
@@ -94,7 +94,7 @@ def asked_of(case: Case) -> Asked:
         held = {place for path in given.tolerances for place in _places(case, path)}
         for entry in usual_of(case):
             if not held & _places(case, entry.path):
-                found = _usual(case, entry.path, entry.text)
+                found = _usual(case, entry.path, entry.text, held)
                 tolerances += [found] if isinstance(found, Tolerance) else []
                 narrowed += [_left(found, entry.path, entry.text)]
     choices = (_hypothesis(case, name, values) for name, values in hypotheses.items())
@@ -106,13 +106,14 @@ def asked_of(case: Case) -> Asked:
     )
 
 
-def _usual(case: Case, path: str, text: str) -> Tolerance | str:
+def _usual(case: Case, path: str, text: str, held: Set[str]) -> Tolerance | str:
     """What is usual at a path, as far from the value of the case as is allowed; why there is no
-    such machine at all."""
+    such machine at all. ``held``: places that the case says a tolerance of itself."""
     try:
         found = tolerance(case, path, text, beyond=True)
     except InvalidInput as refusal:
         return str(refusal)
+    found = replace(found, beside=ground_plays(case, found.ends, held))
     if all(_made(case, found, end) for end in (0.0, 1.0)):
         return found
     low, high = (_farthest(case, found, end) for end in (0.0, 1.0))

@@ -40,7 +40,7 @@ class Tolerance:
     ``path`` and ``text`` as written. ``ends``: by each path that it moves, lowest, nominal and
     highest value (a row of numbers where the value is one). ``nominal``: share of the way from the
     lowest to the highest at which the case stands; ``log``: along ratios. ``unit``: SI;
-    ``quantity``: what it is, with its range.
+    ``quantity``: what it is, with its range. ``beside``: what else is given wherever it stands.
     """
 
     path: str
@@ -50,10 +50,12 @@ class Tolerance:
     log: bool = False
     unit: str = ""
     quantity: Quantity = NUMBER_AS_SUCH
+    beside: Mapping[str, Any] = field(default_factory=dict)
 
     def at(self, share: float) -> dict[str, Any]:
         """Values by path, as ``vary`` takes them, at a share of the way from lowest to highest."""
-        return {path: self._between(*each, share) for path, each in self.ends.items()}
+        values = {path: self._between(*each, share) for path, each in self.ends.items()}
+        return {**values, **self.beside}
 
     def within(self, low: float, high: float, text: str) -> Tolerance:
         """From one share of its way to another, between which the case stands."""

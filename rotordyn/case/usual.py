@@ -6,9 +6,10 @@ Each entry has its source; those that are assumptions say so (docs/howto/interva
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import Any, NamedTuple
 
+from bearings import FourPointBallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.varied import places
 
@@ -75,6 +76,7 @@ def usual_of(case: Case) -> Iterator[Usual]:
     listed = OF_BEARING if case.bearing is not None else OF_SPINDLE
     for entry in listed:
         found = [(path, value) for path, value, _ in places(case, entry.path) if _uncertain(value)]
+        found = [(path, value) for path, value in found if path not in ground_plays(case, [path])]
         if case.spindle is not None and case.spindle.arrangement is not None:
             made = f"spindle.sleeves.{case.spindle.arrangement.name}."
             found = [(path, value) for path, value in found if not path.startswith(made)]
@@ -83,6 +85,20 @@ def usual_of(case: Case) -> Iterator[Usual]:
         together = len(found) == len(places(case, entry.path)) and APART not in entry.path
         for path in [entry.path] if together else [path for path, _ in found]:
             yield entry._replace(path=path)
+
+
+def ground_plays(case: Case, paths: Iterable[str], held: Set[str] = frozenset()) -> dict[str, Any]:
+    """Changes by path that hold the axial play of four-point bearings whose inside lies at
+    ``paths`` and is given by a contact angle, but for those angles that are ``held``: rings are
+    ground to the play, whatever the radii of their grooves, and the angle follows."""
+    changes: dict[str, Any] = {}
+    for model in dict.fromkeys(path.rpartition(".")[0] for path in paths):
+        for at, bearing, _ in places(case, model) if model else ():
+            angle = f"{at}.contact_angle"
+            if isinstance(bearing, FourPointBallBearing) and bearing.contact_angle is not None:
+                play = {angle: None, f"{at}.axial_play": bearing.plays[1]}
+                changes |= play if angle not in held else {}
+    return changes
 
 
 def _uncertain(value: Any) -> bool:

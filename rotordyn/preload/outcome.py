@@ -110,7 +110,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
     load, names = net.response.load[row], _names(spindle, network)
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
     light = max(pushed(network), float(np.nanmax(np.abs(load), initial=0.0))) < LEAST_PRELOAD
-    if light and not (pressed.size and pressed.all()):
+    if light and not pressed.any():
         return unpreloaded(spindle, network, row)
     lost = np.flatnonzero(~np.isfinite(load))
     if lost.size:

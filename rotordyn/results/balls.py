@@ -50,13 +50,14 @@ def preloaded(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) 
 
 
 def of_a_pair(rating: float, of_grooves: float) -> str:
-    """A warning where a dynamic load rating [N] may be that of a pair, else nothing."""
+    """A warning where a dynamic load rating [N] may be that of two rows, else nothing."""
     ratio = rating / of_grooves
     if ratio <= PAIR:
         return ""
     return (
         f"dynamic rating {rating:.0f} N is {ratio:.2f} times that of the grooves; give that of one "
-        "bearing: a pair has 1.62 times as much"
+        "bearing, of one row: a pair has 1.62 times as much, as has a four-point bearing in "
+        "catalogues, which count two rows"
     )
 
 

@@ -46,6 +46,15 @@ def shown(unit: str) -> Shown:
     return _ENGINEERING.get(unit, Shown(unit))
 
 
+def percent(share: float) -> str:
+    """A share with two digits.
+
+    >>> [percent(each) for each in (0.0561, 0.5, 1.0)]
+    ['5.6 %', '50 %', '100 %']
+    """
+    return f"{float(f'{100.0 * share:.2g}'):g} %"
+
+
 def number(value: float, digits: int = 1) -> str:
     """Printed with ``digits`` decimals, with three digits where these would leave fewer; "none"
     where there is no value.

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.arrays import Array, Flags
+from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
 FILMS_RULE = SHORTENING_RULE = 0.1  # of the axial load of a bearing
+UNFELT = 10.0  # N, of a bearing along its axis
+GUIDE_RULE = 0.1  # of the stiffness of a ball guide
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
@@ -54,6 +57,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
         yield from _unshortened(scene)
+        yield from _guides(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
     systems = list(scene.systems.values())
@@ -97,6 +101,22 @@ def friction_notes(scene: Scene) -> Iterator[str]:
             + "; at a stop only the sum of stop and friction force is determined"
             * bool(pressed.any())
         )
+
+
+def arc_notes(scene: Scene) -> Iterator[str]:
+    """Turning balls with more than two contacts, whose motion is that of the resultants."""
+    if "preload" not in scene.solved:
+        return
+    state = scene.preload
+    turning = state.usable & (state.speed > 0.0)
+    for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
+        more = (balls.contacts[:, column] > 2) & (balls.inner_load[:, column] > 0.0)
+        if (rows := np.flatnonzero(turning & more.any(axis=1))).size:
+            yield (
+                f"balls of bearing {seat.name} have more than two contacts "
+                f"{_rows_when(state.speed, rows)}, one of which slides: their orbit, defect "
+                "frequencies and heat are those of the resultants of each race, estimates there"
+            )
 
 
 def ring_notes(scene: Scene) -> Iterator[str]:
@@ -194,13 +214,44 @@ def _unshortened(scene: Scene) -> Iterator[str]:
         return
     added, load = shortening_load(state, rows[-1]), state.seat_load()[rows[-1]]
     worst = int(np.abs(added).argmax())
-    if abs(added[worst]) > SHORTENING_RULE * np.abs(load).max():
+    if abs(added[worst]) > max(SHORTENING_RULE * np.abs(load).max(), UNFELT):
         yield (
             "no centrifugal shortening of the shaft is given; computed from its sections it adds "
             f"about {added[worst]:.0f} N to the {load[worst]:.0f} N of axial load of bearing "
             f"{scene.spindle.seats[worst].name} at {state.speed[rows[-1]] * RPM.factor:.0f} rpm: "
             "give shortening with shift: computed"
         )
+
+
+def _guides(scene: Scene) -> Iterator[str]:
+    """Ball guides under loads at which their stiffness is far from that at the centre."""
+    state = scene.preload
+    guides = {s: s.ball_guide.law for s in scene.spindle.sleeves if s.ball_guide is not None}
+    if state.lateral is None or not guides:
+        return
+    from scipy.optimize import brentq
+
+    for sleeve, law in guides.items():
+        across = np.zeros((len(state.speed), 2))
+        for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
+            if seat.name in sleeve.bearings:
+                turn = HALF_TURN_ABOUT_Y[1:3] if seat.thrust < 0 else 1.0
+                across += balls.load[:, column, 1:3] * turn
+        force = np.where(state.usable, np.hypot(*across.T), 0.0)
+        row = int(force.argmax())
+        most = 2.0 * force[row] / law.stiffness  # it gives by less than 1.14 times as much
+        if most == 0.0:
+            continue
+        of = (law, force[row])
+        moved = float(brentq(lambda x, g, f: float(g.force(x)) - f, 0.0, most, args=of))
+        slope = float(law.tangent(moved))
+        if np.abs(np.array([slope, force[row] / moved]) / law.stiffness - 1.0).max() > GUIDE_RULE:
+            yield (
+                f"sleeve {sleeve.name}: its ball guide carries {force[row]:.0f} N across at "
+                f"{state.speed[row] * RPM.factor:.0f} rpm, where it gives by {moved * 1e6:.3g} µm "
+                f"and has {slope / 1e6:.4g} N/µm; the {law.stiffness / 1e6:.4g} N/µm at its centre "
+                "are taken: give what it has there as radial_stiffness instead"
+            )
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:
@@ -242,18 +293,28 @@ def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
     rows = np.flatnonzero(idle.all(axis=1) if seat.bearing.both_ways else idle.any(axis=1))
     if not rows.size:
         return
-    balls, rpm = idle[rows[0]], speed[rows[0]] * RPM.factor
+    balls, when = idle[rows[0]], _rows_when(speed, rows)
     if balls.all():
         why = "it stands within its play" if seat.bearing.both_ways else "static loads unload it"
         yield (
-            f"{name}: {why} at {rpm:.0f} rpm: it holds nothing there, and modes, stiffness and "
+            f"{name}: {why} {when}: it holds nothing there, and modes, stiffness and "
             "responses are those of the shaft without it; raise its preload, or change the loads"
         )
         return
     angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
     first, last = int(angle[0]) % 360, int(balls.sum())
     yield (
-        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing from "
-        f"{rpm:.0f} rpm on, such as that at {first}° from y towards z: raise its preload, or lower "
-        "the loads (bearing_loads says under which part of them)"
+        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing {when}, "
+        f"such as that at {first}° from y towards z: raise its preload, or lower the loads "
+        "(bearing_loads says under which part of them)"
     )
+
+
+def _rows_when(speed: Array, rows: Indices) -> str:
+    """At which of the speeds [rad/s] something holds."""
+    first = f"{speed[rows[0]] * RPM.factor:.0f} rpm"
+    if rows.size == 1:
+        return f"at {first}"
+    if rows.size == len(speed) - rows[0]:
+        return f"from {first} on"
+    return f"at {rows.size} of {len(speed)} speeds, first at {first}"

@@ -19,6 +19,7 @@ from bearings import (
     heat,
 )
 from bearings.arrays import Array
+from bearings.film import film
 from bearings.geometry import geometry
 from bearings.heat.ellipse import Contacts, mean_speed
 from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, sliding_moment, starvation
@@ -160,6 +161,115 @@ def test_third_contacts_slide() -> None:
     two = pair.contact_load[0] > 0.0
     assert two.sum() == 2
     assert np.abs(contact_motion(pair).slide[0][two]).max() < 1e-12
+
+
+MIRROR = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])  # x to −x: of loads and displacements
+OTHER_ARCS = [1, 0, 3, 2]
+
+
+@pytest.mark.parametrize("rpm", [1000.0, 6000.0])
+@pytest.mark.parametrize("load", [[5e3, 0, 0, 0, 0], [2e3, 3e3, 1e3, 20.0, -30.0]])
+def test_a_mirrored_load_heats_the_other_arcs_alike(load: list[float], rpm: float) -> None:
+    """Power, spin and films of every contact of a four-point bearing, and its moment."""
+    loads = np.array(load) * np.array([np.ones(5), MIRROR])
+    state = four_point(QJ218).equilibrium(load=loads, speed=rpm * RPM, kinematics="outer")
+    slid, films = heat.sliding(state, 0.05), film(state, OIL, 60.0)
+    lost = heat.losses(state, OIL, 60.0)
+    for each in (slid.power, slid.spin_power, films.central, films.least):
+        largest = each.max()
+        assert each[1][:, OTHER_ARCS] == pytest.approx(each[0], rel=1e-6, abs=1e-6 * largest)
+    assert lost.moment[1] == pytest.approx(lost.moment[0], rel=1e-6)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_third_contact_loses_what_it_slides(way: float) -> None:
+    """Mean of |v| under Hertz' pressure on a fine grid: the slide in the middle by hand, roll over
+    the curved surface, and spin; without a gyroscopic moment nothing drifts across."""
+    bearing, rpm = four_point(QJ218), 6000.0
+    state = bearing.equilibrium(
+        load=[way * 5e3, 0, 0, 0, 0], speed=rpm * RPM, kinematics="outer", dynamics="frozen"
+    )
+    third = 2 if way > 0.0 else 3
+    q = float(state.contact_load[0, third])
+    assert q > 10.0
+    ball, angle = ball_motion(state), -way * float(state.contact_angle[0, third])
+    orbit, turn, beta = ball.orbit[0], ball.rotation[0], math.atan(ball.tan_beta[0])
+    d, pitch, f = bearing.ball_diameter, bearing.pitch_diameter, bearing.outer_conformity
+    roll = turn * math.cos(angle - beta) - orbit * math.cos(angle)
+    spin = turn * math.sin(angle - beta) - orbit * math.sin(angle)
+    slide = 0.5 * turn * d * math.cos(angle - beta) - 0.5 * orbit * (pitch + d * math.cos(angle))
+    a, b = map(float, half_axes(state.operation.geometry.outer, np.array(q)))
+    line = (np.arange(400) + 0.5) / 200.0 - 1.0
+    x, y = np.meshgrid(line, line)
+    pressure = np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))
+    curve = 0.5 * (a * x) ** 2 * (2.0 * f + 1.0) / (2.0 * f * d)
+    speed = np.hypot(spin * b * y, slide - spin * a * x - roll * curve) * rpm * RPM
+    known = 0.05 * q * float((pressure * speed).sum() / pressure.sum())
+    assert heat.sliding(state, 0.05).power[0, third] == pytest.approx(known, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("force", "rpm", "orbit", "power", "of_state"),
+    [
+        (500.0, 6000.0, 0.4358, 101.0, (0.4626, 868.0)),
+        (5e3, 6000.0, 0.4389, 638.0, (0.4343, 1066.0)),
+        (20e3, 3000.0, 0.4295, 292.0, (0.4296, 365.0)),
+    ],
+)
+def test_how_far_resultants_are_from_the_balance_of_friction(
+    force: float, rpm: float, orbit: float, power: float, of_state: tuple[float, float]
+) -> None:
+    """Orbit and rotation of a ball that make its loss in all contacts least, without gyroscopic
+    moment: the figures of docs/theory/four_point.md, beside those of the state."""
+    bearing, omega = four_point(QJ218), rpm * RPM
+    state = bearing.equilibrium(load=[force, 0, 0, 0, 0], speed=omega, kinematics="outer")
+    d, pitch, g = bearing.ball_diameter, bearing.pitch_diameter, state.operation.geometry
+    r, turn = np.meshgrid((np.arange(14) + 0.5) / 14.0, 2.0 * np.pi * (np.arange(24) + 0.5) / 24.0)
+    weight = np.sqrt(1.0 - r**2) * r
+    weight /= weight.sum()
+    touching = []
+    for k, side in enumerate((1.0, -1.0, -1.0, 1.0)):
+        if (q := float(state.contact_load[0, k])) > 0.0:
+            race, f = (g.inner, g.inner_conformity) if k < 2 else (g.outer, g.outer_conformity)
+            a, b = (float(each) for each in half_axes(race, np.array(q)))
+            curve = (a * r * np.cos(turn)) ** 2 * (2.0 * f + 1.0) / (4.0 * f * d)
+            angle = side * float(state.contact_angle[0, k])
+            touching.append((k < 2, angle, q, a * r * np.cos(turn), b * r * np.sin(turn), curve))
+
+    def lost(motion: Array) -> float:
+        cage, axial, radial = motion  # rotation of the ball against the inner ring's, and outwards
+        total = 0.0
+        for inner, angle, q, xi, eta, curve in touching:
+            sin, cos, way = math.sin(angle), math.cos(angle), -1.0 if inner else 1.0
+            race = float(inner) - cage
+            spin, roll = (race + axial) * sin - radial * cos, (race + axial) * cos + radial * sin
+            slide = race * (0.5 * pitch + way * 0.5 * d * cos)
+            slide += way * 0.5 * d * (axial * cos + radial * sin)
+            speed = np.hypot(spin * eta, slide - spin * xi - way * roll * curve) * omega
+            total += 0.05 * q * float((weight * speed).sum())
+        return total * bearing.balls
+
+    ball = ball_motion(state)
+    beta, spins = math.atan(ball.tan_beta[0]), float(ball.rotation[0])
+    here = np.array([ball.orbit[0], spins * math.cos(beta), spins * math.sin(beta)])
+    starts = here, np.array([0.436, spins, 0.0])
+    simplex = np.vstack([np.zeros(3), np.diag([0.02, 0.2, 0.2])])
+    best = min(
+        (
+            minimize(
+                lost,
+                start,
+                method="Nelder-Mead",
+                options={"xatol": 1e-6, "fatol": 1e-4, "initial_simplex": start + simplex},
+            )
+            for start in starts
+        ),
+        key=lambda found: float(found.fun),
+    )
+    assert best.x[0] == pytest.approx(orbit, abs=1e-4)
+    assert best.fun == pytest.approx(power, rel=0.01)
+    assert here[0] == pytest.approx(of_state[0], abs=1e-4)
+    assert heat.sliding(state, 0.05).power.sum() == pytest.approx(of_state[1], rel=0.01)
 
 
 def test_losses_are_one_balance() -> None:

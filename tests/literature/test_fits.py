@@ -84,6 +84,16 @@ def test_smoothing_takes_as_much_of_every_interference() -> None:
     assert less.probable == pytest.approx((-3e-6, 9e-6))
 
 
+def test_bearing_rings_of_the_normal_class() -> None:
+    """A maker's table of deep-groove bearings, over … up to and including [mm], lower limits."""
+    bores = {18: 8, 30: 10, 50: 12, 80: 15, 120: 20, 180: 25, 250: 30}
+    outsides = {30: 9, 50: 11, 80: 13, 120: 15, 150: 18, 180: 25, 250: 30}
+    for found, known in ((fits.bearing_bore, bores), (fits.bearing_outside, outsides)):
+        for size, lower in known.items():
+            at = found(size * 1e-3, "normal")
+            assert at == found(size * 1e-3 - 1e-6, "normal") == pytest.approx((-lower * 1e-6, 0.0))
+
+
 def test_bearing_rings() -> None:
     assert fits.bearing_bore(0.07, "P4") == pytest.approx((-7e-6, 0.0))
     assert fits.bearing_outside(0.110) == pytest.approx((-8e-6, 0.0))

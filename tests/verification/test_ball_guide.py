@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,9 +11,13 @@ import pytest
 
 import rotordyn
 from bearings import SILICON_NITRIDE, STEEL, InvalidBearing, LinearBallGuide
+from rotordyn.analyses import BearingLoadsSpec
+from rotordyn.analyses.bearing_loads import solve as bearing_loads
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BallGuide
-from tests.oracles.spindles import mfw2310
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import conditions, mfw2310
 
 GUIDE = LinearBallGuide(250, 4e-3, 0.1, 4e-6)
 
@@ -133,6 +138,36 @@ def test_sleeve_in_a_guide_is_one_on_its_stiffness() -> None:
     assert np.allclose(first, second, rtol=1e-12, equal_nan=True)
     assert first[0, 0] < 0.95 * rigid[0, 0]
     assert "ball guide 894.7 N/µm, within 1 % up to 2.2 µm" in rotordyn.run(guide).summary
+
+
+@pytest.mark.parametrize(("interference", "said"), [(1e-6, True), (10e-6, False)])
+def test_a_guide_far_from_its_centre_is_told(interference: float, said: bool) -> None:
+    """Where the plain sum over its balls is the force of its bearings, and the slope there."""
+    rear = BallGuide(250, 4e-3, 0.1, interference)
+    machine = mfw2310()
+    sleeves = tuple(replace(s, ball_guide=rear) if s.name == "rear" else s for s in machine.sleeves)
+    (behind,) = [sleeve for sleeve in sleeves if sleeve.ball_guide]
+    machine = replace(machine, sleeves=sleeves)
+    at = [seat.x for seat in machine.seats if seat.name in behind.bearings]
+    pushed = [PointLoad(x, Fy=350.0, Fz=100.0) for x in at]
+    scene = Scene(machine, conditions(loads=tuple(pushed)), np.array([0.0]))
+    scene.preload  # noqa: B018 - warnings speak of what was solved
+    told = [each for each in scene.warnings if "ball guide carries" in each]
+    assert bool(told) == said
+    if not said:
+        return
+    found = bearing_loads.answer(scene, BearingLoadsSpec())
+    of_guide = np.isin(found.bearing, behind.bearings)
+    across = found.radial_load[0] * np.exp(1j * found.load_angle[0])
+    force = abs(across[of_guide].sum())
+    way = np.linspace(0.0, 10.0, 20001)[:, None] * interference
+    cosine = np.cos(2.0 * np.pi * np.arange(250) / 250)
+    pressed = np.maximum(way * cosine + interference, 0.0)
+    sums = rear.law.contact_stiffness * (pressed**1.5 * cosine).sum(axis=1)
+    row = int(np.searchsorted(sums, force))
+    slope = (sums[row] - sums[row - 1]) / (way[row, 0] - way[row - 1, 0])
+    assert f"carries {force:.0f} N across at 0 rpm" in told[0]
+    assert f"gives by {way[row, 0] * 1e6:.3g} µm and has {slope / 1e6:.3g}"[:-1] in told[0]
 
 
 def test_guides_that_hold_nothing_or_too_much() -> None:

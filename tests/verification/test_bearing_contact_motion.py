@@ -1,4 +1,4 @@
-"""Race control and spin-to-roll against the motion of rigid bodies in space."""
+"""Race control and the motion in the contacts against the motion of rigid bodies in space."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given, settings
 
 from bearings import AngularContactBallBearing
+from bearings.ring.motion import contact_motion
 from tests.oracles import known_grooves
-from tests.oracles.ball_bearing import BallBearingOracle
+from tests.oracles.ball_bearing import BallBearingOracle, rolling
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70
 from tests.oracles.random_bearings import solved
 from tests.oracles.rigid_balls import AXIS, RigidBalls
@@ -140,3 +141,47 @@ def test_control_has_a_meaning_with_one_loaded_contact_a_race_alone() -> None:
     plain = (s.inner_load > 0.0) & (s.contacts == 2)
     assert ((s.control != "") == plain).all()
     assert s.control_agrees[~plain].all()
+
+
+ARCS = np.array([1.0, -1.0, -1.0, 1.0])  # inner right and left, outer right and left
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("load", "rpm", "counts"),
+    [
+        ([5e3, 0, 0, 0, 0], 1000.0, {2}),
+        ([5e3, 0, 0, 0, 0], 6000.0, {3}),
+        ([5e3, 6e3, 2e3, 50.0, -30.0], 3000.0, {2, 3, 4}),
+    ],
+    ids=["two contacts", "three", "all"],
+)
+def test_arcs_of_a_groove_move_as_rigid_bodies(
+    load: list[float], rpm: float, counts: set[int], way: float
+) -> None:
+    """Roll, spin, slide and entrainment of every contact of a four-point bearing, of the race
+    against the ball: velocities of both at the place where they touch, on the side of its arc."""
+    bearing = known_grooves.four_point(known_grooves.QJ218)
+    s = bearing.equilibrium(load=way * np.array(load), speed=rpm * RPM, kinematics="outer")
+    assert counts == {*s.contacts[s.inner_load > 0.0]}
+    size = bearing.ball_diameter / bearing.pitch_diameter
+    orbit, spin, beta = rolling(s.inner_angle, s.outer_angle, size, None, "outer")
+    motion, onward = contact_motion(s), np.array([0.0, 0.0, 1.0])
+    for ball, contact in np.argwhere((s.contact_load > 0.0) & (s.inner_load > 0.0)[:, None]):
+        angle, inner = ARCS[contact] * s.contact_angle[ball, contact], contact < 2
+        normal = np.array([np.sin(angle), np.cos(angle), 0.0])
+        along = np.array([np.cos(angle), -np.sin(angle), 0.0])
+        touch = (-0.5 if inner else 0.5) * bearing.ball_diameter * normal
+        place = np.array([0.0, 0.5 * bearing.pitch_diameter, 0.0]) + touch
+        tilt = beta[ball]
+        rolls = spin[ball] * np.array([-np.cos(tilt), np.sin(tilt), 0.0])  # seen from the cage
+        turns = (float(inner) - orbit[ball]) * AXIS
+        surfaces = np.cross(rolls, touch) @ onward, np.cross(turns, place) @ onward
+        known = (
+            (turns - rolls) @ along,
+            (turns - rolls) @ normal,
+            surfaces[1] - surfaces[0],
+            0.5 * abs(surfaces[0] + surfaces[1]),
+        )
+        found = [getattr(motion, name)[ball, contact] for name in motion._fields]
+        assert found == pytest.approx(known, rel=1e-9, abs=1e-12)

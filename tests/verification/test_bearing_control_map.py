@@ -20,6 +20,7 @@ from rotordyn.analyses.control.control_map import (
 )
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70, VEX70_IDENTIFIED
+from tests.oracles.known_grooves import QJ218, four_point
 
 CLOSE = replace(VEX70, inner_conformity=0.52)
 CLOSER = replace(VEX70, inner_conformity=0.51)
@@ -225,3 +226,26 @@ def test_growth_at_speed_belongs_to_its_speed() -> None:
 def test_what_cannot_be_asked(wrong: dict[str, Any], sentence: str) -> None:
     with pytest.raises(InvalidBearing, match=sentence):
         mapped(CLOSE, **wrong)
+
+
+def test_no_race_controls_balls_of_three_contacts() -> None:
+    """A QJ 218 has its third contact up to far above the boundaries that its margins would have."""
+    bearing = four_point(QJ218)
+    speed = np.array([1000.0, 3000.0, 6000.0]) * RPM
+    found = mapped(bearing, speed=speed, highest=50e3)
+    loads = np.zeros((*found.inner_margin.shape, 5))
+    loads[..., 0] = found.load
+    state = bearing.equilibrium(load=loads, speed=speed[:, None])
+    three = (state.contacts > 2).any(axis=-1)
+    assert (three.any(axis=1) & ~three.all(axis=1)).all()
+    assert (found.outcome[three] == "third contact").all()
+    assert (np.isnan(found.inner_margin) == (found.outcome != "")).all()
+    control = np.where(found.inner_margin > 0.0, "inner", "")
+    control = np.where(found.outer_margin > 0.0, "outer", control)
+    assert (
+        control == np.where(state.control[..., 0] == "neither", "", state.control[..., 0])
+    ).all()
+    assert np.isnan(found.boundary).all()
+    assert set(found.absence[0]) == {"inner race controls at every load with two contacts a ball"}
+    third = mapped(bearing, speed=speed[2:], highest=2e3)
+    assert (third.absence == "third contact").all()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -23,6 +24,7 @@ from rotordyn.preload.heat_balance import Flow, heat_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.scene import Scene
+from tests.oracles.case_files import answered
 from tests.oracles.spindles import RPM, case
 
 OIL = Lubrication(32e-6, 5.4e-6, 50.0)
@@ -68,6 +70,40 @@ def test_a_state_does_not_hang_on_the_other_speeds_listed(rule: QuadraticInSpeed
     assert loads[2] == pytest.approx(loads[0], rel=1e-4)
     still = replace(given, seats=tuple(replace(seat, growth=RingGrowth()) for seat in seats))
     assert (loads[0] > 1.2 * Scene(still, Conditions(), SPEED).preload.seat_load()[-1]).all()
+
+
+FOUR_POINT = """
+title: four-point bearing against a spring on a deep-groove one
+spindle:
+  shaft: {{start: 0 mm, material: steel_rotor, sections: [
+    {{length: 450 mm, outer_diameter: 60 mm, inner_diameter: 30 mm}}]}}
+  bearings:
+    - {{name: qj, model: qj218, x: {front} mm}}
+    - {{name: rear, model: "6012", x: {rear} mm, thrust: {thrust}x}}
+  sleeves: [{{name: s, bearings: [rear], spring: {{preload: 1500 N, stiffness: 2 N/um}}}}]
+speeds: [1000 rpm, 3000 rpm]
+conditions:
+  kinematics: outer
+  heat_flow:
+    {{inner_shaft: 5 W/K, outer_housing: 10 W/K, balls_oil: 2 W/K,
+      shaft: 30 degC, housing: 30 degC, oil: 40 degC, lubricant: {oil}}}
+analyses: {{life: {{lubricant: {oil}}}}}
+"""
+
+
+def test_a_mirrored_spindle_of_a_four_point_bearing_is_as_warm(tmp_path: Path) -> None:
+    """x to −x: its thrust then goes through the other arcs."""
+    oil = "{viscosity_40: 32 mm^2/s, viscosity_100: 5.4 mm^2/s, temperature: 50 degC}"
+    plain, turned = (
+        answered(FOUR_POINT.format(**places, oil=oil), tmp_path)["life"]
+        for places in (
+            {"front": 80, "rear": 420, "thrust": "+"},
+            {"front": 370, "rear": 30, "thrust": "-"},
+        )
+    )
+    for name in ("inner_heat", "moment", "inner_temperature", "ball_temperature", "film"):
+        assert turned[name].values == pytest.approx(plain[name].values, rel=1e-5), name
+    assert (plain.inner_heat[:, 0] > 3.0).all()
 
 
 @pytest.mark.parametrize("rigid", [False, True])

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bearings
+import rotordyn
 from bearings import Follower, InvalidBearing, ThrustBallBearing
 from bearings.geometry import geometry
 
@@ -80,3 +82,19 @@ def test_the_largest_moment(part: float) -> None:
     assert limit == pytest.approx(5000.0 * edge, rel=1e-3)
     s = BEARING.equilibrium(load=np.array([5000.0, 0, 0, 0, 0]) + 0.99 * limit * way)
     assert s.inner_load.sum() - np.sort(s.inner_load)[-2:].sum() < 0.2 * s.inner_load.sum()
+
+
+def test_a_load_that_it_cannot_carry_is_named_where_it_stands(tmp_path: Path) -> None:
+    """Among those of a case that it can."""
+    head = "title: t\nspeeds: [0 rpm]\nbearing: thrust_50x78x22\nanalyses:\n  bearing:\n"
+    path = tmp_path / "case.yaml"
+    for key, given, sentence in (
+        ("moments", "[0 N m, 170 N m]", "carries a moment up to 160"),
+        ("radial_loads", "[0 N, 10 N]", "carries no radial load: got 10 N"),
+    ):
+        text = f"{head}    axial_load: 5 kN\n    {key}: {given}\n"
+        path.write_text(text, encoding="utf-8")
+        with pytest.raises(
+            rotordyn.InvalidInput, match=rf"7:\d+: analyses.bearing.{key}: .*{sentence}"
+        ):
+            rotordyn.load(path)

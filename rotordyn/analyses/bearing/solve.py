@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 import bearings
 from bearings.bearing import BallBearing
 from bearings.heat.mounted import Heated, Mounting
+from bearings.ring.condition import remedy
 from bearings.ring.state import BearingState
 from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, RadialMapResult
 from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
@@ -303,7 +304,8 @@ def _outcomes(speed: Array, spec: BearingMapSpec, solved: _Solved) -> NDArray[np
     unit = {AXIAL: "N", RADIAL: "N radial", MOMENT: "N·m"}[spec.swept]
     for row, column in np.argwhere(words != ""):
         rpm = speed[row] * RPM.factor
-        words[row, column] += f" at {rpm:.0f} rpm under {spec.values[column]:g} {unit}"
+        helps = f": {remedy(state)}" if words[row, column] == "no equilibrium" else ""
+        words[row, column] += f" at {rpm:.0f} rpm under {spec.values[column]:g} {unit}{helps}"
     return words.astype(str)
 
 

@@ -108,11 +108,18 @@ class BearingMapSpec(Spec):
             yield ("tangents",), "films have the complete tangent alone; allowed: complete"
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:
-        """Rings that are impossible with these balls."""
+        """Rings that are impossible with these balls, loads that the bearing cannot carry."""
         try:
             self.mounted(bearing)
         except InvalidBearing as refusal:
             yield ("flexible_rings",), f"{refusal}"
+        free = (*(True,) * 3, *(self.tilt != "blocked",) * 2)
+        for value in self.values:
+            given = {name: getattr(self, fixed) for name, fixed in FIXED.items()}
+            axial, radial, moment = (given | {self.swept: value}).values()
+            if why := bearing.refusal((axial, radial, 0.0, 0.0, moment), free):
+                yield (LISTS[self.swept],), why
+                return
 
     def mounted(self, bearing: BallBearing) -> BallBearing:
         """The bearing with rings that deform where they are given.

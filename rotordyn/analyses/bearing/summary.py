@@ -19,7 +19,7 @@ from rotordyn.results.balls import (
     unsafe,
 )
 from rotordyn.results.described import Described
-from rotordyn.results.display import DEGREE, RPM, STIFFNESS
+from rotordyn.results.display import DEGREE, RPM, STIFFNESS, percent
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import INDENT, from_to
 
@@ -70,7 +70,7 @@ def cut_off(result: BearingMapResult) -> list[str]:
             sentences.append(
                 f"contact ellipse passes {what} of the {ring} ring, first under "
                 f"{mounted_under(result, column)} at {rpm:.0f} rpm, up to "
-                f"{100.0 * share.max():.2g} % of its length lost"
+                f"{percent(share.max())} of its length lost"
             )
     return sentences
 
@@ -131,7 +131,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
             f"{INDENT}{mounted_under(result, k)}: {place if result.ball.size > 1 else ''}"
             f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
         )
-    return lines
+    return lines if len(lines) > 1 else []
 
 
 def _life(result: BearingMapResult) -> list[str]:

@@ -37,6 +37,7 @@ ABSENT = (  # words by race: margin positive, negative, crossing zero the other 
     ),
 )
 UNRESOLVED = "no state next to the boundary"
+THIRD = "third contact"  # of a ball, which slides: no race controls
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -44,7 +45,8 @@ class ControlMap:
     """Race control of one bearing; ``speed`` (s,) [rad/s], ``load`` (l,) axial [N], ascending.
 
     ``inner_margin``, ``outer_margin`` (s, l): positive where that race controls every loaded ball
-    (``BearingState.control_margins``, of the ball with the least); NaN beside an ``outcome``.
+    (``BearingState.control_margins``, of the ball with the least); NaN beside an ``outcome``: no
+    state, or balls with a third contact.
     ``boundary`` (2, s) [N], of the inner and the outer race: the load above which the inner race
     controls, and the one up to which the outer race does. ``absence`` (2, s): ``""``, or why there
     is none (the boundary is NaN). ``changes`` (2, s): how often the race gains or loses control
@@ -101,15 +103,18 @@ def control_map(
     load = np.geomspace(lowest, highest, LEVELS)
     rows = np.repeat(np.arange(omega.size)[:, None], LEVELS, axis=1)
     state = sweep.state(np.broadcast_to(load, rows.shape), rows)
-    margins = least_margins(state)
+    margins, third = least_margins(state), three_contacts(state)
     boundary, absence, changes = _boundaries(sweep, load, margins)
-    absence = np.where((state.outcome != "").all(axis=1), state.outcome[:, -1], absence)
+    few = np.strings.replace(absence, "that has a state", "with two contacts a ball")
+    absence = np.where(third.any(axis=1), few, absence)
+    outcome = np.where(third, THIRD, state.outcome)
+    absence = np.where((outcome != "").all(axis=1), outcome[:, -1], absence)
     return ControlMap(
         speed=omega,
         load=load,
         inner_margin=margins[0],
         outer_margin=margins[1],
-        outcome=state.outcome,
+        outcome=outcome,
         boundary=boundary,
         absence=absence,
         changes=changes,
@@ -118,9 +123,16 @@ def control_map(
 
 
 def least_margins(state: BearingState) -> Array:
-    """Of both races the margin of the loaded ball that has the least (2, …); NaN without state."""
+    """Of both races the margin of the loaded ball that has the least (2, …); NaN without state, or
+    where a loaded ball has more than two contacts."""
     margins = np.where(state.inner_load > 0.0, np.stack(state.control_margins), np.inf)
-    return np.where(state.outcome == "", margins.min(axis=-1), np.nan)
+    told = (state.outcome == "") & ~three_contacts(state)
+    return np.where(told, margins.min(axis=-1), np.nan)
+
+
+def three_contacts(state: BearingState) -> NDArray[np.bool_]:
+    """Whether a ball that the inner race loads has more than two contacts (…)."""
+    return np.asarray(((state.inner_load > 0.0) & (state.contacts > 2)).any(axis=-1))
 
 
 def resting_weight(bearing: BallBearing) -> float:

@@ -34,7 +34,7 @@ def answer(
 
     Raises
     ------
-    NoSolution : no load and speed has a physical state
+    NoSolution : no load and speed has a physical state with two contacts a ball
     """
     computed = control_map(
         bearing,
@@ -47,7 +47,9 @@ def answer(
     )
     lost = (computed.outcome != "").all(axis=1)
     if lost.all():
-        raise NoSolution(f"no load and speed of the case has a state: {computed.outcome[0, -1]}")
+        raise NoSolution(
+            f"no load and speed of the case has race control: {computed.outcome[0, -1]}"
+        )
     load, absence = _physical(computed)
     fits, misfits, words = _fits(speed, load)
     return ControlResult(

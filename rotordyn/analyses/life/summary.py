@@ -18,7 +18,7 @@ from rotordyn.results.balls import (
     unsafe,
 )
 from rotordyn.results.described import Described
-from rotordyn.results.display import DEGREE, RPM, number
+from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
@@ -188,10 +188,10 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         yield hot
     if where := _first(result, result.shoulder_margin[:, k] < 0.0):
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
-        lost = 100.0 * np.nanmax(result.lost_load[:, k])
+        lost = percent(np.nanmax(result.lost_load[:, k]))
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
-            f"{lost:.2g} % of its load; lower the load or raise the shoulder"
+            f"{lost} of its load; lower the load or raise the shoulder"
         )
     turning = result.speed > 0.0
     if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):

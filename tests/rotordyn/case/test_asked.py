@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -11,6 +12,7 @@ from rotordyn.case import asked as asked_module
 from rotordyn.case.asked import Asked, asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance, tolerance
+from rotordyn.case.uncertain import Uncertain
 from rotordyn.case.usual import ASSUMED, Usual
 from rotordyn.errors import InvalidInput
 
@@ -82,3 +84,34 @@ def test_what_leaves_the_range_is_told_in_the_unit_of_the_range() -> None:
         tolerance(case, ANGLE, "± 3 deg")
     assert "given 61 deg; allowed: from 0 deg up to 60 deg" in str(refused.value)
     assert "did you mean" not in str(refused.value)
+
+
+def test_four_point_bearings_are_ground_to_their_play() -> None:
+    """Whatever the radii of the grooves, by themselves and together; the angle follows."""
+    case = rotordyn.load("qj218")
+    asked = asked_of(case)
+    paths = [f"bearing.{race}_conformity" for race in ("inner", "outer")]
+    assert [each.path for each in asked.tolerances if "bearing." in each.path] == paths
+    low, high = ([_of(asked, path).at(end) for path in paths] for end in (0.0, 1.0))
+    angle, axial, _ = case.bearing.plays
+    for changes in (*low, *high, low[0] | low[1], low[0] | high[1]):
+        made = rotordyn.vary(case, changes).bearing
+        assert made.plays[1] == pytest.approx(axial, abs=1e-12)
+        shims = made.inner_shim + made.outer_shim
+        wide = (made.inner_conformity + made.outer_conformity - 1.0) * made.ball_diameter
+        assert made.plays[0] == pytest.approx(math.asin((axial + shims) / (2.0 * wide)))
+        assert abs(made.plays[0] - angle) > math.radians(0.1)
+
+
+def test_an_angle_of_ones_own_tolerance_is_not_that_of_a_play() -> None:
+    case = replace(
+        rotordyn.load("qj218"),
+        uncertain=Uncertain(tolerances={"bearing.contact_angle": "± 1 deg"}, as_usual=True),
+    )
+    asked = asked_of(case)
+    changes = [each.at(1.0) for each in asked.tolerances if "bearing." in each.path]
+    assert [*map(set, changes)] == [
+        {f"bearing.{name}"} for name in ("contact_angle", "inner_conformity", "outer_conformity")
+    ]
+    whole = rotordyn.vary(case, {k: v for change in changes for k, v in change.items()})
+    assert whole.bearing.contact_angle == pytest.approx(math.radians(36.0))

@@ -424,6 +424,9 @@ def test_race_control_without_boundary_or_state():
     assert [t.get_text() for t in figure.legends[0].get_texts()] == [
         "outer race controls all balls", "no state",
     ]  # fmt: skip
+    words = np.where(np.isnan(lost), "third contact", "")
+    third = control_figure(replace(bare, state=words)).legends[0].get_texts()
+    assert third[1].get_text() == "third contact"
     assert figure.axes[0].get_ylabel() == "axial load, radial 0.2 of it [N]"
     assert not figure.axes[0].lines
     alone = control_figure(samples.control(1))

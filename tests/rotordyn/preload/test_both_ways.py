@@ -17,6 +17,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
 from tests.oracles.known_bearings import VEX70
+from tests.oracles.known_grooves import QJ218, four_point
 from tests.oracles.spindles import RPM, mfw2310
 
 LAW = Law("outer", "equal")
@@ -161,6 +162,19 @@ def test_a_bearing_within_its_play_is_no_support() -> None:
     held = state(spindle([*seats, BearingSeat("rear", PRESSED, 0.38)], "a"))
     assert held.outcome == ("",) * 3
     assert (held.seat_stiffness()[:, 2, 1, 1] > 1e7).all()
+
+
+@pytest.mark.parametrize("clearance", [15e-6, 0.0])
+def test_the_bearing_that_its_own_clearance_does_not_press_is_named(clearance: float) -> None:
+    """Beside one that is pressed at rest, whatever its kind, without sleeves and forces."""
+    loose = replace(DEEP_GROOVE, radial_clearance=clearance)
+    pair = (four_point(QJ218, radial_play=-10e-6), PRESSED)
+    for kind in pair:
+        seats = (BearingSeat("front", kind, 0.03), BearingSeat("rear", loose, 0.38))
+        found = state(mfw2310(seats=seats, sleeves=(), shortening=None), SPEEDS[:2])
+        assert all("rear stands within its play at" in word for word in found.outcome)
+    both = (BearingSeat("a", pair[0], 0.03), BearingSeat("b", pair[1], 0.38))
+    assert state(mfw2310(seats=both, sleeves=(), shortening=None), 0.0).outcome == ("",)
 
 
 def test_a_speed_alone_is_the_same_as_in_a_sweep() -> None:

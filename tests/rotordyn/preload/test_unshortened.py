@@ -8,7 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.case.model import model
 from rotordyn.machine.growth import ComputedShortening
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
@@ -79,3 +81,17 @@ def test_it_is_told_where_loads_change_by_a_tenth() -> None:
     assert not told(locked, 3000.0)
     assert not told(machine("open"), 24000.0)
     assert not told(shortened(locked, 1.0), 24000.0)
+
+
+def test_it_is_not_told_of_forces_that_no_bearing_feels() -> None:
+    """Under the weight alone, with play, loads along the axis are next to none."""
+    seats = (
+        BearingSeat("front", model("bearings", "qj218"), 0.05),
+        BearingSeat("rear", model("bearings", "6012"), 0.35),
+    )
+    machine = mfw2310(seats=seats, sleeves=(), arrangement=None, shortening=None)
+    scene = Scene(machine, conditions(gravity="-y"), np.array([6000.0]) * RPM)
+    assert scene.preload.usable.all()
+    added, load = shortening_load(scene.preload, 0), scene.preload.seat_load()[0]
+    assert 10.0 > np.abs(added).max() > 0.1 * np.abs(load).max()
+    assert not [each for each in scene.warnings if "shortening" in each]

@@ -13,6 +13,8 @@ from rotordyn.analyses.stiffness import solve as stiffness
 from rotordyn.analyses.stiffness import summary as stiffness_summary
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import summary as unbalance
+from rotordyn.case.model import model
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.results.balls import gripping, pressed, slipping
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.warnings import _lost, bearing_warnings
@@ -110,5 +112,27 @@ def test_a_bearing_within_its_play_is_told() -> None:
     (said,) = _lost("rear", speed, usable, load, deep)
     assert "it stands within its play at 2865 rpm" in said
     assert not [*_lost("rear", speed[:1], usable[:1], load[:1], deep)]
+    three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
+    for first_ball, when in (
+        ([0.0, 0.0, 0.0], "its play from 0 rpm on:"),
+        ([5.0, 0.0, 0.0], "its play from 955 rpm on:"),
+        ([0.0, 5.0, 0.0], "its play at 2 of 3 speeds, first at 0 rpm:"),
+    ):
+        (said,) = _lost("rear", three, usable, np.outer(first_ball, np.ones(3)), deep)
+        assert when in said
     (some,) = _lost("a", speed[:1], usable[:1], load[:1], angular)
     assert "1 of its 3 balls carry nothing" in some
+
+
+def test_balls_with_a_third_contact_are_noted() -> None:
+    """The QJ 218 has it under 500 N at 3000 rpm, and not under 50 kN."""
+    for force, noted in ((500.0, True), (50e3, False)):
+        seat = BearingSeat("front", model("bearings", "qj218"), 0.05)
+        machine = mfw2310(seats=(seat,), sleeves=(), arrangement=None, shortening=None)
+        speed = np.array([0.0, 3000.0, 6000.0]) * RPM
+        scene = Scene(machine, conditions(axial_force=force), speed)
+        assert scene.preload.usable.all()
+        said = [each for each in scene.notes if "more than two contacts" in each]
+        assert bool(said) == noted
+        if noted:
+            assert "balls of bearing front have more than two contacts from 3000 rpm on" in said[0]

@@ -175,9 +175,9 @@ def _numbers(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
             name = words if other == run.chosen[0] else None
             look = {"color": COUNTED[count], "ls": dash, "label": name, **marked(count)}
             axes.plot(run.values, balls[:, other], **look)
-    axes.set_ylim(0.0, result.ball.size * 1.05)
+    axes.set_ylim(0.0, result.ball.size * 1.35)  # curves end at all balls: the legend lies above
     axes.set_yticks(round_ticks(0.0, float(result.ball.size), 5))
-    legend(axes)
+    legend(axes, loc="upper center", ncols=2)
 
 
 def _map(axes: Axes, result: BearingMapResult, run: Sweep) -> None:

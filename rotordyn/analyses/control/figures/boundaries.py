@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.analyses.control.control_map import THIRD
 from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fitted
 from rotordyn.figures.legends import top_legend
@@ -76,7 +77,8 @@ def load_name(result: ControlResult) -> str:
 
 
 def _regions(axes: Axes, result: ControlResult) -> None:
-    """Shades from the margins; where there is no state the ground stays white."""
+    """Shades from the margins; where there is no state, or a third contact, the ground stays
+    white."""
     rpm = result.speed * RPM.factor
     inner, outer = (np.ma.masked_invalid(m.T) for m in (result.inner_margin, result.outer_margin))
     fields = {"neither": np.ma.ones(inner.shape), "inner": inner, "outer": outer}
@@ -86,8 +88,10 @@ def _regions(axes: Axes, result: ControlResult) -> None:
             above = [0.0, np.inf]
             axes.contourf(rpm, result.load, fields[name], above, colors=[colour], zorder=0.5)
             axes.fill([], [], color=colour, label=word + (" all balls" if result.radial else ""))
-    if not np.isfinite(result.inner_margin).all():
-        axes.fill([], [], facecolor="white", edgecolor=GREY, label="no state")
+    third = result.state == THIRD
+    white = {"no state": np.isnan(result.inner_margin) & ~third, THIRD: third}
+    if label := " or ".join(word for word, where in white.items() if where.any()):
+        axes.fill([], [], facecolor="white", edgecolor=GREY, label=label)
 
 
 def _between(result: ControlResult) -> bool:

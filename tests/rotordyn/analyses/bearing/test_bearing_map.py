@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import bearings
+from rotordyn.analyses.bearing.figures.contacts import contacts_figure
 from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult, motion
 from rotordyn.analyses.bearing.solve import answer, tangent_error
 from rotordyn.analyses.bearing.spec import BearingMapSpec
@@ -97,7 +98,8 @@ def test_a_load_without_state_keeps_its_reason() -> None:
     """Inner control ends with a jump at low load: NaN only beside the outcome, in every tangent."""
     spec = BearingMapSpec((5.0, 2000.0), tangents=("complete", "frozen", "difference"))
     found = answer(VEX70, Conditions(kinematics="inner"), SPEED[2:], spec)
-    assert "no equilibrium at 30000 rpm under 5 N" in found.outcome[0, 0]
+    assert "no equilibrium at 30000 rpm under 5 N: raise the load" in found.outcome[0, 0]
+    assert "or use outer or hybrid kinematics" in found.outcome[0, 0]
     assert np.isnan(found.stiffness[0, 0]).all()
     assert np.isnan(found.inner_spin_to_roll[0, 0])
     assert (found.control[0, 0], found.control_agrees[0, 0]) == ("", False)
@@ -280,3 +282,14 @@ def test_temperatures_are_those_of_the_bearing_alone() -> None:
 def test_heat_that_cannot_leave_is_refused() -> None:
     with pytest.raises(InvalidInput, match="heat must leave the bearing"):
         replace(FLOW, inner_shaft=0.0, outer_housing=0.0, balls_oil=0.0)
+
+
+def test_what_numbers_of_contacts_mean_stands_above_their_curves() -> None:
+    spec = BearingMapSpec(radial_loads=(-3e3, 0.0, 6e3), axial_load=-5e3)
+    found = answer(four_point(QJ218), Conditions(), np.array([0.0, 6000.0]) * RPM, spec)
+    figure = contacts_figure(found)
+    figure.canvas.draw()
+    axes = figure.axes[3]
+    box = axes.get_legend().get_window_extent().transformed(axes.transData.inverted())
+    assert max(line.get_ydata().max() for line in axes.lines) == 15.0
+    assert 15.0 < box.y0 < box.y1 < axes.get_ylim()[1]

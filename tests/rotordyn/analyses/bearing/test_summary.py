@@ -37,6 +37,22 @@ def test_ellipse_past_the_inner_shoulder() -> None:
     assert cut_off(unknown) == []
 
 
+def test_an_ellipse_wholly_past_its_shoulder() -> None:
+    bearing = replace(four_point(QJ218), **SHOULDERS)
+    spec, speed = BearingMapSpec((1e3,), static_growth=-300e-6), np.array([6000.0]) * RPM
+    found = answer(bearing, Conditions(), speed, spec)
+    assert cut_off(found)[0].endswith("up to 100 % of its length lost")
+
+
+def test_contacts_without_a_state_have_no_line() -> None:
+    """200 N hold the balls of a QJ 218 up to some 4500 rpm."""
+    speed = np.array([1000.0, 5000.0, 6000.0]) * RPM
+    inner, spec = Conditions(kinematics="inner"), BearingMapSpec((200.0,))
+    found = answer(four_point(QJ218), inner, speed, spec)
+    assert [word == "" for word in found.outcome[:, 0]] == [True, False, False]
+    assert not any(line.startswith("contacts") for line in summary(found))
+
+
 def test_the_rating_of_a_pair_is_questioned() -> None:
     """A pair has 2^0.7 times the rating of one bearing (ISO 281)."""
     spec = BearingMapSpec((5e3,))
@@ -46,7 +62,8 @@ def test_the_rating_of_a_pair_is_questioned() -> None:
     found = answer(four_point(QJ218), OUTER, np.array([100.0]), pair)
     assert found.revolutions == pytest.approx(2.0**2.1 * one.revolutions)
     (sentence,) = result_warnings({"bearing": found})
-    assert "is 1.62 times that of the grooves; give that of one bearing" in sentence
+    assert "is 1.62 times that of the grooves; give that of one bearing, of one row" in sentence
+    assert "as has a four-point bearing in catalogues, which count two rows" in sentence
 
 
 def test_most_loaded_ball_in_words() -> None:
