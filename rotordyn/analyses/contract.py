@@ -90,6 +90,7 @@ class Analysis:
     - ``highest(spec, top)``: highest frequency asked for [Hz], ``top`` the fastest rotor [rad/s];
     - ``forced``: a force swings up to that frequency, which elements must carry;
     - ``over_time``: motion is followed over time, with a limit also where nothing damps it;
+    - ``unsteady``: it has an answer also where no speed has a steady state;
     - ``ports(spec)``: points and stations [m] where forces act or responses are read;
     - ``marks(spindle, spec)``: the spindle with what the spec puts on it.
 
@@ -141,6 +142,7 @@ class Analysis:
     highest: Callable[[Any, float], float] = _zero
     forced: bool = False
     over_time: bool = False
+    unsteady: bool = False
     ports: Callable[[Any], Iterable[str | float]] = _nothing
     marks: Callable[[Any, Any], Any] | None = None
     figures: Callable[[Any, Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing
