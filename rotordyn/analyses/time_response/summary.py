@@ -22,7 +22,7 @@ LESS = 0.95  # of the largest displacement: the last quarter is named
 def summary(result: TimeResponseResult) -> Iterator[str]:
     """At the first and the last speed with an answer."""
     rows = np.flatnonzero(np.isfinite(result.ended))
-    for row in dict.fromkeys(rows[[0, -1]].tolist()):
+    for row in dict.fromkeys([*rows[:1].tolist(), *rows[-1:].tolist()]):
         moved = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
@@ -80,6 +80,8 @@ def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
 
 def accuracy(result: TimeResponseResult) -> list[str]:
     """The largest estimated error of the motion."""
+    if not np.isfinite(result.ended).any():
+        return []
     worst = float(result.error.max(initial=0.0))
     return [f"response over time within {rounded_up(worst)} of its largest value"]
 
@@ -91,7 +93,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             yield (
                 f"time_response: at {_rpm(result, row)} the motion is computed up to "
                 f"{result.ended[row] * MILLISECOND.factor:.5g} ms, from where on {why}: lower the "
-                "forces, or look at the stability of the machine"
+                "forces, or look at what holds the machine and at its stability"
             )
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
