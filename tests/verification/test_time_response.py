@@ -320,6 +320,30 @@ def test_friction_holds_a_sleeve_as_far_as_its_limit(force: float) -> None:
     assert found.holding[0, 0] == pytest.approx(through / 40.0, rel=0.03)
 
 
+@pytest.mark.parametrize(
+    ("rpm", "force"), [(8e3, 30.0), (8e3, -30.0), (16e3, 30.0), (20e3, 30.0), (20e3, -30.0)]
+)
+def test_a_force_adds_to_friction_or_relieves_it(rpm: float, force: float) -> None:
+    """A sleeve on which the run-up left friction, up to its limit: under a slow force that is the
+    friction of the static state with that force; what only relieves it is not warned of."""
+    sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
+    spindle = replace(short(3000.0), sleeves=(sleeve,))
+    spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(force, direction="x", pulse=0.05),))
+    found = answer(seen(spindle, spec, rpm, rotor="rigid", **CONTROL), spec)
+    left, under = (
+        seen(spindle, spec, rpm, axial_force=each, **CONTROL).preload.friction_force[0, 0]
+        for each in (0.0, force)
+    )
+    told = [line for line in warnings(found) if "dry friction, pulls at it" in line]
+    assert left > 3.0
+    if abs(under) < 40.0:
+        assert 40.0 * found.holding[0, 0] == pytest.approx(max(left, abs(under)), abs=1e-3)
+        assert not told
+    else:
+        assert found.holding[0, 0] > 1.3
+        assert told
+
+
 def test_pressures_are_those_of_the_state_under_the_force() -> None:
     spindle, slow = short(3000.0), push(800.0, pulse=0.05)
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (slow,))

@@ -15,6 +15,7 @@ from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
+GIVES = 1.005  # times what holds a sleeve: less is printed as 1
 UNSURE = 0.1  # of the force of a stop
 LESS = 0.95  # of the largest displacement: the last quarter is named
 
@@ -147,7 +148,7 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
                 "shorter than the steps resolve; raise max_frequency, or take a softer stop"
             )
         row = int(holding.argmax())
-        if holding[row] > 1.0:
+        if holding[row] > GIVES:
             yield (
                 f"time_response: {holding[row]:.3g} times what holds sleeve {name}, "
                 f"{'dry friction' if rubs else 'its stop'}, pulls at it at {_rpm(result, row)}; it "
