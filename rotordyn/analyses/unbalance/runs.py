@@ -3,6 +3,7 @@ bearings and supports on the way."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -55,9 +56,9 @@ class Runs(NamedTuple):
     growth: Growth
 
 
-def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
+def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float, lost: Sequence[str]) -> Runs:
     """Between the first and the last speed of the case; ``ratio`` of the speed of the rotor out of
-    balance to that of the spindle."""
+    balance to that of the spindle; ``lost`` (speeds,) why a speed has no steady motion."""
     ways = [(each, False) for each in spec.run_up] + [(each, True) for each in spec.run_down]
     count, points = len(ways), len(spec.points)
     columns = points + len(scene.rotor.connections)
@@ -68,10 +69,13 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
     apart = np.full((count, columns - points), np.nan)
     error, outcome, way = np.full(count, np.nan), [""] * count, _Way(scene, spec, ratio)
     for k, (time, down) in enumerate(ways):
+        if why := lost[-1 if down else 0]:
+            outcome[k] = f"it begins where there is no steady motion ({why})"
+            continue
         try:
             axes, rings, error[k] = _converged(way, time, down=down)
-        except NoSolution as why:
-            outcome[k] = str(why)
+        except NoSolution as absent:
+            outcome[k] = str(absent)
             continue
         first, last = speed[[-1, 0]] if down else speed[[0, -1]]
         at = np.linspace(first, last, len(axes))
