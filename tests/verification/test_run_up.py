@@ -349,6 +349,23 @@ def test_one_mode_past_its_resonance():
         assert largest == pytest.approx(expected, rel=0.03)
 
 
+@pytest.mark.parametrize("down", [False, True])
+@pytest.mark.parametrize("natural", [2913.7, 2914.9])
+def test_peaks_narrower_than_the_instants_are_the_steady_ones(natural, down):
+    """A run of three years, of which two instants lie within the resonance: e / 2ζ."""
+    natural, ratio = natural * RATED, 5e-4
+    mass = rotor_inertia(hung(1.0)).mass
+    machine = hung(mass * natural**2, 2.0 * ratio * natural * mass)
+    asked = {"run_down" if down else "run_up": (1e8,)}
+    spec = UnbalanceSpec(("middle",), (Unbalance("middle", 1e-6),), **asked)
+    speeds = np.array([0.0, 24000.0]) * RATED
+    scene = Scene(machine, Conditions(rotor="rigid"), speeds, 400.0, (machine.place("middle"),))
+    found = answer(scene, spec)
+    steady = 1e-6 / mass / (2.0 * ratio * np.sqrt(1.0 - ratio**2))
+    assert found.run_peak[0, 0] == pytest.approx(steady, rel=1e-3)
+    assert found.run_peak_speed[0, 0] == pytest.approx(natural, rel=1e-5)
+
+
 def undamped(first, last, **runs):
     """A rigid rotor on springs, between shares of its critical speed; that in rad/s, too."""
     machine = hung(8e5)

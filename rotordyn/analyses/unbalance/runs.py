@@ -19,6 +19,7 @@ from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
+from rotordyn.numerics.peaks import vertex
 from rotordyn.results.display import RPM
 from rotordyn.scene.linearity import RING, departure, ring_rows
 from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
@@ -79,7 +80,7 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float, lost: Sequence[str]
             continue
         first, last = speed[[-1, 0]] if down else speed[[0, -1]]
         at = np.linspace(first, last, len(axes))
-        peak[k], peak_speed[k] = axes.max(axis=0), at[axes.argmax(axis=0)]
+        peak[k], peak_speed[k] = _peaks(at, axes)
         largest = axes[1:].reshape(SHOWN, BETWEEN, columns).max(axis=1)
         if rings.size:
             apart[k, : rings.shape[1]] = _departure(scene, at, axes[:, points:], rings)
@@ -90,6 +91,19 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float, lost: Sequence[str]
         Largest(*(each[..., points:] for each in found)),
     )
     return Runs(names, tuple(outcome), speed, moved, pushed, apart, error, way.growth)
+
+
+def _peaks(speed: Array, axes: Array) -> tuple[Array, Array]:
+    """The largest half axes (k,) of those (t, k) at evenly spaced speeds, and the speeds there;
+    between instants by the parabola of their inverse squares, as of one resonance."""
+    top, columns = axes.argmax(axis=0), np.arange(axes.shape[1])
+    middle = np.clip(top, 1, len(axes) - 2)
+    shift, height = vertex(
+        np.arange(-1.0, 2.0), axes[middle + np.arange(-1, 2)[:, None], columns].T
+    )
+    between = (top == middle) & np.isfinite(height)
+    at = speed[top] + np.where(between, shift, 0.0) * (speed[1] - speed[0])
+    return np.where(between, height, axes[top, columns]), at
 
 
 def _departure(scene: Scene, speed: Array, force: Array, rings: Complex) -> Array:
