@@ -692,6 +692,18 @@ def test_motion_over_time_has_a_limit_without_damping() -> None:
     assert told.endswith("give damping.rotor, or damping of supports")
 
 
+def test_an_error_as_large_as_the_motion_is_no_accuracy() -> None:
+    """As where the run before the last halving lost its way: it is no share of anything."""
+    found = blown(2500.0, 2e-6, STOP)
+    unknown = replace(found, error=np.full_like(found.error, 80.0))
+    assert accuracy(unknown) == ["response over time not known"]
+    (told,) = set(warnings(unknown)) - set(warnings(found))
+    assert "the motion of nose is not known" in told
+    assert "raise max_frequency" in told
+    (told,) = set(warnings(replace(found, error=0.4 + 0.0 * found.error))) - set(warnings(found))
+    assert "error of 4e-01 of its largest value" in told
+
+
 @pytest.mark.few(1)
 @pytest.mark.parametrize(("mass", "stiffness"), [(0.2, 3e9), (0.05, 3e10)])
 def test_knocks_shorter_than_the_steps_are_told(mass: float, stiffness: float) -> None:

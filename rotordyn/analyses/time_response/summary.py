@@ -84,6 +84,8 @@ def accuracy(result: TimeResponseResult) -> list[str]:
     if not np.isfinite(result.ended).any():
         return []
     worst = float(result.error.max(initial=0.0))
+    if worst >= 1.0:
+        return ["response over time not known"]
     return [f"response over time within {rounded_up(worst)} of its largest value"]
 
 
@@ -122,6 +124,10 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
         yield (
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
+            if worst < 1.0
+            else f"time_response: the motion of {point} is not known: the last halving of the steps "
+            "still changed it by more than its largest value; raise max_frequency, which shortens "
+            "them"
         )
 
 
