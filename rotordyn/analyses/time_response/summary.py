@@ -125,9 +125,9 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
             if worst < 1.0
-            else f"time_response: the motion of {point} is not known: the last halving of the steps "
-            "still changed it by more than its largest value; raise max_frequency, which shortens "
-            "them"
+            else f"time_response: the motion of {point} is not known: the last halving of the "
+            "steps still changed it by more than its largest value; raise max_frequency, which "
+            "shortens them"
         )
 
 

@@ -118,7 +118,7 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Where orbits run against the spindle, which a rotor out of balance may itself turn against."""
+    """Where orbits run against the spindle; the rotor out of balance may turn so itself."""
     back = -result.fine_minor_axis - STRAIGHT * result.fine_major_axis
     words = []
     for name, values in zip(result.point, back.T, strict=True):
