@@ -313,6 +313,9 @@ OilViscosity = Annotated[
     float, Quantity("kinematic viscosity", above="0.5 mm^2/s", at_most="100000 mm^2/s")
 ]
 Temperature = Annotated[float, Quantity("temperature", at_least="-60 degC", at_most="300 degC")]
+CoolTemperature = Annotated[  # hotter bearings count as running away
+    float, Quantity("temperature", at_least="-60 degC", at_most="250 degC")
+]
 TemperatureDifference = Annotated[
     float, Quantity("temperature difference", at_least="-200 K", at_most="200 K")
 ]

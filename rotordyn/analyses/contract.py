@@ -73,6 +73,10 @@ def _zero(*_: Any) -> float:
     return 0.0
 
 
+def _no(*_: Any) -> bool:
+    return False
+
+
 def _same(spec: Any) -> Any:
     return spec
 
@@ -89,7 +93,9 @@ class Analysis:
 
     - ``highest(spec, top)``: highest frequency asked for [Hz], ``top`` the fastest rotor [rad/s];
     - ``forced``: a force swings up to that frequency, which elements must carry;
-    - ``over_time``: motion is followed over time, with a limit also where nothing damps it;
+    - ``over_time(spec)``: motion is followed over time from rest on, with a limit also where
+      nothing damps it;
+    - ``unsteady``: it has an answer also where no speed has a steady state;
     - ``ports(spec)``: points and stations [m] where forces act or responses are read;
     - ``marks(spindle, spec)``: the spindle with what the spec puts on it.
 
@@ -140,7 +146,8 @@ class Analysis:
     bearings: bool = False
     highest: Callable[[Any, float], float] = _zero
     forced: bool = False
-    over_time: bool = False
+    over_time: Callable[[Any], bool] = _no
+    unsteady: bool = False
     ports: Callable[[Any], Iterable[str | float]] = _nothing
     marks: Callable[[Any, Any], Any] | None = None
     figures: Callable[[Any, Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing

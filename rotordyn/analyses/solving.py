@@ -67,7 +67,7 @@ def answer_spindle(
 
     Raises
     ------
-    NoSolution : no speed has a physical solution
+    NoSolution : no speed has a physical solution, and an analysis needs one
     """
     from rotordyn.numerics.threads import linear_algebra_alone
     from rotordyn.scene.plan import reasons, spared
@@ -91,7 +91,8 @@ def answer_spindle(
         return scene.timed(f"answer {name}", partial(analysis(name).solve, scene, spec))
 
     with linear_algebra_alone():
-        scene.require_solution()
+        if not all(analysis(name).unsteady for name in analyses):
+            scene.require_solution()
         results, stop = _answered(analyses, solve, progress)
         return Answers(
             results,

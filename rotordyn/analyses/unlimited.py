@@ -12,8 +12,8 @@ from rotordyn.machine.spindle import Spindle
 
 def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
     """A sentence where ``analyses`` ask for steady forced responses without any damping."""
-    records = {name: analysis(name) for name in analyses}
-    forced = [name for name, each in records.items() if each.forced and not each.over_time]
+    records = [(analysis(name), spec) for name, spec in analyses.items()]
+    forced = [each.name for each, spec in records if each.forced and not each.over_time(spec)]
     if forced and undamped(spindle):
         ways = "damping.rotor, " + "damping.bearings, " * bool(spindle.seats)
         yield (

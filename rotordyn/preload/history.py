@@ -286,20 +286,24 @@ def _changed(
 
 class BearingLaws:
     """Laws of the bearings ``joined`` of a preload state up to a load ``most`` [N], and shifts of
-    their seats, at any speed; each is made once."""
+    their seats, at any speed of its history; each is made once."""
 
     def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
         self.preload, self.joined, self.most = preload, joined, most
+        self.speeds = np.union1d(preload.speed, preload.past.speeds)
+        self._arranged: dict[bool, Arrangement] = {}  # at all of these, warm or not
         self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
     def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
         """Laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
         [rad/s], at operating temperature or not."""
-        key = speed, warm and self.preload.temperatures is not None
+        state = self.preload
+        key = speed, warm and state.temperatures is not None
         if key not in self._known:
-            state = self.preload
-            acting = state.law, state.temperatures if warm else None, state.films
-            there = arrangement(state.spindle, np.array([speed]), 0.0, *acting)
+            if warm not in self._arranged:
+                acting = state.law, state.temperatures if warm else None, state.films
+                self._arranged[warm] = arrangement(state.spindle, self.speeds, 0.0, *acting)
+            there = self._arranged[warm].at(np.searchsorted(self.speeds, [speed]))
             of_seat = there.bearing_of_seat
             bearings = [there.bearings[of_seat[one.seats[0]]] for one in self.joined.bearings]
             shift = np.array([bearing.shortening[0] for bearing in bearings])

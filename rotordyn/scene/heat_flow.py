@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults
-from rotordyn.quantity import Choice, Key, Temperature, ThermalConductance
+from rotordyn.quantity import Choice, CoolTemperature, Key, ThermalConductance
 from rotordyn.scene.lubrication import Lubrication
 
 if TYPE_CHECKING:
@@ -25,9 +25,9 @@ class HeatFlow(Description):
 
     inner_shaft: Annotated[ThermalConductance, "from the inner ring to the shaft"]
     outer_housing: Annotated[ThermalConductance, "from the outer ring to the housing"]
-    shaft: Annotated[Temperature, "of the shaft"]
-    housing: Annotated[Temperature, "of the housing"]
-    oil: Annotated[Temperature, "of the oil where it comes in"]
+    shaft: Annotated[CoolTemperature, "of the shaft"]
+    housing: Annotated[CoolTemperature, "of the housing"]
+    oil: Annotated[CoolTemperature, "of the oil where it comes in"]
     balls_oil: Annotated[ThermalConductance, "from the balls to the oil that leaves"] = 0.0
     balls_inner: Annotated[
         ThermalConductance | None, "from the balls to the inner ring; by default 1 W/K, a guess"

@@ -63,7 +63,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     systems = list(scene.systems.values())
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
-    else:
+    elif not all(scene.outcome):
         yield from _pushed_away(scene)
 
 

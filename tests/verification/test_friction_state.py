@@ -405,6 +405,29 @@ def test_tables_reach_far_above_the_loads_that_are_known() -> None:
     assert axial_table(one, 0.0, 100.0)(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
 
 
+def test_rings_at_all_speeds_of_a_history_are_solved_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As mounted and warm, and give at each speed what they do at that speed alone."""
+    speed, made = np.linspace(0.0, 16000.0, 9) * RPM, []
+
+    def counted(*given: Any) -> Any:
+        made.append(given)
+        return arrangement(*given)
+
+    monkeypatch.setattr("rotordyn.preload.history.arrangement", counted)
+    state = dynamic_preload(rubbing(), speed, LAW, temperatures=Temperatures(shaft=40.0))
+    found = history(state, 0.0)
+    assert len(made) <= 3
+    for row in (3, 8):
+        alone = arrangement(rubbing(), speed[row : row + 1], 0.0, LAW, state.temperatures)
+        shift = [each.shortening[0] for each in alone.bearings]
+        of_seat = dict(zip(found.of_seat, alone.bearing_of_seat, strict=True))
+        assert [found.through[row].shift[k] for k in of_seat] == [
+            shift[j] for j in of_seat.values()
+        ]
+
+
 def test_loads_at_rest_are_those_without_friction() -> None:
     """As stated preloads are meant: at several speeds, with a force from outside."""
     speed = np.array([0.0, 12000.0, 24000.0]) * RPM

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings.heat.temperature import Conductances, Surroundings
+from bearings.heat.temperature import HOTTEST, Conductances, Surroundings
 from rotordyn.analyses import LifeSpec, Lubrication, PreloadSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
@@ -193,6 +193,16 @@ def test_run_away_names_bearing_and_speed() -> None:
     found = lives(fast)
     assert np.isfinite(found.ball_temperature[0]).all()
     assert np.isnan(found.ball_temperature[1]).all()
+
+
+@pytest.mark.parametrize("key", ["shaft", "housing", "oil"])
+def test_what_cools_is_no_hotter_than_bearings_may_be(key: str) -> None:
+    """Beyond that they count as running away."""
+    everything = dict.fromkeys(("shaft", "housing", "oil"), HOTTEST)
+    hot = Scene(grinding(), Conditions(heat_flow=replace(FLOW, **everything)), SPEED)
+    assert all("temperatures run away at bearings" in word for word in hot.outcome[1:])
+    with pytest.raises(InvalidInput, match=f"{key}: .*allowed: from -60 degC up to 250 degC"):
+        replace(FLOW, **{key: HOTTEST + 0.1})
 
 
 def test_thicker_oil_and_less_cooling_are_hotter() -> None:

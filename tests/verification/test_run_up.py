@@ -12,14 +12,18 @@ import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _Way
+from rotordyn.analyses.unbalance.solve import answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
 from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.errors import RotordynError
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.numerics.modes import modes
+from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
+from tests.verification.test_time_response import hung
 
 RATED = 2.0 * np.pi / 60.0
 ONE = Unbalance("left_disc", 1e-3)
@@ -343,6 +347,82 @@ def test_one_mode_past_its_resonance():
         cycles = natural**2 / run.acceleration
         expected = 0.5 * np.sqrt(2.0 * np.pi) * 1.17 * np.sqrt(cycles)
         assert largest == pytest.approx(expected, rel=0.03)
+
+
+@pytest.mark.parametrize("down", [False, True])
+@pytest.mark.parametrize("natural", [2913.7, 2914.9])
+def test_peaks_narrower_than_the_instants_are_the_steady_ones(natural, down):
+    """A run of three years, of which two instants lie within the resonance: e / 2ζ."""
+    natural, ratio = natural * RATED, 5e-4
+    mass = rotor_inertia(hung(1.0)).mass
+    machine = hung(mass * natural**2, 2.0 * ratio * natural * mass)
+    asked = {"run_down" if down else "run_up": (1e8,)}
+    spec = UnbalanceSpec(("middle",), (Unbalance("middle", 1e-6),), **asked)
+    speeds = np.array([0.0, 24000.0]) * RATED
+    scene = Scene(machine, Conditions(rotor="rigid"), speeds, 400.0, (machine.place("middle"),))
+    found = answer(scene, spec)
+    steady = 1e-6 / mass / (2.0 * ratio * np.sqrt(1.0 - ratio**2))
+    assert found.run_peak[0, 0] == pytest.approx(steady, rel=1e-3)
+    assert found.run_peak_speed[0, 0] == pytest.approx(natural, rel=1e-5)
+
+
+def undamped(first, last, **runs):
+    """A rigid rotor on springs, between shares of its critical speed; that in rad/s, too."""
+    machine = hung(8e5)
+    natural = np.sqrt(8e5 / rotor_inertia(machine).mass)
+    spec = UnbalanceSpec(("middle",), (Unbalance("middle", 1e-5),), **runs)
+    speeds = np.array([first, last]) * natural
+    scene = Scene(machine, Conditions(rotor="rigid"), speeds, 200.0, (machine.place("middle"),))
+    return natural, answer(scene, spec)
+
+
+@pytest.mark.parametrize("down", [False, True])
+def test_a_pole_without_damping_may_lie_on_the_end_of_a_part(down):
+    """Of a rigid rotor on springs in the middle of the way; against the equation of motion."""
+    natural, found = undamped(0.0, 2.0, **{"run_down" if down else "run_up": (0.5,)})
+    first, alpha = (2.0 * natural, -4.0 * natural) if down else (0.0, 4.0 * natural)
+    size = 1e-5 / rotor_inertia(hung(8e5)).mass
+
+    def rates(t, x):
+        speed, angle = first + alpha * t, first * t + 0.5 * alpha * t**2
+        load = size * (speed**2 - 1j * alpha) * np.exp(1j * angle)
+        return np.array([x[1], load - natural**2 * x[0]])
+
+    begin = size * first**2 / (natural**2 - first**2)
+    start = np.array([begin, 1j * first * begin])
+    times = np.linspace(0.0, 0.5, 20001)
+    moved = solve_ivp(rates, (0.0, 0.5), start, "DOP853", t_eval=times, rtol=1e-9, atol=1e-12)
+    assert found.run_outcome == ("",)
+    assert found.run_peak[0, 0] == pytest.approx(np.abs(moved.y[0]).max(), rel=1e-5)
+
+
+def test_a_pole_on_the_end_of_a_part_is_the_limit_of_poles_beside():
+    """Where stiffnesses change on the way."""
+    edges = np.linspace(50.0, 150.0, 51)
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    run, times = Run(50.0, 150.0, 2.0), np.linspace(0.0, 2.0, 200)
+
+    def moved(apart):
+        natural = (100.0 + 0.5 * (middle - 101.0) + apart)[:, None, None]
+        assert apart != 0.0 or (natural == edges[:-1, None, None]).any()
+        known = modes(natural**2, 0.0 * natural)
+        pole = 1j * np.sign(known.pole.imag) * natural[:, 0]  # without rounding
+        taken = pole, known.vector, known.participation, known.damping, known.stiffness
+        begin = np.array([50.0**2 / (natural[0, 0, 0] ** 2 - 50.0**2)])
+        asked = np.ones(1), begin, *displacements(1, len(middle))
+        return Parts(edges, middle, *taken, *asked).moved(run, times)
+
+    beside = 0.5 * (moved(1e-3) + moved(-1e-3))
+    np.testing.assert_allclose(moved(0.0), beside, atol=1e-6 * np.abs(beside).max())
+
+
+def test_a_run_that_begins_without_steady_motion_says_so():
+    """At a critical speed without damping; the other one passes it."""
+    _, found = undamped(1.0, 2.0, run_up=(0.5,), run_down=(0.5,))
+    assert found.run_outcome[0].startswith("it begins where there is no steady motion (a critical")
+    assert np.isnan(found.run_peak[0]).all()
+    assert found.run_outcome[1] == ""
+    assert 0.0 < found.run_peak[1, 0] < 1e-4
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
 from rotordyn.analyses.time_response.solve import answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
-from rotordyn.analyses.time_response.summary import summary, warnings
+from rotordyn.analyses.time_response.summary import accuracy, summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unlimited import unlimited
@@ -208,6 +208,57 @@ def test_unbalance_alone_is_the_steady_orbit_from_the_beginning(*, against: bool
     assert np.abs(moved - steady).max() < 1e-5 * np.abs(steady).max()
 
 
+def hung(stiffness: float, damping: float = 0.0) -> Spindle:
+    """A rigid cylinder on two alike supports, of ``stiffness`` and ``damping`` together."""
+    each = (0.5 * stiffness, 0.5 * stiffness), 0.5 * damping
+    supports = [support(name, x, *each) for name, x in (("A", 0.1), ("B", 0.3))]
+    return replace(uniform(0.4, 0.06, supports=supports), points={"middle": 0.2})
+
+
+@pytest.mark.parametrize("damping", [20.0, 0.0])
+def test_an_orbit_wider_than_any_machine_is_no_answer(damping: float) -> None:
+    """At a critical speed it is U Ω / c, of which only one up to 0.1 m is followed."""
+    stiffness = 8e5
+    machine = hung(stiffness, damping)
+    omega = math.sqrt(stiffness / rotor_inertia(machine).mass)
+    known = 0.09 * damping / omega, 0.11 * damping / omega + 1e-5 * (damping == 0.0)
+
+    def found(size: float, *speeds: float) -> Any:
+        spec = TimeResponseSpec(0.05, 200.0, ("middle",), unbalances=(Unbalance("middle", size),))
+        return answer(seen(machine, spec, np.array(speeds) / RPM, rotor="rigid"), spec)
+
+    wide = found(known[1], 0.5 * omega, omega)
+    assert wide.outcome[0] == ""
+    assert "steady orbit, on which time_response begins, is wider than 100 mm" in wide.outcome[1]
+    assert np.isnan([wide.largest[1, 0], wide.largest_time[1, 0], wide.ended[1]]).all()
+    assert np.isnan(wide.displacement[1]).all()
+    assert not any(wide.ending)
+    assert not [*warnings(wide)]
+    alone = found(known[1], omega)
+    assert not [*summary(alone), *accuracy(alone), *warnings(alone)]
+    if damping:
+        near = found(known[0], omega)
+        assert near.largest[0, 0] == pytest.approx(0.09, rel=1e-6)
+        assert near.ended[0] == near.time[-1]
+
+
+def test_what_nothing_holds_moves_evenly_and_is_not_called_unstable() -> None:
+    """F t₁ (t − t₁/2) / m after a push, up to 0.1 m."""
+    machine, force, pushed = hung(1e-15), 240.0, 0.05
+    mass = rotor_inertia(machine).mass
+    acting = ForceOverTime("middle", "y", force=force, end=pushed)
+    spec = TimeResponseSpec(0.12, 200.0, ("middle",), (acting,))
+    found = answer(seen(machine, spec, 0.0, rotor="rigid"), spec)
+    reached = 0.1 * mass / (force * pushed) + 0.5 * pushed
+    assert found.ended[0] == pytest.approx(reached, abs=found.time[1])
+    after = (found.time > pushed) & (found.time < found.ended[0])
+    even = force * pushed / mass * (found.time[after] - 0.5 * pushed)
+    assert found.displacement[0, after, 0, 1] == pytest.approx(even, rel=1e-9)
+    (told,) = warnings(found)
+    assert "from where on it moves farther than 100 mm" in told
+    assert "what holds the machine" in told
+
+
 def test_bearings_under_small_forces_are_linear() -> None:
     spec = TimeResponseSpec(2e-3, 3000.0, ("nose",), (push(1e-2, pulse=4e-4),))
     found = answer(seen(short(), spec, 20000.0, **CONTROL), spec)
@@ -267,6 +318,30 @@ def test_friction_holds_a_sleeve_as_far_as_its_limit(force: float) -> None:
     through = rear / (front + rear) * abs(force)
     assert abs(scene.preload.friction_force[0, 0]) < 1e-6
     assert found.holding[0, 0] == pytest.approx(through / 40.0, rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("rpm", "force"), [(8e3, 30.0), (8e3, -30.0), (16e3, 30.0), (20e3, 30.0), (20e3, -30.0)]
+)
+def test_a_force_adds_to_friction_or_relieves_it(rpm: float, force: float) -> None:
+    """A sleeve on which the run-up left friction, up to its limit: under a slow force that is the
+    friction of the static state with that force; what only relieves it is not warned of."""
+    sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
+    spindle = replace(short(3000.0), sleeves=(sleeve,))
+    spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(force, direction="x", pulse=0.05),))
+    found = answer(seen(spindle, spec, rpm, rotor="rigid", **CONTROL), spec)
+    left, under = (
+        seen(spindle, spec, rpm, axial_force=each, **CONTROL).preload.friction_force[0, 0]
+        for each in (0.0, force)
+    )
+    told = [line for line in warnings(found) if "dry friction, pulls at it" in line]
+    assert left > 3.0
+    if abs(under) < 40.0:
+        assert 40.0 * found.holding[0, 0] == pytest.approx(max(left, abs(under)), abs=1e-3)
+        assert not told
+    else:
+        assert found.holding[0, 0] > 1.3
+        assert told
 
 
 def test_pressures_are_those_of_the_state_under_the_force() -> None:
@@ -610,8 +685,23 @@ def test_motion_over_time_has_a_limit_without_damping() -> None:
     (told,) = unlimited(short(0.0), {**asked, "unbalance": None})
     assert told.startswith("unbalance: nothing in the machine is damped")
     assert told.endswith("give damping.rotor, damping.bearings, or damping of supports")
+    turning = TimeResponseSpec(1e-3, 1e3, ("nose",), unbalances=(Unbalance("nose", 1e-6),))
+    (told,) = unlimited(short(0.0), {"time_response": turning})  # begins on a steady orbit
+    assert told.startswith("time_response: nothing in the machine is damped")
     (told,) = unlimited(uniform(0.3, 0.04), {"unbalance": None})
     assert told.endswith("give damping.rotor, or damping of supports")
+
+
+def test_an_error_as_large_as_the_motion_is_no_accuracy() -> None:
+    """As where the run before the last halving lost its way: it is no share of anything."""
+    found = blown(2500.0, 2e-6, STOP)
+    unknown = replace(found, error=np.full_like(found.error, 80.0))
+    assert accuracy(unknown) == ["response over time not known"]
+    (told,) = set(warnings(unknown)) - set(warnings(found))
+    assert "the motion of nose is not known" in told
+    assert "raise max_frequency" in told
+    (told,) = set(warnings(replace(found, error=0.4 + 0.0 * found.error))) - set(warnings(found))
+    assert "error of 4e-01 of its largest value" in told
 
 
 @pytest.mark.few(1)

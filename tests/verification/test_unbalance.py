@@ -34,6 +34,7 @@ from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.scene.scene import Scene
+from tests.oracles.coaxial import COAXIAL, OUTER
 from tests.oracles.spindles import RPM, mfw2310, undamped
 
 STEEL = Material("steel", 210e9, 0.3, 7850.0)
@@ -145,6 +146,21 @@ def test_supports_that_differ() -> None:
     assert told.startswith("           whirl backward: disc from about ")
     rpm = np.array([float(word) for word in told.split() if word.isdigit()])
     np.testing.assert_allclose(rpm * RPM, speed[backward][[0, -1]], atol=np.diff(speed)[0])
+
+
+@pytest.mark.parametrize(("ratio", "told"), [(1.5, ""), (-1.5, "whirl against the spindle: ")])
+def test_a_rotor_that_turns_against_the_spindle_moves_as_it_turns(ratio: float, told: str) -> None:
+    """Far below resonances its points follow its unbalance, which is not called backward."""
+    machine = replace(COAXIAL, rotors=(replace(OUTER, speed_ratio=ratio),))
+    acting = Unbalance("outer.d2", U)
+    speeds = (100.0 * RPM, 300.0 * RPM)
+    found = solved(machine, speeds, acting, points=("outer.d2",))
+    y, z = found.displacement[0, 0]
+    follows = np.array([1.0, -1j if ratio > 0.0 else 1j])  # z = ∓i y: along with e^(iωt), against
+    assert np.abs(np.array([y, z]) - follows * y).max() < 0.5 * abs(y)
+    lines = [line for line in unbalance_lines(found) if "whirl" in line]
+    assert len(lines) == bool(told)
+    assert all(line.startswith(f"           {told}outer.d2") for line in lines)
 
 
 def test_orbit_is_what_a_drawn_ellipse_shows() -> None:

@@ -15,13 +15,14 @@ from scipy.linalg import expm
 
 import rotordyn
 from bearings.heat.temperature import Conductances, Surroundings, network
-from rotordyn.analyses import WarmUpSpec
+from rotordyn.analyses import PreloadSpec, WarmUpSpec
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.warm_up.figures import figures
 from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
 from rotordyn.analyses.warm_up.solve import answer, ball_capacity, over_time
 from rotordyn.analyses.warm_up.summary import accuracy, in_words, numbers, summary, warnings
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
@@ -277,6 +278,40 @@ def test_temperatures_that_run_away_end_with_their_time() -> None:
     assert any("at 15000 rpm temperatures run away" in line for line in warnings(result))
 
 
+@cache
+def without_balance() -> WarmUpResult:
+    return answer(scene(20e3, flow=WEAK), spec(30.0))
+
+
+def test_a_speed_without_balance_says_so_however_short_the_time() -> None:
+    """What runs away later, and is not compared with a warm spindle that does not exist."""
+    runs_away = without_balance().ended[0]
+    short = answer(scene(3e3, 20e3, flow=WEAK), spec(runs_away / 60.0 / 2.0))
+    assert short.ending == ("", "")
+    assert np.isfinite(short.steady_load[0]).all()
+    assert np.isnan(short.steady_inner_temperature[1]).all()
+    (balance,) = (line for line in warnings(short) if "no thermal balance" in line)
+    assert "bearings at 20000 rpm: temperatures run away" in balance
+    assert f"the first {in_words(short.ended[1])} do not show it" in balance
+    fallen = replace(short, axial_load=0.5 * short.axial_load)
+    told = [line for line in warnings(fallen) if "times that of the warm spindle" in line]
+    assert not [line for line in told if "20000 rpm" in line]
+
+
+def test_speeds_without_balance_need_none_beside_them_that_has_one() -> None:
+    """Where `warm_up` alone is asked; other analyses need a steady state."""
+    asked = {"warm_up": spec(30.0)}
+    machine, given, at = held(rigid=True), Conditions(heat_flow=WEAK), (20e3 * RPM,)
+    found = answer_spindle(machine, given, at, asked, lambda _: None)
+    alone = found.results["warm_up"]
+    assert isinstance(alone, WarmUpResult)
+    assert "temperatures run away" in alone.ending[0]
+    assert alone.ended == without_balance().ended
+    both = asked | {"preload": PreloadSpec()}
+    with pytest.raises(NoSolution, match="temperatures run away"):
+        answer_spindle(machine, given, at, both, lambda _: None)
+
+
 def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     """A hot shaft between cold rings loosens them."""
     machine = held(rigid=True)
@@ -291,7 +326,7 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     assert result.outcome[0].startswith("no axial state at the start, at temperatures up to 20 °C")
     assert np.isnan(result.axial_load).all()
     assert np.isnan(result.largest_time).all()
-    assert not [*warnings(result), *summary(result)]
+    assert not [*warnings(result), *summary(result), *figures(None, result, {})]  # type: ignore[arg-type]
 
 
 def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
@@ -437,6 +472,29 @@ def test_a_duration_too_short_says_so() -> None:
     assert any("still warming up at the end" in line for line in warnings(result))
 
 
+def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -> None:
+    """Behind a soft spring. The rise left is that of a run of an hour and a half."""
+    machine = held(rigid=False)
+    (sleeve,) = machine.sleeves
+    soft = replace(sleeve, spring=replace(sleeve.spring, stiffness=0.5e6))
+    machine = replace(machine, sleeves=(soft,))
+    here = Scene(machine, Conditions(heat_flow=FLOW), np.array([8e3]) * RPM)
+    result, to_the_end = answer(here, spec(4.0)), answer(here, spec(90.0))
+    assert result.axial_load[0, -1] == pytest.approx(result.steady_load[0], rel=0.02)
+    reached, end = result.outer_temperature[0, -1], to_the_end.outer_temperature[0, -1]
+    assert result.steady_outer_temperature[0] == pytest.approx(end, abs=0.05)
+    assert result.steady_inner_temperature[0] == pytest.approx(
+        to_the_end.inner_temperature[0, -1], abs=0.05
+    )
+    share = float(((end - reached) / (end - START)).max())
+    assert share > 0.5
+    (told,) = warnings(result)
+    assert "still warming up at the end: outer ring" in told
+    assert f"{reached.max():.0f} °C at 8000 rpm, {end.max():.0f} °C in balance" in told
+    assert f"{100.0 * share:.0f} % of the way still to come" in told
+    assert not [*warnings(to_the_end)]
+
+
 def test_loads_across_the_axis_take_no_part() -> None:
     """The spindle warms up without them, and so it is in balance in the end."""
     alone, pushed = scene(9e3), Conditions(heat_flow=FLOW, loads=(PointLoad("nose", Fy=800.0),))
@@ -449,7 +507,7 @@ def test_loads_across_the_axis_take_no_part() -> None:
 def test_a_bearing_that_carries_nothing_is_not_late() -> None:
     result = begun()
     idle = replace(result, axial_load=0.0 * result.axial_load, steady_load=0.0 * result.steady_load)
-    assert not [*warnings(idle)]
+    assert not [line for line in warnings(idle) if " N " in line]
 
 
 def test_balls_hold_what_their_mass_does() -> None:

@@ -103,7 +103,7 @@ class Path:
     Displacements of the ``points`` (s, t, 3·points), ``sleeves`` (s, t, sleeves) and ``rings``
     (s, t, 5·seats), and the nonlinear ``force`` of the bearings (s, t, 5·seats), NaN from instant
     ``ended`` (s,) on; t where there is an answer to the end. ``unbalanced`` (s,): it ended for want
-    of a balance of the bearings, else since it grew without bound.
+    of a balance of the bearings, else since it moved farther than ``FAR``.
     """
 
     points: Array

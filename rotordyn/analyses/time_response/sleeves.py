@@ -31,10 +31,10 @@ def sleeve_margins(
     begun = np.where(acts, stops.gap, np.where(has_stop & ~stands, state.stop_gaps()[rows], np.nan))
     gap = begun + least
     rubs = state.rubs[SHAFT + 1 :] > 0.0
-    push = equation.held * np.maximum(most, -least)  # either way
     of_stop = np.maximum(equation.held * most, 0.0) / np.maximum(state.stop_force[rows], LEAST)
-    friction = np.abs(state.friction_force[rows])
-    of_friction = (friction + push) / np.maximum(state.rubs[SHAFT + 1 :], LEAST)
+    friction = way * state.friction_force[rows]  # which takes all that the motion brings
+    of_friction = np.maximum(friction - equation.held * least, equation.held * most - friction)
+    of_friction /= np.maximum(state.rubs[SHAFT + 1 :], LEAST)
     force, other = (
         np.where(acts, stops.stiffness * np.maximum(-each, 0.0), np.nan)
         for each in (gap, begun + before)

@@ -18,13 +18,14 @@ from rotordyn.allowance import require_marching
 from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import mean_inputs, values
-from rotordyn.analyses.time_response.march import Path, march
+from rotordyn.analyses.time_response.march import FAR, Path, march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import loads_and_peaks, longest
 from rotordyn.analyses.time_response.result import TimeResponseResult
 from rotordyn.analyses.time_response.sleeves import sleeve_margins
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.arrays import Array, Indices
+from rotordyn.results.display import RPM, number
 from rotordyn.scene.refinement import (
     AT_REST,
     changes,
@@ -36,7 +37,14 @@ from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
 HALF = 0.5  # of the error asked for, that model and steps may have each
-ENDINGS = {True: "no balance of the bearings is found", False: "it grows without bound"}
+ENDINGS = {
+    True: "no balance of the bearings is found",
+    False: f"it moves farther than {FAR * 1e3:g} mm",
+}
+WIDE = (
+    f"the steady orbit, on which time_response begins, is wider than {FAR * 1e3:g} mm, as at a "
+    "critical speed that little damps: give damping, or take another speed"
+)
 
 
 class Motion(NamedTuple):
@@ -140,8 +148,8 @@ def _path(
 
 
 def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
-    """q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; at rest where a speed has
-    none, at a critical speed without damping."""
+    """q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; infinite where a speed
+    has none, at a critical speed without damping."""
     s, n, _ = equation.stiffness.shape
     begun, place = np.zeros((2, s, n)), {port: k for k, port in enumerate(spec.ports)}
     for each, omega in zip(spec.unbalances, equation.speed.T, strict=True):
@@ -154,6 +162,7 @@ def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]
             try:
                 moved = np.linalg.solve(dynamic[row], load[row])
             except np.linalg.LinAlgError:
+                begun[:, row] = np.inf
                 continue
             begun[:, row] += moved.real, (1j * omega[row] * moved).real
     return begun[0], begun[1]
@@ -175,14 +184,25 @@ def _result(
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
     moved, straight = _displacement(path), _displacement(linear)
     (when, size), late = longest(moved, time), 3 * (spec.samples // 4)
-    ending = ["" for _ in scene.speed]
+    outcome, ending = [*scene.outcome], ["" for _ in scene.speed]
     for row, one in enumerate(scene.usable):
-        if path.ended[row] < spec.samples:
+        if not path.ended[row]:
+            outcome[one] = f"at {number(scene.speed[one] * RPM.factor, 0)} rpm {WIDE}"
+        elif path.ended[row] < spec.samples:
             ending[one] = ENDINGS[bool(path.unbalanced[row])]
     late_size = longest(moved[:, late:], time[late:])[1]
     late_size[path.ended < spec.samples] = np.nan
     loads = loads_and_peaks(scene, path, time, bearings)
     margins = sleeve_margins(scene, equation, path.sleeves, motion.sleeves, motion.coarser)
+    ended = time[np.minimum(path.ended, spec.samples) - 1]
+    begun = path.ended > 0
+
+    def given(values: Array) -> Array:
+        """Over all speeds, NaN at those without an answer."""
+        return scene.scattered(
+            np.where(begun.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
+        )
+
     applied = [values(each, time) for each in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,
@@ -192,18 +212,18 @@ def _result(
         bearing=tuple(seat.name for seat in scene.spindle.seats),
         sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
         force=spec.names,
-        outcome=scene.outcome,
-        ended=scene.scattered(time[np.minimum(path.ended, spec.samples) - 1]),
+        outcome=tuple(outcome),
+        ended=given(ended),
         ending=tuple(ending),
         applied=np.array(applied).reshape(len(spec.forces), spec.samples).T,
-        displacement=scene.scattered(moved),
-        linear_displacement=scene.scattered(straight),
-        largest=scene.scattered(size),
-        late_largest=scene.scattered(late_size),
-        largest_time=scene.scattered(when),
-        linear_largest=scene.scattered(longest(straight, time)[1]),
-        **{name: scene.scattered(each) for name, each in loads.items()},
-        **{name: scene.scattered(each) for name, each in margins.items()},
+        displacement=given(moved),
+        linear_displacement=given(straight),
+        largest=given(size),
+        late_largest=given(late_size),
+        largest_time=given(when),
+        linear_largest=given(longest(straight, time)[1]),
+        **{name: given(each) for name, each in loads.items()},
+        **{name: given(each) for name, each in margins.items()},
         unbalances=len(spec.unbalances),
         friction_limit=np.array([sleeve.friction for sleeve in scene.spindle.sleeves]),
         error=motion.error,

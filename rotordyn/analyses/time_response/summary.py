@@ -15,6 +15,7 @@ from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
+GIVES = 1.005  # times what holds a sleeve: less is printed as 1
 UNSURE = 0.1  # of the force of a stop
 LESS = 0.95  # of the largest displacement: the last quarter is named
 
@@ -22,7 +23,7 @@ LESS = 0.95  # of the largest displacement: the last quarter is named
 def summary(result: TimeResponseResult) -> Iterator[str]:
     """At the first and the last speed with an answer."""
     rows = np.flatnonzero(np.isfinite(result.ended))
-    for row in dict.fromkeys(rows[[0, -1]].tolist()):
+    for row in dict.fromkeys([*rows[:1].tolist(), *rows[-1:].tolist()]):
         moved = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
@@ -80,7 +81,11 @@ def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
 
 def accuracy(result: TimeResponseResult) -> list[str]:
     """The largest estimated error of the motion."""
+    if not np.isfinite(result.ended).any():
+        return []
     worst = float(result.error.max(initial=0.0))
+    if worst >= 1.0:
+        return ["response over time not known"]
     return [f"response over time within {rounded_up(worst)} of its largest value"]
 
 
@@ -91,7 +96,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             yield (
                 f"time_response: at {_rpm(result, row)} the motion is computed up to "
                 f"{result.ended[row] * MILLISECOND.factor:.5g} ms, from where on {why}: lower the "
-                "forces, or look at the stability of the machine"
+                "forces, or look at what holds the machine and at its stability"
             )
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
@@ -119,6 +124,10 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
         yield (
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
+            if worst < 1.0
+            else f"time_response: the motion of {point} is not known: the last halving of the "
+            "steps still changed it by more than its largest value; raise max_frequency, which "
+            "shortens them"
         )
 
 
@@ -145,7 +154,7 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
                 "shorter than the steps resolve; raise max_frequency, or take a softer stop"
             )
         row = int(holding.argmax())
-        if holding[row] > 1.0:
+        if holding[row] > GIVES:
             yield (
                 f"time_response: {holding[row]:.3g} times what holds sleeve {name}, "
                 f"{'dry friction' if rubs else 'its stop'}, pulls at it at {_rpm(result, row)}; it "

@@ -25,6 +25,7 @@ import numpy as np
 from rotordyn.arrays import Array, Complex, Matrix
 
 DECAYED = 1.0  # logarithm: a mode that decays by more in half a part follows by itself
+CLOSE = 1e-6  # an exponent, below which a pole is taken as so far from the speed
 SMALL = 1e-2  # an exponent, below which a series is the more accurate
 
 
@@ -99,9 +100,12 @@ class Parts:
         half = 0.5 * (self.middle[k] - self.middle[k - 1]) / run.acceleration
         stiffness, damping = (each[k] - each[k - 1] for each in (self.stiffness, self.damping))
         coupled = left @ (stiffness @ vector + (damping @ vector) * pole)
-        steady = (left @ self.force) * omega**2 / (1j * omega - pole)
+        away = 1j * omega - pole
+        if (np.abs(half * away) < CLOSE).any():  # a limit, where steady motion has none
+            away = away + CLOSE / half
+        steady = (left @ self.force) * omega**2 / away
         free = (coupled * _uneven(half, pole - pole[:, None])) @ (taking - steady)
-        return np.asarray(free + _uneven(half, 1j * omega - pole) * (coupled @ steady))
+        return np.asarray(free + _uneven(half, away) * (coupled @ steady))
 
 
 def _uneven(half: float, rate: Complex) -> Complex:

@@ -3,6 +3,7 @@ bearings and supports on the way."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -18,6 +19,7 @@ from rotordyn.arrays import Array, Complex, Matrix
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
+from rotordyn.numerics.peaks import vertex
 from rotordyn.results.display import RPM
 from rotordyn.scene.linearity import RING, departure, ring_rows
 from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
@@ -55,9 +57,9 @@ class Runs(NamedTuple):
     growth: Growth
 
 
-def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
+def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float, lost: Sequence[str]) -> Runs:
     """Between the first and the last speed of the case; ``ratio`` of the speed of the rotor out of
-    balance to that of the spindle."""
+    balance to that of the spindle; ``lost`` (speeds,) why a speed has no steady motion."""
     ways = [(each, False) for each in spec.run_up] + [(each, True) for each in spec.run_down]
     count, points = len(ways), len(spec.points)
     columns = points + len(scene.rotor.connections)
@@ -68,14 +70,17 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
     apart = np.full((count, columns - points), np.nan)
     error, outcome, way = np.full(count, np.nan), [""] * count, _Way(scene, spec, ratio)
     for k, (time, down) in enumerate(ways):
+        if why := lost[-1 if down else 0]:
+            outcome[k] = f"it begins where there is no steady motion ({why})"
+            continue
         try:
             axes, rings, error[k] = _converged(way, time, down=down)
-        except NoSolution as why:
-            outcome[k] = str(why)
+        except NoSolution as absent:
+            outcome[k] = str(absent)
             continue
         first, last = speed[[-1, 0]] if down else speed[[0, -1]]
         at = np.linspace(first, last, len(axes))
-        peak[k], peak_speed[k] = axes.max(axis=0), at[axes.argmax(axis=0)]
+        peak[k], peak_speed[k] = _peaks(at, axes)
         largest = axes[1:].reshape(SHOWN, BETWEEN, columns).max(axis=1)
         if rings.size:
             apart[k, : rings.shape[1]] = _departure(scene, at, axes[:, points:], rings)
@@ -86,6 +91,19 @@ def runs_of(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Runs:
         Largest(*(each[..., points:] for each in found)),
     )
     return Runs(names, tuple(outcome), speed, moved, pushed, apart, error, way.growth)
+
+
+def _peaks(speed: Array, axes: Array) -> tuple[Array, Array]:
+    """The largest half axes (k,) of those (t, k) at evenly spaced speeds, and the speeds there;
+    between instants by the parabola of their inverse squares, as of one resonance."""
+    top, columns = axes.argmax(axis=0), np.arange(axes.shape[1])
+    middle = np.clip(top, 1, len(axes) - 2)
+    shift, height = vertex(
+        np.arange(-1.0, 2.0), axes[middle + np.arange(-1, 2)[:, None], columns].T
+    )
+    between = (top == middle) & np.isfinite(height)
+    at = speed[top] + np.where(between, shift, 0.0) * (speed[1] - speed[0])
+    return np.where(between, height, axes[top, columns]), at
 
 
 def _departure(scene: Scene, speed: Array, force: Array, rings: Complex) -> Array:

@@ -90,7 +90,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     fine_apart[lost] = np.nan
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
     fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
-    runs = runs_of(scene, spec, ratio)
+    outcome = _outcome(scene, absent)
+    runs = runs_of(scene, spec, ratio, outcome)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
@@ -98,7 +99,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         support=tuple(each.name for each in spindle.connections),
         unbalance=tuple(one.name for one in placed),
         critical=tuple(each.mode for each in critical),
-        outcome=_outcome(scene, absent),
+        outcome=outcome,
         unstable=scene.scattered(np.any([one.growing.any(axis=1) for one in motions], axis=0)),
         displacement=displacement,
         amplitude=np.abs(displacement),

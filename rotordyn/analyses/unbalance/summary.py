@@ -118,13 +118,14 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Where orbits run against the speed."""
+    """Where orbits run against the spindle; the rotor out of balance may turn so itself."""
     back = -result.fine_minor_axis - STRAIGHT * result.fine_major_axis
     words = []
     for name, values in zip(result.point, back.T, strict=True):
         ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
         words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
-    return [f"           whirl backward: {', '.join(words)}"] if words else []
+    way = "backward" if result.speed_ratio > 0.0 else "against the spindle"
+    return [f"           whirl {way}: {', '.join(words)}"] if words else []
 
 
 def _runs(result: UnbalanceResult) -> list[str]:
@@ -161,7 +162,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     grows = (result.run_peak > RUNAWAY * steady).any(axis=1)
     errors = result.run_error[np.isfinite(result.run_error) & ~grows]
     if errors.size:
-        lines.append(f"runs within {rounded_up(float(errors.max()))} of theirs")
+        lines.append(f"runs within {rounded_up(float(errors.max()))} by parts")
     return lines
 
 

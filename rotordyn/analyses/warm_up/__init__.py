@@ -14,6 +14,7 @@ ANALYSIS = in_folder(
     place=34,
     spec=WarmUpSpec,
     bearings=True,
+    unsteady=True,
     tables=LAYOUTS,
     heading="largest axial load while it warms up",
 )

@@ -21,9 +21,9 @@ class WarmUpResult:
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
     ``axial_load`` in the frame of a bearing, below 0 where one for both ways is pressed from the
-    other side; ``largest_load`` its size at ``largest_time``; ``steady_load``: in the end, where
-    temperatures are in balance. ``error``: largest change of a temperature when the steps were
-    halved [K], of speeds that do not end early.
+    other side; ``largest_load`` its size at ``largest_time``; ``steady_load``, ``steady_…``: in the
+    end, where temperatures are in balance; ``unbalanced``: why they never are. ``error``: largest
+    change of a temperature when the steps were halved [K], of speeds that do not end early.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -50,6 +50,16 @@ class WarmUpResult:
     steady_load: Array = quantity(
         *BY, unit="N", label="axial load in thermal balance", absent=(UNBALANCED,)
     )
+    steady_ball_temperature: Array = quantity(
+        *BY, unit="degC", label="temperature of the balls in balance", absent=(UNBALANCED,)
+    )
+    steady_inner_temperature: Array = quantity(
+        *BY, unit="degC", label="temperature of the inner ring in balance", absent=(UNBALANCED,)
+    )
+    steady_outer_temperature: Array = quantity(
+        *BY, unit="degC", label="temperature of the outer ring in balance", absent=(UNBALANCED,)
+    )
+    unbalanced: Words = quantity("speed", unit="", label="why there is no thermal balance")
     error: float = quantity(
         unit="K", label="estimated error of temperatures", absent=(NONE_THROUGH,)
     )

@@ -105,7 +105,18 @@ def _result(
     size = np.abs(found.load)
     place = np.nan_to_num(size, nan=-1.0).argmax(axis=1)
     largest = np.take_along_axis(size, place[:, None], axis=1)[:, 0]
-    steady = scene.solved_only(scene.unloaded.seat_load())
+    balance, last = scene.heat_balance, scene.unloaded
+    words = [hot or why for hot, why in zip(balance.outcome, last.outcome, strict=True)]
+    known = np.array([word == "" for word in words])[:, None]
+    reached = [balance.temperatures.bearings[seat.name] for seat in seats]
+    steady = {
+        f"steady_{name}_temperature": np.where(known, np.array(values).T, np.nan)
+        for name, values in (
+            ("ball", [each.balls for each in reached]),
+            ("inner", [each.inner_ring for each in reached]),
+            ("outer", [each.outer_ring for each in reached]),
+        )
+    }
     balls, inner, outer = np.moveaxis(found.temperature, -1, 0)
     shaft, housing, _ = np.array([surroundings_at(t) for t in found.time.tolist()]).T
     return WarmUpResult(
@@ -124,6 +135,8 @@ def _result(
         heat=found.heat,
         largest_load=largest,
         largest_time=np.where(np.isnan(largest), np.nan, found.time[place]),
-        steady_load=steady,
+        steady_load=np.where(known, last.seat_load(), np.nan),
+        **steady,
+        unbalanced=tuple(words),
         error=error,
     )

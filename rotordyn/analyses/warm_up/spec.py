@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from rotordyn.description import Faults
-from rotordyn.quantity import Duration, HeatCapacity, Temperature
+from rotordyn.quantity import CoolTemperature, Duration, HeatCapacity
 from rotordyn.scene.spec import Setting, Spec
 
 
@@ -32,7 +32,7 @@ class WarmUpSpec(Spec):
         "steel, 700 of silicon nitride",
     ] = None
     start: Annotated[
-        Temperature | None,
+        CoolTemperature | None,
         "of balls and rings at the start; by default where shaft, housing and oil bring them "
         "without heat",
     ] = None

@@ -14,7 +14,7 @@ from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 OVERSHOOT = 1.2  # of the load at the end, from which the largest one is worth a word
-EARLY = 0.02  # of a load: closer to the steady one than that, it is reached
+EARLY = 0.02  # of a load, or of the way of a temperature: closer to balance, it is reached
 
 
 def summary(result: WarmUpResult) -> list[str]:
@@ -34,8 +34,8 @@ def summary(result: WarmUpResult) -> list[str]:
             for k, name in enumerate(result.bearing)
         )
         lines.append(
-            f"warm-up    at {result.speed[row] * RPM.factor:.0f} rpm, axial load [N] at the start, "
-            f"largest, after {in_words(result.time[last])}: {words}"
+            f"warm-up    at {_rpm(result, row)}, axial load [N] at the start, largest, after "
+            f"{in_words(result.time[last])}: {words}"
         )
         lines.append(f"           {_hottest(result, row)}")
     return lines
@@ -54,18 +54,27 @@ def in_words(seconds: float) -> str:
 
 def _hottest(result: WarmUpResult, row: int) -> str:
     """The hottest part at a speed, where and when."""
-    parts = {
-        "balls": result.ball_temperature,
-        "inner ring": result.inner_temperature,
-        "outer ring": result.outer_temperature,
-    }
-    part = max(parts, key=lambda name: float(np.nanmax(parts[name][row])))
-    values = parts[part][row]
+    parts = {name: values[row] for name, (values, _) in _parts(result).items()}
+    part = max(parts, key=lambda name: float(np.nanmax(parts[name])))
+    values = parts[part]
     at, k = np.unravel_index(int(np.nanargmax(values)), values.shape)
     return (
         f"hottest {values[at, k]:.0f} °C, {part} of bearing {result.bearing[k]} after "
         f"{in_words(result.time[at])}"
     )
+
+
+def _parts(result: WarmUpResult) -> dict[str, tuple[Array, Array]]:
+    """Temperatures over time of the parts of a bearing, and those in balance."""
+    return {
+        "balls": (result.ball_temperature, result.steady_ball_temperature),
+        "inner ring": (result.inner_temperature, result.steady_inner_temperature),
+        "outer ring": (result.outer_temperature, result.steady_outer_temperature),
+    }
+
+
+def _rpm(result: WarmUpResult, row: int) -> str:
+    return f"{result.speed[row] * RPM.factor:.0f} rpm"
 
 
 def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
@@ -86,22 +95,52 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
     """Where it ends early, steps too long, and loads on the way that the end does not show."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
-            yield f"at {result.speed[row] * RPM.factor:.0f} rpm {why}"
+            yield f"at {_rpm(result, row)} {why}"
     if result.error > ENOUGH:
         yield (
             f"the shortest steps of time still move temperatures by {result.error:.2g} K, and "
             "loads with them: take a shorter duration"
         )
     yield from _on_the_way(result)
+    yield from _unbalanced(result)
+    yield from _still_warming(result)
+
+
+def _unbalanced(result: WarmUpResult) -> Iterator[str]:
+    """Speeds that are followed to the end, and have no balance to come to."""
+    for row, why in enumerate(result.unbalanced):
+        if why and not result.ending[row]:
+            yield (
+                f"no thermal balance, {why}; the first {in_words(result.ended[row])} do not show "
+                "it, a longer duration does"
+            )
+
+
+def _still_warming(result: WarmUpResult) -> Iterator[str]:
+    """The load that is farthest from balance in the end, else the temperature."""
     end, steady = result.axial_load[:, -1], result.steady_load
     late = _share(np.abs(end - steady), np.fmax(np.abs(end), np.abs(steady)))
     if late.max(initial=0.0) > EARLY:
         row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
-        yield (
-            f"bearing {result.bearing[k]} is still warming up at the end: "
-            f"{end[row, k]:.0f} N at {result.speed[row] * RPM.factor:.0f} rpm, "
-            f"{steady[row, k]:.0f} N in balance; take a longer duration"
+        what = f"{end[row, k]:.0f} N at {_rpm(result, row)}, {steady[row, k]:.0f} N in balance"
+    else:
+        values, balance = (np.stack(each) for each in zip(*_parts(result).values(), strict=True))
+        end = values[:, :, -1]
+        left, way = np.abs(balance - end), np.abs(balance - values[:, :, 0])
+        late = np.where(left > ENOUGH, _share(left, way), 0.0)
+        if late.max(initial=0.0) <= EARLY:
+            return
+        part, row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
+        what = (
+            f"{[*_parts(result)][part]} {end[part, row, k]:.0f} °C at {_rpm(result, row)}, "
+            f"{balance[part, row, k]:.0f} °C in balance"
         )
+        if left[part, row, k] < way[part, row, k]:
+            what += f", {100.0 * late[part, row, k]:.0f} % of the way still to come"
+    yield (
+        f"bearing {result.bearing[k]} is still warming up at the end: {what}; take a longer "
+        "duration"
+    )
 
 
 def _on_the_way(result: WarmUpResult) -> Iterator[str]:
@@ -109,7 +148,8 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     rows = np.arange(len(result.speed))
     last = [_last(result, int(row)) for row in rows]
     end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
-    share = _share(result.largest_load, np.fmax(np.abs(end), np.abs(result.steady_load)))
+    warm = np.fmax(np.abs(end), np.abs(result.steady_load))
+    share = _share(result.largest_load, np.where(np.isnan(result.steady_load), np.nan, warm))
     above = share > OVERSHOOT
     if not above.any():
         return
@@ -119,14 +159,13 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
     also = f" (so, less, {', '.join(others)})" if others else ""
     yield (
         f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N along its axis "
-        f"{in_words(result.largest_time[row, k])} after the start at "
-        f"{result.speed[row] * RPM.factor:.0f} rpm, {share[row, k]:.2g} times that of the warm "
-        f"spindle{also}: pressure, friction and life are worse there than in the steady state; "
-        "warm it up at lower speeds, or take springs"
+        f"{in_words(result.largest_time[row, k])} after the start at {_rpm(result, row)}, "
+        f"{share[row, k]:.2g} times that of the warm spindle{also}: pressure, friction and life "
+        "are worse there than in the steady state; warm it up at lower speeds, or take springs"
     )
 
 
 def _share(part: Array, whole: Array) -> Array:
-    """Of sizes of loads (speeds, bearings); 0 where one is not known, or there is no load."""
+    """Of sizes (…, speeds, bearings); 0 where one is not known, or the whole is nothing."""
     known = np.isfinite(part) & (whole > 0.0)
     return np.divide(part, whole, out=np.zeros_like(part), where=known)
