@@ -174,9 +174,8 @@ def test_limits_on_the_measured_spindle_are_those_of_the_machine_at_rest(tested,
         assert "the tool on the measured spindle is stable up to" in results.summary
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed):
-    """With a loss factor it is no sum of modes: nothing but the fit chooses them."""
+def base(seed):
+    """Receptance of four modes with loss factors, below 6000 Hz: no sum of damped modes."""
     chance = np.random.default_rng(seed)
     at = np.geomspace(300.0, 4000.0, 4) * chance.uniform(0.8, 1.2, 4)
     stiffness, loss = 10.0 ** chance.uniform(7.0, 8.0, 4), chance.uniform(0.01, 0.02, 4)
@@ -185,14 +184,42 @@ def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed
         square = (omega[:, None] / (2.0 * np.pi * at)) ** 2
         return (1.0 / (stiffness * (1.0 - square + 1j * loss))).sum(axis=1)
 
+    return receptance
+
+
+def tip_of(receptance):
+    machine = SimpleNamespace(
+        omega=2.0 * np.pi * np.linspace(50.0, 6000.0, 400),
+        fits={"y": None},
+        tip=lambda _, omega: receptance(omega),
+    )
+    return MeasuredTip(machine, 0.0)
+
+
+@pytest.mark.parametrize("share", [3e-3, 1e-3])
+def test_peaks_between_the_samples_of_the_band_are_those_of_the_tip(share):
+    """A tool of spring k and mass m, without damping, on a base of receptance B that hardly moves:
+    1/(1/(1/k + B) − m ω²); samples are 100 and more half widths of its peak apart."""
+    spring, own, below = 1e7, 2.0 * np.pi * 4500.0, base(0)
+
+    def receptance(omega):
+        return 1.0 / (1.0 / (1.0 / spring + share * below(omega)) - spring * (omega / own) ** 2)
+
+    tip = tip_of(receptance)
+    light = tip.poles[0][np.argmin(-tip.poles[0].real / tip.poles[0].imag)]
+    assert -light.real < 0.01 * np.diff(tip.omega)[0]
+    omega = light.imag + 0.1 * np.arange(-100, 101) * abs(light.real)
+    exact = receptance(omega)
+    assert np.abs(tip._fit(omega)[:, 0] - exact).max() < 1e-2 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed):
+    """With a loss factor it is no sum of modes: nothing but the fit chooses them."""
+    receptance = base(seed)
     found = []
     for share in (1.0, 1.0 + 3e-16):
-        machine = SimpleNamespace(
-            omega=2.0 * np.pi * np.linspace(50.0, 6000.0, 400),
-            fits={"y": None},
-            tip=lambda _, omega, by=share: by * receptance(omega),
-        )
-        tip = MeasuredTip(machine, 0.0)
+        tip = tip_of(lambda omega, by=share: by * receptance(omega))
         found.append(tip._fit(tip.omega)[:, 0])
     assert np.abs(found[1] - found[0]).max() < 1e-9 * np.abs(found[0]).max()
 
