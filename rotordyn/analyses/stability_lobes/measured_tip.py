@@ -76,7 +76,7 @@ class MeasuredTip:
                 if max(missed.max(), gain) <= WITHIN * size.max():
                     return fit
                 pole = np.append(pole, (1j - DAMPED) * omega[missed.argmax()])
-            fit = vector_fit(omega, values, len(pole), 1.0 / size[:, None], pole)
+            fit = vector_fit(omega, values, 1.0 / size[:, None], pole)
             pole = fit.pole
         raise InvalidInput(
             "stability_lobes: the tip on the measured spindle is no sum of damped modes within "
