@@ -133,8 +133,8 @@ class OnMeasured:
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
             return None, _flexibility(omega, None), *tool
-        parts = _split(_pieces(blank.sections, self.loss), self._spacing)
-        off = between_points(*(beam(omega, part) for part in parts))
+        front, rear = _split(_pieces(blank.sections, self.loss), self._spacing)
+        off = between_points(beam(omega, front), beam(omega, rear) if rear else None)
         return off, _flexibility(omega, _at_nose(blank.joints)), *tool
 
     def _tip(

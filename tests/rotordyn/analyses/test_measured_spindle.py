@@ -127,6 +127,20 @@ def test_tool_on_the_measured_spindle_is_the_whole_machine(tested, way):
     np.testing.assert_allclose(ratio, 1.0, atol=5e-3)
 
 
+def test_the_second_point_may_lie_at_the_nose(tested):
+    """In the face between blank and spindle, where nothing of the blank is behind it."""
+    blank = BLANK.replace("inner: -35 mm", "inner: 0 mm")
+    respond(tested, blank, "face.uff", "face.csv")
+    (tested / "face_tool.yaml").write_text(blank_file(blank), encoding="utf-8")
+    given = measured("face.uff", more="modes: 6, ", blank="blank: ./face_tool.yaml, ")
+    result = rotordyn.run(case(tested, frf(given)))["frf"]
+    assert result.frac.values[0] > 0.9999
+    known = np.isfinite(result.measured_peak.values[0])
+    assert known.sum() >= 2
+    ratio = (result.measured_peak.values / result.computed_peak.values)[0, known]
+    np.testing.assert_allclose(ratio, 1.0, atol=5e-3)
+
+
 def test_error_by_noise(tested):
     """The estimated error beside that of the noise itself, which is known here; the number of modes
     is found by the evidence."""
@@ -271,6 +285,15 @@ def test_it_is_kept_with_its_results(tested):
 def test_faults(tested, given, sentence):
     with pytest.raises(RotordynError, match=sentence):
         case(tested, frf(given))
+
+
+@pytest.mark.parametrize("band", ["[500 Hz]", "[20 Hz, 60 Hz]"])
+def test_a_band_that_holds_no_two_frequencies_of_the_measurement(tested, band):
+    """By the check, at its line, not by a run; two of the case within the measured band do."""
+    asked = frf(measured("noisy.csv", "y")).replace(BAND, band)
+    with pytest.raises(RotordynError, match=r"yaml:\d+:\d+: analyses\.frf\.frequencies: fewer"):
+        case(tested, asked)
+    case(tested, asked.replace(band, "[61 Hz, 62 Hz]"))
 
 
 @pytest.mark.parametrize(
