@@ -45,8 +45,8 @@ class FrfSpec(Spec):
     ]
     slices: Annotated[
         tuple[Speed, ...],
-        "speeds drawn as curves and written as UFF58 (nearest speed of the case); by default the "
-        "lowest and the highest",
+        "speeds drawn as curves and written as UFF58 (nearest speed of the case), beside those of "
+        "measured responses; by default the lowest and the highest",
     ] = ()
     quantity: Annotated[
         str, Choice(QUANTITIES), "displacement, velocity or acceleration over force"
@@ -64,6 +64,12 @@ class FrfSpec(Spec):
         tuple[EngineOrder, ...],
         "multiples of the speed of every rotor, whole or not, followed over speed",
     ] = ()
+
+    @property
+    def measured_speeds(self) -> tuple[float, ...]:
+        """Of the responses that are laid over [rad/s]."""
+        coupled = () if self.measured_spindle is None else self.measured_spindle.responses[:1]
+        return tuple(one.speed for one in (*self.measured, *coupled))
 
     def highest(self, top: float) -> float:
         """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
