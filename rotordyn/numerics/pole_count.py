@@ -54,7 +54,7 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
     weight, trials = 1.0 / deviation, list[Trial]()
     for here in _ever_more(omega, values, weight, most):
         trials.append(_trial(here, values))
-        if trials[-1].evidence <= min(each.evidence for each in trials):
+        if all(trials[-1].evidence < each.evidence for each in trials[:-1]):
             best = here
         elif len(here.fit.pole) - len(best.fit.pole) >= IN_VAIN:
             break
