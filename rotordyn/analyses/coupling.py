@@ -11,6 +11,7 @@ Theory: docs/theory/coupling.md.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Indices = NDArray[np.intp]
 LOST = 1e-11  # of a receptance: what is left of a difference is rounding
 UNRESPONSIVE = (
     "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
@@ -134,12 +136,16 @@ def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None
         )
 
 
-def between_points(front: Ends, rear: Ends) -> Ends:
+def between_points(front: Ends, rear: Ends | None) -> Ends:
     """Receptances of a blank between the translations of two of its points and its joint, to be
     taken off what was measured there by ``uncouple``: exact, without rotations.
 
-    front, rear : free bodies from the tip to the second point, and from there to the joint
+    front, rear : free bodies from the tip to the second point, and from there to the joint; None
+        where the second point is at the joint
     """
+    if rear is None:
+        rows = (front.r11, front.r12), (front.r21, front.r22)
+        return _between(rows, np.array([2, 3]))
     across = front.r22 + rear.r11
     by_tip, by_middle, by_joint = (
         np.linalg.solve(across, each) for each in (front.r21, front.r22, rear.r12)
@@ -149,8 +155,14 @@ def between_points(front: Ends, rear: Ends) -> Ends:
         (rear.r11 @ by_tip, rear.r11 @ by_middle, rear.r12 - rear.r11 @ by_joint),
         (rear.r21 @ by_tip, rear.r21 @ by_middle, rear.r22 - rear.r21 @ by_joint),
     )
+    return _between(parts, np.array([4, 5]))
+
+
+def _between(parts: Sequence[Sequence[Complex]], joint: Indices) -> Ends:
+    """Of matrices (f, 2, 2) between tip, second point and joint the translations of the first two,
+    and the motion of the ``joint`` by its rows."""
     whole = np.concatenate([np.concatenate(row, axis=2) for row in parts], axis=1)
-    points, joint = np.array([0, 2]), np.array([4, 5])
+    points = np.array([0, 2])
     return Ends(*(whole[:, a[:, None], b] for a in (points, joint) for b in (points, joint)))
 
 

@@ -38,10 +38,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
-MOST_MODES = 24  # tried where the number is not given
-IN_VAIN = 4  # modes added without a better fit, after which no more are tried
 FEW = 0.5  # of a misfit: more modes that leave less were missing
-BETTER = 0.95  # of the misfit: a mode that lowers it by less fits noise
 
 
 class OnMeasured:
@@ -92,18 +89,17 @@ class OnMeasured:
     def error(self, way: str, omega: Array) -> Array:
         """Standard deviation of ``tip`` from the noise of the measurement (f,) [m/N].
 
-        The noise is the misfit of the modes, independent in every sample. What a fit averages is
-        not counted: at peaks its bias is as large.
+        The noise is the misfit of the modes, independent in every sample; poles and residues
+        fitted to all of them carry it to the tip, by derivatives.
         """
         fit, parts = self.fits[way], self._parts(omega)
         values = fit(omega)
-        known = self._tip(values, *parts)
-        variance = np.zeros(len(omega))
+        known, share = self._tip(values, *parts), np.empty_like(values)
         for k in range(values.shape[1]):
             changed = values.copy()
             changed[:, k] *= 1.0 + STEP
-            variance += np.abs((self._tip(changed, *parts) - known) / STEP) ** 2
-        return np.asarray(fit.misfit * np.sqrt(variance))
+            share[:, k] = (self._tip(changed, *parts) - known) / (STEP * values[:, k])
+        return fit.carried(omega, share)
 
     def _too_few_modes(self, way: str) -> str:
         """Why the misfit of a plane is no noise; empty where more modes do not halve it."""
@@ -137,8 +133,8 @@ class OnMeasured:
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
             return None, _flexibility(omega, None), *tool
-        parts = _split(_pieces(blank.sections, self.loss), self._spacing)
-        off = between_points(*(beam(omega, part) for part in parts))
+        front, rear = _split(_pieces(blank.sections, self.loss), self._spacing)
+        off = between_points(beam(omega, front), beam(omega, rear) if rear else None)
         return off, _flexibility(omega, _at_nose(blank.joints)), *tool
 
     def _tip(
@@ -162,21 +158,11 @@ class OnMeasured:
 
 @lru_cache(maxsize=8)
 def _fitted(wanted: tuple[MeasuredResponse, ...], modes: int | None) -> ModalFit:
-    """So many modes in responses, or as many until more of them fit noise alone; the same for all
-    tools and analyses."""
+    """So many modes in responses, or as many as there is evidence of; the same for all tools and
+    analyses."""
     omega = 2.0 * math.pi * np.array(wanted[0].frequency)
     values = np.array([as_quantity(one, QUANTITIES[0]) for one in wanted]).T
-    if modes is not None:
-        return modal_fit(omega, values, modes)
-    best, count = modal_fit(omega, values, 1), 1
-    most = min(MOST_MODES, (len(omega) - 2) // 4)
-    for more in range(2, most + 1):
-        other = modal_fit(omega, values, more)
-        if other.misfit < BETTER * best.misfit:
-            best, count = other, more
-        elif more - count == IN_VAIN:
-            break
-    return best
+    return modal_fit(omega, values, modes)
 
 
 def _at_nose(joints: Sequence[Joint]) -> Joint | None:

@@ -1,8 +1,8 @@
 """A table of a support over speed, read from a CSV file into the keys it stands for.
 
 The first line names the columns, each with its unit: ``speed [rpm], stiffness.yy [N/um],
-damping.yy [N s/m]``. Further lines hold plain numbers; empty lines and those that begin with ``#``
-are passed over. Every value keeps its place in that file.
+damping.yy [N s/m]``, between commas, semicolons or tabs. Further lines hold plain numbers; empty
+lines and those that begin with ``#`` are passed over. Every value keeps its place in that file.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
     file = shown(path)
     rows = [
         (line, row)
-        for line, row in enumerate(csv.reader(text.splitlines()), start=1)
+        for line, row in enumerate(csv.reader(text.splitlines(), delimiter=_separator(text)), 1)
         if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
     ]
     columns = _columns(rows, file, faults)
@@ -44,6 +44,12 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
             faults.at(support.at("table"), f"both in the table and beside it: given {given}")
         elif isinstance(support.at(*above).value, dict):  # else reported by the schema
             apply({".".join(way): Node(cells, file, rows[0][0], column + 1)}, support, faults)
+
+
+def _separator(text: str) -> str:
+    """Comma, semicolon or tab, whichever the header has most of."""
+    lines = (line for line in text.splitlines() if line.strip() and line.lstrip()[0] != "#")
+    return max(",;\t", key=next(lines, "").count)
 
 
 def _columns(

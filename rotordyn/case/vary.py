@@ -59,7 +59,8 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
 
     A path begins at the top of a case: it names keys, items of a list by their ``name`` or, where
     they have none, by their place from 1 (``spindle.damping.rotor.1``), entries of a mapping by
-    their key; ``*`` stands for every item or entry.
+    their key, further points by a name that is like none there is; ``*`` stands for every item or
+    entry.
     What a file gives once for all bearings (``spindle.fits``) goes to those that give none
     themselves; what is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is
     what is in the nose.
@@ -289,6 +290,9 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
     key, member = parts_of(annotation, Mapping)
     closed = names() if found_in(annotation, ByName) else _closed(key)
     keys = {called(name): name for name in [*old, *closed]}
+    if not closed and member is not Case:  # names of one's own, such as a further point
+        steps = (change.steps[0] for change in changes)
+        keys |= {step: step for step in steps if step != "*" and not suggestion(step, keys)}
     groups = _grouped(changes, [called(name) for name in old], "key", list(keys))
     matrix, new = found_in(annotation, Matrix), {}
     for text, group in groups.items():

@@ -30,6 +30,7 @@ from rotordyn.equation.sleeve import Sleeves, springs
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Link, Part
+from rotordyn.machine.joint import WAYS
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.seat import BearingSeat
@@ -170,7 +171,7 @@ class Structure:
         dofs = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
-                if joint.radial_damping or joint.tilt_damping:
+                if any(getattr(joint, f"{way}_damping") for way in WAYS):
                     at = shaft.mesh.node_of(joint.x)
                     dofs |= {number for (node, _), number in shaft.jump.items() if node == at}
         return np.array(sorted(dofs), dtype=np.intp)

@@ -267,8 +267,10 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
         marks.append((support.x * 1e3, low, support.name))
     for housing in spindle.housings:
         carried = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
-        if carried:
-            marks.append(((min(carried) + max(carried)) / 2.0, lowest - 3.0, housing.name))
+        if carried:  # named at its centre of gravity, as far as its block reaches there
+            ends = min(carried), max(carried)
+            at = housing.x * 1e3 if isinstance(housing, RigidHousing) else sum(ends) / 2.0
+            marks.append((min(max(at, ends[0]), ends[1]), lowest - 3.0, housing.name))
     discs = [disc for part in spindle.parts.values() for disc in part.discs]
     marks += [(disc.x * 1e3, lowest, disc.name) for disc in discs]
     marks += [(film.x * 1e3, -film.radius * 1e3, film.name) for film in spindle.dampers]

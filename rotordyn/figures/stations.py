@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Mark = tuple[float, str]
-_LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
 
 
 def mark(axes: Axes, marks: Sequence[Mark]) -> None:
@@ -26,7 +26,7 @@ def mark(axes: Axes, marks: Sequence[Mark]) -> None:
 def upright(marks: Sequence[Mark], wide: float, left: float, right: float) -> bool:
     """Names that would leave their stations over a panel of ``wide`` [mm] stand upright."""
     length = right - left
-    sizes = [(len(name) * _LETTER + 1.5) * length / wide for _, name in marks]
+    sizes = [(len(name) * LETTER + 1.5) * length / wide for _, name in marks]
     moved = spread([x for x, _ in marks], sizes, left, right) - [x for x, _ in marks]
     return sum(sizes) > length or bool(np.abs(moved).max(initial=0.0) > 0.1 * length)
 
@@ -34,7 +34,7 @@ def upright(marks: Sequence[Mark], wide: float, left: float, right: float) -> bo
 def room(marks: Sequence[Mark], upright: bool) -> float:
     """Height that the names need above a panel [mm]."""
     longest = max((len(name) for _, name in marks), default=0)
-    return 3.0 + (_LETTER * longest + 1.0 if upright else 3.0)
+    return 3.0 + (LETTER * longest + 1.0 if upright else 3.0)
 
 
 def name(
@@ -42,7 +42,7 @@ def name(
 ) -> None:
     """The name of every station above a panel of ``wide`` [mm]; ``foot``: what of it stands there,
     its ``"bottom"`` or its ``"baseline"``."""
-    sizes = [(2.0 if upright else len(n)) * _LETTER + 1.5 for _, n in marks]
+    sizes = [(2.0 if upright else len(n)) * LETTER + 1.5 for _, n in marks]
     look = {"rotation": 90.0 if upright else 0.0, "va": foot}
     words_above(axes, [x for x, _ in marks], [n for _, n in marks], sizes, wide, **look)
 

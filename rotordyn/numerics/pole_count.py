@@ -10,6 +10,7 @@ over N real samples and k unknowns; it needs no size of the noise, only its shap
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from rotordyn.numerics.vector_fit import vector_fit
 
 PROMINENT = 0.35  # of ln |H|: a peak to begin with, 3 dB
 IN_VAIN = 2  # poles more without evidence
+EXACT = 1e-6  # of the standard deviation: a sum that near has no noise left to explain
 DAMPED = 0.01  # damping ratio of a first pole
 WINDOW = 7  # samples over which misses are averaged
 BEYOND = 1.5  # of either end of the band: where poles outside begin
@@ -49,19 +51,32 @@ class Counted(NamedTuple):
 def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Counted:
     """The poles of ``values`` (f, e) at ``omega`` (f,) with standard ``deviation`` (f, e) of real
     and imaginary part each, up to ``most``."""
-    weight = 1.0 / deviation
-    start = np.concatenate([_peaks(omega, values), _outside(omega)])[:most]
-    fit = vector_fit(omega, values, len(start), weight, start)
-    here = refined(omega, values, fit.pole, weight)
-    best, trials = here, [_trial(here, values)]
-    while len(here.fit.pole) < most:
-        here = refined(omega, values, _one_more(omega, here, weight), weight)
+    weight, trials = 1.0 / deviation, list[Trial]()
+    for here in _ever_more(omega, values, weight, most):
         trials.append(_trial(here, values))
-        if trials[-1].evidence < min(each.evidence for each in trials[:-1]):
+        if all(trials[-1].evidence < each.evidence for each in trials[:-1]):
             best = here
         elif len(here.fit.pole) - len(best.fit.pole) >= IN_VAIN:
             break
+        if trials[-1].misfit < EXACT:
+            break
     return Counted(*_without_idle(omega, values, weight, best, trials))
+
+
+def of_count(omega: Array, values: Complex, deviation: Array, count: int) -> Refined:
+    """So many poles of the same."""
+    *_, last = _ever_more(omega, values, 1.0 / deviation, count)
+    return last
+
+
+def _ever_more(omega: Array, values: Complex, weight: Array, most: int) -> Iterator[Refined]:
+    """From as many poles as there are peaks, and beyond the band, to ``most``."""
+    start = np.concatenate([_peaks(omega, values), _outside(omega)])[:most]
+    here = refined(omega, values, vector_fit(omega, values, weight, start).pole, weight)
+    yield here
+    while len(here.fit.pole) < most:
+        here = refined(omega, values, _one_more(omega, here, weight), weight)
+        yield here
 
 
 def _without_idle(

@@ -21,6 +21,7 @@ from rotordyn.numerics.vector_fit import (
     Fit,
     columns,
     complex_residues,
+    real_residues,
     real_unknowns,
     residues,
     stacked,
@@ -72,6 +73,27 @@ def refined(omega: Array, values: Complex, pole: Complex, weight: Array) -> Refi
     fit = residues(omega, values, pole, weight)
     unknowns = len(here.slope) + values.shape[1] * (len(here.slope) + 1)
     return Refined(fit, _deviation(pole, here.normal), here.squares, unknowns)
+
+
+def carried(fit: Fit, omega: Array, weight: Array, at: Array, share: Complex) -> Array:
+    """Standard deviation (g,) of the modulus of Σ ``share`` (g, e) × entries of ``fit`` ``at``
+    angular frequencies (g,), where real and imaginary part of every sample at ``omega`` (f,) that
+    it was fitted to have the standard deviation 1/``weight`` (f, e)."""
+    rows = stacked(weight.T[:, :, None] * _derivatives(fit, omega))
+    size = np.maximum(np.linalg.norm(rows, axis=(0, 1)), 1e-300)
+    triangle = np.linalg.qr((rows / size).reshape(-1, len(size)), mode="r")
+    moved = np.einsum("ge,egk->gk", share, _derivatives(fit, at)) / size
+    return np.asarray(np.linalg.norm(moved @ np.linalg.pinv(triangle), axis=1))
+
+
+def _derivatives(fit: Fit, omega: Array) -> Complex:
+    """Of every entry (e, f, k) by poles, then by residues and constant of each entry."""
+    basis = np.concatenate([columns(omega, fit.pole), np.ones((len(omega), 1))], axis=1)
+    known = np.concatenate([real_residues(fit.pole, fit.residue), fit.constant[None]]).T
+    own = np.einsum("ij,fk->ifjk", np.eye(len(known)), basis)
+    return np.concatenate(
+        [_moving(omega, fit.pole, known), own.reshape(*own.shape[:2], -1)], axis=2
+    )
 
 
 def _linearised(omega: Array, values: Complex, pole: Complex, weight: Array) -> _Linearised:

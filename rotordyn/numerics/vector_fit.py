@@ -14,11 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags
-from rotordyn.numerics.peaks import tops
 
 ROUNDS = 12
 MOVED = 1e-10  # of a pole, below which it stays
-START_DAMPING = 0.01
 LEAST_DAMPING = 1e-6  # of |pole|: poles are kept so far left of the axis
 
 
@@ -33,16 +31,13 @@ class Fit(NamedTuple):
 
     def __call__(self, omega: Array | Complex) -> Complex:
         """At angular frequencies (f,), below the real axis under a force that grows: (f, e)."""
-        return columns(omega, self.pole) @ _real(self.pole, self.residue) + self.constant
+        return columns(omega, self.pole) @ real_residues(self.pole, self.residue) + self.constant
 
 
-def vector_fit(
-    omega: Array, values: Complex, count: int, weight: Array, start: Complex | None = None
-) -> Fit:
-    """Fit ``count`` pairs of poles to ``values`` (f, e) at ``omega`` (f,) [rad/s], ascending, with
-    a ``weight`` of every sample, (f, e) or (f, 1) of all entries; ``start``: poles (count,) to
-    begin with, instead of the highest samples."""
-    pole = _start(omega, weight * values, count) if start is None else start
+def vector_fit(omega: Array, values: Complex, weight: Array, start: Complex) -> Fit:
+    """Fit poles that begin at ``start`` (m,) to ``values`` (f, e) at ``omega`` (f,) [rad/s],
+    ascending, with a ``weight`` of every sample, (f, e) or (f, 1) of all entries."""
+    pole = start
     size = max(float(np.abs(weight * values).max()), 1e-300)
     weight = np.broadcast_to(weight / size, values.shape)
     for _ in range(ROUNDS):
@@ -69,16 +64,6 @@ def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit
     return Fit(pole, own, found[-1], values - fitted)
 
 
-def _start(omega: Array, values: Complex, count: int) -> Complex:
-    """Lightly damped poles at the highest peaks, and between the ends of the band."""
-    size = np.abs(values).sum(axis=1)
-    peaks = tops(size)
-    at = omega[peaks[np.argsort(-size[peaks])]][:count]
-    more = np.geomspace(max(omega[0], 1e-3 * omega[-1]), omega[-1], count - len(at) + 2)[1:-1]
-    at = np.sort(np.concatenate([at, more]))
-    return np.asarray(-START_DAMPING * at + 1j * at)
-
-
 def real_unknowns(pole: Complex) -> Flags:
     """Which of two real numbers a pole (m, 2) are unknown: of a real one the first alone."""
     return np.stack([np.ones(len(pole), dtype=bool), pole.imag != 0.0], axis=1)
@@ -101,7 +86,8 @@ def complex_residues(pole: Complex, rows: Array) -> Complex:
     return np.where(pole.imag == 0.0, 0.5, 1.0)[:, None] * (parts[:, 0] + 1j * parts[:, 1])
 
 
-def _real(pole: Complex, residue: Complex) -> Array:
+def real_residues(pole: Complex, residue: Complex) -> Array:
+    """Real coefficients (k, e) from residues (m, e)."""
     residue = np.where(pole.imag == 0.0, 2.0, 1.0)[:, None] * residue
     return np.stack([residue.real, residue.imag], axis=1)[real_unknowns(pole)]
 

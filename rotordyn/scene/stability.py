@@ -33,7 +33,7 @@ def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
     return [
         f"unstable at {at.size} of {len(speed)} speeds, first at "
         f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine "
-        f"{how_it_grows(fastest[fastest.real.argmax()])}; steady responses there are solutions of "
+        f"{how_it_grows(fastest[at[0]])}; steady responses there are solutions of "
         "the linear equations that the machine does not reach by itself"
     ]
 

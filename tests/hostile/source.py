@@ -239,11 +239,6 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
         ),
     ],
     "rotordyn/numerics/vector_fit.py": [
-        (
-            "weight * values -> weight / values",
-            "start",
-            "where an iteration starts",
-        ),
         ("moved - pole -> moved + pole", "moved", "more rounds to one fixed point"),
     ],
     "rotordyn/equation/sleeve.py": [

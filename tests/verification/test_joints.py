@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.linalg import block_diag
-from scipy.optimize import brentq
+from scipy.optimize import brentq, newton
 
 import rotordyn
 from rotordyn.analyses.campbell import solve as campbell
@@ -202,6 +203,44 @@ def test_two_bodies_on_a_spring(way: str, motion: str) -> None:
     together = sum(1.0 / m for m in bodies)
     assert abs(lowest) == pytest.approx(math.sqrt(spring * together), rel=1e-4)
     assert lowest.real == pytest.approx(-damper * together / 2.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("way", "spring", "dampers"),
+    [("axial", 3e8, (5e3, 5e4, 2e5)), ("torsion", 2e4, (0.5, 5.0, 20.0))],
+)
+def test_two_free_rods_on_a_damped_spring(
+    way: str, spring: float, dampers: tuple[float, ...]
+) -> None:
+    """Rods of end stiffness K = S β tanh βl, S = E A or G J, β² = ρ s²/E or ρ s²/G, and a spring
+    k + c s between them: (k + c s) (K₁ + K₂) + K₁ K₂ = 0; errors are about those that are told."""
+    lengths, diameters = (0.15, 0.35), (0.04, 0.06)
+    modulus = STEEL.young_modulus / (1.0 if way == "axial" else 2.0 * (1.0 + STEEL.poisson_ratio))
+    size = [math.pi * (d**2 / 4 if way == "axial" else d**4 / 32) for d in diameters]
+    parted = Shaft(0.0, tuple(map(lambda h, d: Section(h, d, 0.0, STEEL), lengths, diameters)))
+
+    def rods(s: complex, damper: float) -> complex:
+        wave, between = s * math.sqrt(STEEL.density / modulus), spring + damper * s
+        one, other = (
+            modulus * section * wave * np.tanh(wave * length)
+            for section, length in zip(size, lengths, strict=True)
+        )
+        return complex(between * (one + other) + one * other)
+
+    for damper in dampers:
+        joint = Joint("j", lengths[0], **{way: spring, f"{way}_damping": damper})
+        spindle = Spindle("rods", parted, joints=(joint,), supports=HELD)
+        found = campbell.answer(scene(spindle, (0.0,), 8000.0), CampbellSpec(max_frequency=8000.0))
+        ours = [k for k, kind in enumerate(found.kind) if kind == way and found.pole[0, k].imag > 1]
+        assert ours
+        for k in ours:
+            pole = complex(found.pole[0, k])
+            exact = newton(partial(rods, damper=damper), pole, tol=1e-12 * abs(pole))
+            assert found.frequency_error[0, k] < 1e-4
+            told = 2.0 * found.frequency_error[0, k] + 1e-8
+            assert abs(pole.imag / exact.imag - 1.0) < told
+            told = 2.0 * found.damping_error[0, k] + 1e-8
+            assert abs(pole.real / abs(pole) - exact.real / abs(exact)) < told
 
 
 def test_a_damper_that_turns_drives_forward_whirl_above_its_speed() -> None:

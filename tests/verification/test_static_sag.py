@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -311,6 +312,24 @@ def test_words_and_figure() -> None:
     assert any("runout 7.43 µm" in each for each in words)
     marks = next(line for line in axes.get_lines() if line.get_marker() == "v")
     assert list(marks.get_xdata()) == pytest.approx([0.0, -300.0])
+
+
+@pytest.mark.parametrize("gauges", [(-0.02, 0.0, 0.05), (0.3, 0.31, 0.32, 0.33)])
+def test_what_gauges_near_to_each_other_read_stands_beside_each_other(
+    gauges: tuple[float, ...],
+) -> None:
+    """Within the panel, too."""
+    spindle, rings = beam(*SUPPORTS["rigid"]), (RingRunout("a", 4e-6),)
+    found = solved(spindle, gauges=gauges, ring_runouts=rings)
+    figure = line_figure([Shown("", found, (), spindle)])
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    said = [text for text in axes.texts if "runout" in text.get_text()]
+    boxes = [text.get_window_extent() for text in said]
+    assert len(boxes) == len(gauges)
+    assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
+    panel = axes.get_window_extent()
+    assert all(panel.x0 <= box.x0 and box.x1 <= panel.x1 for box in boxes)
 
 
 FAULTS: Sequence[tuple[str, dict[str, Any], str]] = (

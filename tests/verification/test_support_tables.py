@@ -205,8 +205,9 @@ speed [rpm], stiffness.yy [N/mm], damping.yy [kN s/m]
 """
 
 
-def test_a_csv_file_is_the_lists(tmp_path: Path) -> None:
-    (tmp_path / "film.csv").write_text(CSV)
+@pytest.mark.parametrize("between", [",", ";", "\t"])
+def test_a_csv_file_is_the_lists(tmp_path: Path, between: str) -> None:
+    (tmp_path / "film.csv").write_text(CSV.replace(",", between))
     (tmp_path / "lists.yaml").write_text(CASE % LISTS)
     (tmp_path / "file.yaml").write_text(CASE % "table: film.csv, stiffness: {zz: 1 N/um}")
     lists, file = (rotordyn.load(tmp_path / f"{name}.yaml") for name in ("lists", "file"))

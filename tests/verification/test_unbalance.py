@@ -163,6 +163,17 @@ def test_a_rotor_that_turns_against_the_spindle_moves_as_it_turns(ratio: float, 
     assert all(line.startswith(f"           {told}outer.d2") for line in lines)
 
 
+def test_whirl_that_is_backward_at_every_speed_begins_at_rest() -> None:
+    """Isotropic supports, all orbits turned the other way: those of a rotor that turns against the
+    spindle. At rest there is no orbit, which says nothing of its sense."""
+    spindle = on_two(block(K, K), block(C, C))
+    found = solved(spindle, np.linspace(0.0, 800.0, 5).tolist(), Unbalance("disc", U))
+    assert not any("backward" in line for line in unbalance_lines(found))
+    turned = replace(found, fine_minor_axis=-found.fine_minor_axis)
+    (told,) = (line for line in unbalance_lines(turned) if "backward" in line)
+    assert "disc from about 0 to 7639 rpm" in told.replace("\u00a0", " ")
+
+
 def test_orbit_is_what_a_drawn_ellipse_shows() -> None:
     rng = np.random.default_rng(3)
     y, z = (rng.normal(size=50) + 1j * rng.normal(size=50) for _ in range(2))

@@ -24,5 +24,5 @@ ANALYSIS = in_folder(
     tables=LAYOUTS,
     heading="FRAC of measured responses, 1 at best",
     title="Frequency responses",
-    speeds=lambda spec: spec.slices,
+    speeds=lambda spec: (*spec.slices, *spec.measured_speeds),
 )

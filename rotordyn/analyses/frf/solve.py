@@ -189,7 +189,7 @@ def _light_modes(
 def _slices(scene: Scene, spec: FrfSpec) -> Indices:
     """Places of the speeds that are drawn, among those of the case."""
     ends = scene.speed[scene.usable[[0, -1]]]
-    wanted = spec.slices or tuple(ends)
+    wanted = *(spec.slices or ends), *spec.measured_speeds
     return np.unique([int(np.abs(scene.speed - each).argmin()) for each in wanted])
 
 

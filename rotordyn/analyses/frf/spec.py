@@ -45,8 +45,8 @@ class FrfSpec(Spec):
     ]
     slices: Annotated[
         tuple[Speed, ...],
-        "speeds drawn as curves and written as UFF58 (nearest speed of the case); by default the "
-        "lowest and the highest",
+        "speeds drawn as curves and written as UFF58 (nearest speed of the case), beside those of "
+        "measured responses; by default the lowest and the highest",
     ] = ()
     quantity: Annotated[
         str, Choice(QUANTITIES), "displacement, velocity or acceleration over force"
@@ -64,6 +64,12 @@ class FrfSpec(Spec):
         tuple[EngineOrder, ...],
         "multiples of the speed of every rotor, whole or not, followed over speed",
     ] = ()
+
+    @property
+    def measured_speeds(self) -> tuple[float, ...]:
+        """Of the responses that are laid over [rad/s]."""
+        coupled = () if self.measured_spindle is None else self.measured_spindle.responses[:1]
+        return tuple(one.speed for one in (*self.measured, *coupled))
 
     def highest(self, top: float) -> float:
         """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
@@ -94,6 +100,24 @@ class FrfSpec(Spec):
                 )
             yield from self._in_band(one, index)
         yield from named_twice("measured", self.measured)
+        yield from self._in_spindle_band()
+
+    def _in_spindle_band(self) -> Faults:
+        """Two frequencies, of the case or of the measured spindle, that both bands hold."""
+        if self.measured_spindle is None or not self.frequencies:
+            return
+        known = self.measured_spindle.responses[0].frequency
+        if not known or known[0] != known[0]:  # a faulty file, which is told
+            return
+        low, high = self.frequencies[0], self.frequencies[-1]
+        inside = {f for f in known if low <= f <= high}
+        inside |= {f for f in self.frequencies if known[0] < f < known[-1]}
+        if len(inside) < 2:
+            yield (
+                ("frequencies",),
+                f"fewer than two in the band of measured_spindle: given {low:g} to {high:g} Hz; "
+                f"allowed: at least two from {known[0]:g} to {known[-1]:g} Hz",
+            )
 
     def _in_band(self, one: MeasuredResponse, index: int) -> Faults:
         if not self.frequencies:

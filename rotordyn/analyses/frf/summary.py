@@ -101,7 +101,7 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
     noise = result.measured_error[row]
-    known = f", uncertain by up to {noise:.1%} by noise" if math.isfinite(noise) else ""
+    known = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
     return f"{head}: FRAC {result.frac[row]:.3f}{known}{compared}"
 
 
@@ -121,8 +121,8 @@ def warnings(result: FrequencyResponse) -> list[str]:
         if not math.isfinite(result.frac[row])
     ]
     sentences += [
-        f"{name}: the noise of the measurement makes {noise:.0%} of it: take a shorter blank, more "
-        "averages, or fewer modes"
+        f"{name}: the noise of the measurement makes {noise:.0%} of it, most at its highest peaks: "
+        "take a shorter blank, or more averages"
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY
     ]

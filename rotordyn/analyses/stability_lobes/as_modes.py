@@ -29,7 +29,7 @@ def as_modes(receptance: Callable[[Array], Complex], omega: Array) -> ModalTip |
     start, near = rational_poles(omega, trace, NEAR)
     if near > EXACT:
         return None
-    fit = vector_fit(omega, flat, len(start), weight, start)
+    fit = vector_fit(omega, flat, weight, start)
     if not _exact(fit, size):
         return None
     peak = np.abs(fit.residue).max(axis=1) / np.abs(fit.pole.real)

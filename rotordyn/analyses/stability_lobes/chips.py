@@ -62,7 +62,8 @@ def _of_tooth(cut: Cut, feeds: Array, tooth: int) -> Iterator[Chip]:
 
 def _left_by(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
     """Spans of angle in which a tooth is in cut, and the place among those before it of the one
-    that left the chip there: that of the least of ``feed`` sin φ + ``height``, where it is above 0."""
+    that left the chip there: that of the least ``feed`` sin φ + ``height``, where it is above 0.
+    """
     steeper, higher = np.subtract.outer(feed, feed), np.subtract.outer(height, height)
     with np.errstate(divide="ignore", invalid="ignore"):
         sine = np.append((-higher / steeper)[np.triu_indices(len(feed), 1)], -height / feed)

@@ -22,7 +22,7 @@ from rotordyn.numerics.vector_fit import Fit, vector_fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-SAMPLES = 2000  # of the band, as many as resolve peaks of a damping ratio of 1e-3
+SAMPLES = 2000  # of the band, evenly; further ones resolve the peaks of its poles
 NEAR = 1e-4  # of the largest receptance: how near a rational function comes that has its poles
 FURTHER, DAMPED = 20, 0.1  # modes added where the sum is farthest from it, and their damping ratio
 WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
@@ -53,29 +53,41 @@ class MeasuredTip:
         ------
         InvalidInput : a band that ends within a peak; a tip that is no sum of modes in it
         """
-        known = {way: self.machine.tip(way, self.omega) for way in self.machine.fits}
-        first = next(iter(known.values()))
-        values = np.stack([known.get(way, first) for way in "yz"], axis=1)
+        omega = self.omega
+        values = self._receptance(omega)
         size = np.abs(values).max(axis=1)
         if size[-1] > STILL * size.max():
-            hertz = self.omega[-1] / 2.0 / math.pi
+            hertz = omega[-1] / 2.0 / math.pi
             raise InvalidInput(
                 f"stability_lobes: the measured receptances end at {hertz:.5g} Hz, where the tip "
                 f"has {size[-1] / size.max():.0%} of its largest response: measure beyond the peak"
             )
-        reach = np.linspace(0.0, BEYOND * self.omega[-1], SAMPLES)[1:]
-        start = rational_poles(self.omega, values.sum(axis=1), NEAR).pole
+        pole = rational_poles(omega, values.sum(axis=1), NEAR).pole
+        reach = np.linspace(0.0, BEYOND * omega[-1], SAMPLES)[1:]
+        fit: Fit | None = None
         for _ in range(FURTHER):
-            fit = vector_fit(self.omega, values, len(start), 1.0 / size[:, None], start)
-            gain = fit(reach).imag.max()
-            missed = np.abs(fit.error).max(axis=1)
-            if max(missed.max(), gain) <= WITHIN * size.max():
-                return fit
-            start = np.append(fit.pole, (1j - DAMPED) * self.omega[missed.argmax()])
+            near = frequencies_near(pole)  # peaks may lie between the samples
+            omega = np.union1d(omega, near[(near > omega[0]) & (near < omega[-1])])
+            values = self._receptance(omega)
+            size = np.abs(values).max(axis=1)
+            if fit is not None:
+                gain = fit(np.union1d(reach, near[near < reach[-1]])).imag.max()
+                missed = np.abs(values - fit(omega)).max(axis=1)
+                if max(missed.max(), gain) <= WITHIN * size.max():
+                    return fit
+                pole = np.append(pole, (1j - DAMPED) * omega[missed.argmax()])
+            fit = vector_fit(omega, values, 1.0 / size[:, None], pole)
+            pole = fit.pole
         raise InvalidInput(
             "stability_lobes: the tip on the measured spindle is no sum of damped modes within "
             f"{WITHIN:.0%}: give fewer modes of the measurement, or less loss_factor"
         )
+
+    def _receptance(self, omega: Array) -> Complex:
+        """Of the tip in y and z (f, 2), in both that of the plane that was measured."""
+        known = {way: self.machine.tip(way, omega) for way in self.machine.fits}
+        first = next(iter(known.values()))
+        return np.stack([known.get(way, first) for way in "yz"], axis=1)
 
     @cached_property
     def modes(self) -> TipModes:

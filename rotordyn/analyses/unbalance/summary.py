@@ -119,7 +119,9 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 
 def _backward(result: UnbalanceResult) -> list[str]:
     """Where orbits run against the spindle; the rotor out of balance may turn so itself."""
-    back = -result.fine_minor_axis - STRAIGHT * result.fine_major_axis
+    still = result.fine_major_axis == 0.0  # as at rest, which orbits leave in the sense beside it
+    back = -result.fine_minor_axis / np.where(still, np.nan, result.fine_major_axis) - STRAIGHT
+    back[0] = np.where(still[0], back[min(1, len(back) - 1)], back[0])
     words = []
     for name, values in zip(result.point, back.T, strict=True):
         ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]

@@ -33,7 +33,8 @@ def input_blocks(cases: Sequence[Case]) -> Iterator[Block]:
     says = "What follows differs from the defaults; numbers without a unit are in SI units."
     if len(cases) > 1:
         says += f" Machine and conditions are those of {case.title or case.name}."
-    yield Text([f"{len(case.speeds)} speeds, {ends} rpm; analyses: {asked}. {says}"])
+    count = f"{len(case.speeds)} speed{'s' * (len(case.speeds) > 1)}"
+    yield Text([f"{count}, {ends} rpm; analyses: {asked}. {says}"])
     yield from _tables("Conditions", case.conditions)
     for name, spec in case.analyses.items():
         yield from _tables(f"Analysis {name.replace('_', ' ')}", spec)
@@ -52,19 +53,24 @@ def _tables(title: str, value: Any) -> Iterator[Table]:
     rows: list[Row] = []
     lists: list[Table] = []
     for field, held in _given(value):
-        words = " ".join(field.keys) if field.keys else field.name
+        words = _called(field)
         if _listed(held):
-            lists.append(_list(f"{title}: {words.replace('_', ' ')}", held))
+            lists.append(_list(f"{title}: {words}", held))
         elif is_dataclass(held) and (
             len(_written(held, None)) > LONGEST or any(_listed(each) for _, each in _given(held))
         ):
-            lists += _tables(f"{title}: {words.replace('_', ' ')}", held)
+            lists += _tables(f"{title}: {words}", held)
         else:
             meaning = field.meaning.partition(" ([")[0]
             rows.append((words, _written(held, field.annotation), meaning))
     if rows:
         yield Table(title, ("key", "value", "meaning"), rows, folded=True)
     yield from lists
+
+
+def _called(field: Any) -> str:
+    """What files call it."""
+    return " ".join(field.keys or [field.name]).replace("_", " ")
 
 
 def _listed(held: Any) -> bool:
@@ -82,13 +88,15 @@ def _given(value: Any) -> Iterator[tuple[Any, Any]]:
 
 def _list(title: str, items: Sequence[Any]) -> Table:
     """A row for each item, a column for each value that one of them has."""
-    rows = [{f.name: _written(held, f.annotation) for f, held in _given(item)} for item in items]
+    rows = [
+        {_called(f): _written(held, f.annotation) for f, held in _given(item)} for item in items
+    ]
     heads = list(dict.fromkeys(name for row in rows for name in row))
     named = [getattr(item, "name", "") or str(k) for k, item in enumerate(items, start=1)]
     cells = [
         [name, *(row.get(h, "") for h in heads)] for name, row in zip(named, rows, strict=True)
     ]
-    return Table(title, ["", *(head.replace("_", " ") for head in heads)], cells, folded=True)
+    return Table(title, ["", *heads], cells, folded=True)
 
 
 def _written(value: Any, annotation: Any) -> str:
@@ -101,9 +109,7 @@ def _written(value: Any, annotation: Any) -> str:
         return _several(value, annotation)
     if is_dataclass(value) and not isinstance(value, Port):
         name = getattr(value, "name", "")
-        inner = ", ".join(
-            f"{f.name.replace('_', ' ')} {_written(v, f.annotation)}" for f, v in _given(value)
-        )
+        inner = ", ".join(f"{_called(f)} {_written(v, f.annotation)}" for f, v in _given(value))
         return str(name) if name and len(inner) > LONGEST else f"{name} {inner}".strip()
     return str(value)
 
@@ -123,7 +129,7 @@ def _several(value: Any, annotation: Any) -> str:
 def _number(value: float, annotation: Any) -> str:
     quantity = quantity_of(annotation)
     if not math.isfinite(value):
-        return "infinite"
+        return (quantity and quantity.infinite) or "infinite"
     if quantity is None:
         return f"{value:.6g}"
     unit = usual_unit(quantity, [value])

@@ -268,6 +268,22 @@ def test_a_changed_case_is_another_one_and_the_old_stays() -> None:
     assert same.files == case().files
 
 
+def test_a_further_point_by_its_path_is_that_of_an_override(tmp_path: Path) -> None:
+    """Variants are made by files alone."""
+    changes: dict[str, object] = {"points.further": "100 mm", "points.nose": "5 mm"}
+    text = "spindle: grinding_spindle\nspeeds: [0 rpm]\nanalyses: {preload: {}}\n"
+    (tmp_path / "plain.yaml").write_text(text)
+    listed = ", ".join(f"{path}: {value}" for path, value in changes.items())
+    (tmp_path / "other.yaml").write_text(f"{text}override: {{{listed}}}\n")
+    plain, other = (rotordyn.load(tmp_path / f"{name}.yaml") for name in ("plain", "other"))
+    varied = rotordyn.vary(plain, {f"spindle.{path}": value for path, value in changes.items()})
+    assert varied.spindle == other.spindle
+    assert varied.spindle is not None
+    assert varied.spindle.points["further"] == pytest.approx(0.1)
+    with pytest.raises(rotordyn.InvalidInput, match="unknown key 'new' in 'variants'"):
+        rotordyn.vary(rotordyn.load("grinding_spindle"), {"variants.new.title": "x"})
+
+
 WRONG = {
     "spindle.sleves.front": (1, "unknown key 'sleves' in 'spindle'; .*did you mean sleeves"),
     "sleeves.front.mass": (

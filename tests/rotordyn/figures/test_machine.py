@@ -13,7 +13,7 @@ import pytest
 from bearings import FourPointBallBearing
 from rotordyn.figures.holders import draw_holders
 from rotordyn.figures.labels import spread
-from rotordyn.figures.machine import _draw_section, machine_figure
+from rotordyn.figures.machine import _draw_section, _marks, machine_figure
 from rotordyn.figures.sketch import Sketch
 from rotordyn.figures.static_loads import draw_load
 from rotordyn.figures.style import BLUE, GREEN, SKY
@@ -173,6 +173,15 @@ def test_a_cone_is_drawn_whole_its_joints_and_housing_named() -> None:
     assert wall == [(0.0, 0.0), (100.0, 5.0), (100.0, 30.0), (0.0, 15.0)]
     words = {text.get_text() for text in machine_figure(machine).axes[0].texts}
     assert {"flange", "box", "left", "right"} <= words
+
+
+@pytest.mark.parametrize(("x", "named"), [(0.16, 160.0), (0.0, 120.0)])
+def test_a_rigid_housing_is_named_at_its_centre_within_its_block(x, named):
+    supports = (support("left", 0.12, (1e7, 1e7)), support("right", 0.25, (1e7, 1e7)))
+    box = RigidHousing("box", ("left", "right"), x, 9.0, {("y", "y"): 1e8})
+    machine = replace(STEPPED, masses=(), supports=supports, housings=(box,))
+    (at,) = (x for x, _, words in _marks(Sketch(), machine, 1.0) if words == "box")
+    assert at == pytest.approx(named)
 
 
 def _words(figure):

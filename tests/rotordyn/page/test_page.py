@@ -22,14 +22,16 @@ import pytest
 import rotordyn
 from docs.site.runs import case_run
 from rotordyn import cli
+from rotordyn.case.keys import fields_of
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
 from rotordyn.job.pages import intervals
 from rotordyn.job.pages.asked import numbers_table
-from rotordyn.job.pages.inputs import input_blocks
+from rotordyn.job.pages.inputs import _written, input_blocks
 from rotordyn.job.pages.machine import machine_blocks
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.page.blocks import Table
+from rotordyn.machine.tool import Tool
+from rotordyn.page.blocks import Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import FAR, Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES
@@ -193,6 +195,32 @@ def test_inputs_show_sections_pairs_and_units(tmp_path: Path) -> None:
     assert "yy: 300 N/um" in stiffness
     assert "N m/rad" in stiffness
     assert damping == "yy: 4 kN s/m"
+
+
+def test_inputs_are_called_as_in_files(tmp_path: Path) -> None:
+    """Keys and words for what is not finite, where Python has other names and numbers."""
+    (tmp_path / "bar.yaml").write_text(
+        "spindle:\n  shaft:\n    start: 0 mm\n    sections:\n"
+        "      - {length: 400 mm, outer_diameter: 40 mm, inner_diameter: 12 mm, "
+        "material: steel_rotor}\n"
+        "  supports:\n    - {name: a, x: 20 mm, stiffness: {yy: 3e8 N/m, zz: 3e8 N/m}}\n"
+        "    - {name: b, x: 380 mm, stiffness: {yy: 3e8 N/m, zz: 3e8 N/m}}\n"
+        "  drawbar: {force: 5 kN, from: 20 mm, to: 390 mm}\n"
+        "speeds: [0 rpm]\nanalyses:\n  section_forces:\n"
+        "    line_loads: [{from: 50 mm, to: 90 mm, qy: 2 kN/m}]\n"
+    )
+    case = rotordyn.load(tmp_path / "bar.yaml")
+    text, *blocks = input_blocks([case])
+    assert isinstance(text, Text)
+    assert text.sentences[0].startswith("1 speed, 0 rpm;")
+    tables = {block.title: block for block in blocks if isinstance(block, Table)}
+    rows = {row[0]: row[1] for row in tables["Spindle"].rows}
+    assert rows["drawbar"] == "force 5 kN, from 20 mm, to 390 mm"
+    assert list(tables["Analysis section forces: line loads"].head) == ["", "from", "to", "qy"]
+    (points,) = (field for field in fields_of(Tool) if field.name == "points")
+    assert _written({"tip": math.inf, "inner": -0.03}, points.annotation) == (
+        "tip: front; inner: -30 mm"
+    )
 
 
 def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -62,6 +63,34 @@ def test_swirl_against_damping_in_closed_form(share: float) -> None:
     assert "steady responses there are solutions of the linear equations" in sentence
     assert sentence.startswith("unstable at 2 of 2 speeds, first at 0 rpm: the machine vibrates at")
     assert np.isfinite(found.frequency).all()
+
+
+def test_the_first_unstable_speed_is_told_with_the_growth_there() -> None:
+    """Translation of a rigid rotor as above, κ by the speed; at twice the speed it grows faster."""
+    mass, first = rotor_inertia(swirled(0.0)).mass, 500.0 * RPM
+    cross = 2.2 * DAMPER * math.sqrt(2.0 * STIFF / mass)  # at twice ``first``, half of it there
+    swirl = {("y", "z"): (0.0, cross), ("z", "y"): (0.0, -cross)}
+    held = tuple(
+        replace(s, stiffness={**s.stiffness, **swirl}, speeds=(0.0, 2.0 * first))
+        for s in swirled(0.0).supports
+    )
+    asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
+    answers = answer_spindle(
+        replace(swirled(0.0), supports=held),
+        Conditions(rotor="rigid"),
+        (0.0, first, 2.0 * first),
+        asked,
+        lambda name: None,
+    )
+    poles = np.roots([mass, 2.0 * DAMPER, 2.0 * STIFF - 1j * cross])
+    pole = poles[poles.real.argmax()]
+    (sentence,) = answers.warnings
+    assert sentence.startswith("unstable at 2 of 3 speeds, first at 500 rpm: the machine vibrates")
+    said = re.search(r"vibrates at ([\d.]+) Hz, growing e-fold in ([\d.]+) s", sentence)
+    assert said is not None
+    assert [float(each) for each in said.groups()] == pytest.approx(
+        [abs(pole.imag) / 2.0 / math.pi, 1.0 / pole.real], rel=6e-3
+    )
 
 
 def test_divergence_is_no_mode_but_a_warning() -> None:

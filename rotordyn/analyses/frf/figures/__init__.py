@@ -70,13 +70,16 @@ def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Amplitude over frequency of every pair at the first slice speeds."""
+    """Amplitude over frequency of every pair at the first slice speeds, those first beside which
+    something was measured."""
     result = variant.result
+    beside = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
+    slices = [*beside, *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in beside)]
     below = axis_label(result, "frequency")
     for pair, name in enumerate(result.pair):
         number = f"_{pair + 1}" if len(result.pair) > 1 else ""
         unit = shown(result.unit(pair))
-        for index in np.flatnonzero(result.is_slice)[:MOST_SLICES].tolist():
+        for index in sorted(slices[:MOST_SLICES]):
             frequency, values = result.curve(index, pair)
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
             title += ", in the turning frame" if turning(result) else ""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.figures import stations
+from rotordyn.figures.labels import spread
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.overlays import colour, dash
 from rotordyn.figures.style import BLACK, FONT_SIZE, add_axes, new_figure
@@ -44,6 +45,8 @@ def line_figure(variants: Sequence[Shown]) -> Figure:
         axes.margins(x=0.03, y=0.14)
         axes.autoscale_view()
         _mark(axes, variants[0].spindle)
+        for variant, row, _ in _lines(variants)[:1]:
+            _write(axes, variant, row, name)
     top_legend(figure, *figure.axes, above=4.0)
     return figure
 
@@ -88,19 +91,31 @@ def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: st
     read = (start - result.gauge) * MILLIMETRE.factor
     at = result.sag[row, :, k] * MICROMETRE.factor
     axes.plot(read, at, ls="none", marker="v", ms=5.0, color=colour(place), label=f"gauge, {title}")
-    if place:
+
+
+def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
+    """What the gauges read above them, texts beside each other."""
+    result: StaticSagResult = variant.result
+    if variant.spindle is None:
         return
-    for x, value, runout in zip(read, at, result.runout[row, :, k], strict=True):
-        words = f"{value:.3g} µm".replace("-", "−")
-        if result.ring:
-            words += f"\nrunout {runout * MICROMETRE.factor:.3g} µm"
+    k = result.direction.index(name)
+    read = (variant.spindle.points[result.point] - result.gauge) * MILLIMETRE.factor
+    values, runout = (of[row, :, k] * MICROMETRE.factor for of in (result.sag, result.runout))
+    words = [f"{value:.3g} µm".replace("-", "−") for value in values]
+    if result.ring:
+        words = [f"{each}\nrunout {r:.3g} µm" for each, r in zip(words, runout, strict=True)]
+    left, right = axes.get_xlim()
+    sizes = [max(map(len, each.split("\n"))) * stations.LETTER + 1.5 for each in words]
+    places = spread(read.tolist(), [size * (right - left) / WIDE for size in sizes], left, right)
+    for x, y, said in zip(places, values, words, strict=True):
         axes.annotate(
-            words,
-            (x, value),
-            (6.0, 6.0),
+            said,
+            (float(x), y),
+            (0.0, 6.0),
             textcoords="offset points",
+            ha="center",
             fontsize=FONT_SIZE - 1.5,
-            color=colour(place),
+            color=colour(0),
         )
 
 

@@ -19,6 +19,7 @@ from rotordyn.analyses.frf.summary import summary as measured_lines
 from rotordyn.analyses.frf.summary import warnings as measured_warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve
+from rotordyn.study.machines import lean
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 PAIR = "left_disc.y / right_disc.y"
@@ -410,6 +411,24 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     assert (tmp_path / "o" / "frf_measured_peaks.csv").exists()
     assert math.isfinite(result.frac[0])
     assert result.frac[0] < 0.9
+
+
+@pytest.mark.parametrize("slices", ["[0 rpm, 1000 rpm]", "[]"])
+def test_the_curve_that_a_measured_one_is_compared_with_is_drawn(
+    tmp_path: Path, slices: str
+) -> None:
+    """At the speed of the measurement, between the slices; a study keeps that speed, too."""
+    rows = "".join(f"{f},{1.0 + f % 3},0\n" for f in range(5, 40))
+    (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
+    asked = (ASKED % "receptance").replace("slices: [0 rpm, 1000 rpm]", f"slices: {slices}")
+    every = "speeds: {from: 0 rpm, to: 1000 rpm, step: 10 rpm}"
+    asked = asked.replace("speeds: [0 rpm, 1000 rpm]", every)
+    tap = MEASURED % ("tap.csv", ", name: tap, speed: 330 rpm")
+    (tmp_path / "case.yaml").write_text(HEAD + asked + tap)
+    few = lean(rotordyn.load(tmp_path / "case.yaml"))
+    assert len(few.speeds) < 12
+    found = solve(few).results["frf"]
+    assert (found.slice_speed * 30.0 / math.pi).tolist() == pytest.approx([0.0, 330.0, 1000.0])
 
 
 @pytest.mark.long
