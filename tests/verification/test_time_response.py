@@ -344,6 +344,21 @@ def test_a_force_adds_to_friction_or_relieves_it(rpm: float, force: float) -> No
         assert told
 
 
+@pytest.mark.parametrize("force", [30.0, -30.0])
+def test_friction_of_a_mirrored_sleeve_is_relieved_alike(force: float) -> None:
+    """x to 0.12 m − x: the sleeve, its spring and what the run-up left point the other way."""
+    sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
+    plain = replace(short(3000.0), sleeves=(sleeve,))
+    seats = [replace(s, x=0.12 - s.x, thrust=-s.thrust) for s in plain.seats]
+    turned = replace(plain, seats=tuple(reversed(seats)), points={"nose": 0.12, "end": 0.0})
+    holding = []
+    for spindle, given in ((plain, force), (turned, -force)):
+        spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(given, direction="x", pulse=0.05),))
+        found = answer(seen(spindle, spec, 20e3, rotor="rigid", **CONTROL), spec)
+        holding.append(found.holding[0, 0])
+    assert holding[1] == pytest.approx(holding[0], rel=1e-3)
+
+
 def test_pressures_are_those_of_the_state_under_the_force() -> None:
     spindle, slow = short(3000.0), push(800.0, pulse=0.05)
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (slow,))
