@@ -110,11 +110,11 @@ def arc_notes(scene: Scene) -> Iterator[str]:
     state = scene.preload
     turning = state.usable & (state.speed > 0.0)
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        more = (balls.contacts[:, column] > 2) & (balls.inner_load[:, column] > 0.0)
-        if (rows := np.flatnonzero(turning & more.any(axis=1))).size:
+        more = (balls.contacts[:, column] > 2).any(axis=1)
+        if (rows := np.flatnonzero(turning & more)).size:
             yield (
                 f"balls of bearing {seat.name} have more than two contacts "
-                f"{_rows_when(state.speed, rows)}, one of which slides: their orbit, defect "
+                f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
                 "frequencies and heat are those of the resultants of each race, estimates there"
             )
 
