@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs,
 from rotordyn.analyses.time_response.march import march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
-from rotordyn.analyses.time_response.solve import answer
+from rotordyn.analyses.time_response.solve import _on_orbit, answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import accuracy, summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
@@ -240,6 +241,20 @@ def test_an_orbit_wider_than_any_machine_is_no_answer(damping: float) -> None:
         near = found(known[0], omega)
         assert near.largest[0, 0] == pytest.approx(0.09, rel=1e-6)
         assert near.ended[0] == near.time[-1]
+
+
+def test_an_orbit_that_no_solver_finds_is_not_one_at_rest() -> None:
+    """Where Ω² is the stiffness over the mass to the last digit."""
+    spec = TimeResponseSpec(0.05, 200.0, ("middle",), unbalances=(Unbalance("middle", 1e-5),))
+    equation: Any = SimpleNamespace(
+        stiffness=np.full((2, 1, 1), 4.0),
+        damping=np.zeros((2, 1, 1)),
+        speed=np.array([[2.0], [1.0]]),
+        inputs=np.ones((1, len(spec.ports))),
+    )
+    displacement, velocity = _on_orbit(spec, equation)
+    assert np.isinf([displacement[0], velocity[0]]).all()
+    assert np.isfinite([displacement[1], velocity[1]]).all()
 
 
 def test_what_nothing_holds_moves_evenly_and_is_not_called_unstable() -> None:

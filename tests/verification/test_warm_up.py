@@ -332,6 +332,11 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     assert not [*warnings(result), *summary(result), *figures(None, result, {})]  # type: ignore[arg-type]
 
 
+def test_a_speed_without_a_start_leaves_the_figure_of_the_others() -> None:
+    partly = replace(running_away(), outcome=("", "no axial state at the start"))
+    assert [name for name, _ in figures(None, partly, {})] == ["warm_up"]  # type: ignore[arg-type]
+
+
 def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
     gone = answer(scene(15e3, flow=WEAK), spec(30.0))
     assert gone.ending[0]
