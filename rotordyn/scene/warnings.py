@@ -110,11 +110,11 @@ def arc_notes(scene: Scene) -> Iterator[str]:
     state = scene.preload
     turning = state.usable & (state.speed > 0.0)
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        more = (balls.contacts[:, column] > 2) & (balls.inner_load[:, column] > 0.0)
-        if (rows := np.flatnonzero(turning & more.any(axis=1))).size:
+        more = (balls.contacts[:, column] > 2).any(axis=1)
+        if (rows := np.flatnonzero(turning & more)).size:
             yield (
                 f"balls of bearing {seat.name} have more than two contacts "
-                f"{_rows_when(state.speed, rows)}, one of which slides: their orbit, defect "
+                f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
                 "frequencies and heat are those of the resultants of each race, estimates there"
             )
 
@@ -238,19 +238,22 @@ def _guides(scene: Scene) -> Iterator[str]:
                 turn = HALF_TURN_ABOUT_Y[1:3] if seat.thrust < 0 else 1.0
                 across += balls.load[:, column, 1:3] * turn
         force = np.where(state.usable, np.hypot(*across.T), 0.0)
-        row = int(force.argmax())
-        most = 2.0 * force[row] / law.stiffness  # it gives by less than 1.14 times as much
-        if most == 0.0:
-            continue
-        of = (law, force[row])
-        moved = float(brentq(lambda x, g, f: float(g.force(x)) - f, 0.0, most, args=of))
-        slope = float(law.tangent(moved))
-        if np.abs(np.array([slope, force[row] / moved]) / law.stiffness - 1.0).max() > GUIDE_RULE:
+        given = force > 0.0
+        moved, mean, slope = np.zeros_like(force), *np.full((2, len(force)), law.stiffness)
+        for k in np.flatnonzero(given):
+            most = 2.0 * force[k] / law.stiffness  # it gives by less than 1.15 times as much
+            of = (law, force[k])
+            moved[k] = brentq(lambda x, g, f: float(g.force(x)) - f, 0.0, most, args=of)
+        mean[given], slope[given] = force[given] / moved[given], law.tangent(moved[given])
+        off = np.abs(np.array([mean, slope]) / law.stiffness - 1.0).max(axis=0)
+        row = int(off.round(3).argmax())  # the first of those that are alike
+        if off[row] > GUIDE_RULE:
             yield (
                 f"sleeve {sleeve.name}: its ball guide carries {force[row]:.0f} N across at "
-                f"{state.speed[row] * RPM.factor:.0f} rpm, where it gives by {moved * 1e6:.3g} µm "
-                f"and has {slope / 1e6:.4g} N/µm; the {law.stiffness / 1e6:.4g} N/µm at its centre "
-                "are taken: give what it has there as radial_stiffness instead"
+                f"{state.speed[row] * RPM.factor:.0f} rpm, where it gives by "
+                f"{moved[row] * 1e6:.3g} µm ({mean[row] / 1e6:.4g} N/µm) and has "
+                f"{slope[row] / 1e6:.4g} N/µm for vibration; the {law.stiffness / 1e6:.4g} N/µm at "
+                "its centre are taken: give one of these as radial_stiffness instead"
             )
 
 

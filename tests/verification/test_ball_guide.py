@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,8 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine import BallGuide
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
-from tests.oracles.spindles import conditions, mfw2310
+from rotordyn.scene.warnings import _guides
+from tests.oracles.spindles import RPM, conditions, mfw2310
 
 GUIDE = LinearBallGuide(250, 4e-3, 0.1, 4e-6)
 
@@ -167,7 +169,36 @@ def test_a_guide_far_from_its_centre_is_told(interference: float, said: bool) ->
     row = int(np.searchsorted(sums, force))
     slope = (sums[row] - sums[row - 1]) / (way[row, 0] - way[row - 1, 0])
     assert f"carries {force:.0f} N across at 0 rpm" in told[0]
-    assert f"gives by {way[row, 0] * 1e6:.3g} µm and has {slope / 1e6:.3g}"[:-1] in told[0]
+    mean = sums[row] / way[row, 0]
+    assert f"gives by {way[row, 0] * 1e6:.3g} µm ({mean / 1e6:.3g}"[:-1] in told[0]
+    assert f"and has {slope / 1e6:.3g}"[:-1] in told[0]
+
+
+def test_the_speed_at_which_a_guide_is_farthest_off_is_told() -> None:
+    """Under 1.7 kN it is not off at all, in between that of the centre; loads of bearings that
+    face one another are summed up in one frame."""
+    guide, half = BallGuide(250, 4e-3, 0.1, 1e-6), np.array([300.0, 850.0, 450.0]) / math.sqrt(2.0)
+    load = np.zeros((3, 1, 5))
+    load[..., 1] = load[..., 2] = half[:, None]
+    seats = [SimpleNamespace(name=name, thrust=thrust) for name, thrust in (("d", 1), ("e", -1))]
+    turned = load * np.array([-1.0, 1.0, -1.0, 1.0, -1.0])  # about y, as a seat of thrust −1 counts
+
+    def told(rows: list[int]) -> list[str]:
+        preload = SimpleNamespace(
+            lateral=True,
+            speed=np.arange(3.0)[rows] * RPM * 1e3,
+            usable=np.ones(len(rows), dtype=bool),
+            seat_states=lambda: [(SimpleNamespace(load=x[rows]), 0) for x in (load, turned)],
+        )
+        (rear,) = (sleeve for sleeve in mfw2310().sleeves if sleeve.name == "rear")
+        sleeve = replace(rear, ball_guide=guide)
+        spindle = SimpleNamespace(sleeves=(sleeve,), seats=seats)
+        return [*_guides(SimpleNamespace(preload=preload, spindle=spindle))]  # type: ignore[arg-type]
+
+    assert not told([1])
+    (said,) = told([0, 1, 2])
+    assert "carries 600 N across at 0 rpm" in said
+    assert "carries 900 N across at 2000 rpm" in told([1, 2])[0]
 
 
 def test_guides_that_hold_nothing_or_too_much() -> None:

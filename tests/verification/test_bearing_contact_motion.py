@@ -148,24 +148,25 @@ ARCS = np.array([1.0, -1.0, -1.0, 1.0])  # inner right and left, outer right and
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
 @pytest.mark.parametrize(
-    ("load", "rpm", "counts"),
+    ("load", "rpm", "kinematics", "counts"),
     [
-        ([5e3, 0, 0, 0, 0], 1000.0, {2}),
-        ([5e3, 0, 0, 0, 0], 6000.0, {3}),
-        ([5e3, 6e3, 2e3, 50.0, -30.0], 3000.0, {2, 3, 4}),
+        ([5e3, 0, 0, 0, 0], 1000.0, "outer", {2}),
+        ([5e3, 0, 0, 0, 0], 6000.0, "outer", {3}),
+        ([5e3, 6e3, 2e3, 50.0, -30.0], 3000.0, "outer", {2, 3, 4}),
+        ([5e3, 6e3, 2e3, 0, 0], 8000.0, "inner", {3, 4}),
     ],
-    ids=["two contacts", "three", "all"],
+    ids=["two contacts", "three", "all", "balls that move back at some"],
 )
 def test_arcs_of_a_groove_move_as_rigid_bodies(
-    load: list[float], rpm: float, counts: set[int], way: float
+    load: list[float], rpm: float, kinematics: str, counts: set[int], way: float
 ) -> None:
     """Roll, spin, slide and entrainment of every contact of a four-point bearing, of the race
     against the ball: velocities of both at the place where they touch, on the side of its arc."""
     bearing = known_grooves.four_point(known_grooves.QJ218)
-    s = bearing.equilibrium(load=way * np.array(load), speed=rpm * RPM, kinematics="outer")
+    s = bearing.equilibrium(load=way * np.array(load), speed=rpm * RPM, kinematics=kinematics)
     assert counts == {*s.contacts[s.inner_load > 0.0]}
     size = bearing.ball_diameter / bearing.pitch_diameter
-    orbit, spin, beta = rolling(s.inner_angle, s.outer_angle, size, None, "outer")
+    orbit, spin, beta = rolling(s.inner_angle, s.outer_angle, size, None, kinematics)
     motion, onward = contact_motion(s), np.array([0.0, 0.0, 1.0])
     for ball, contact in np.argwhere((s.contact_load > 0.0) & (s.inner_load > 0.0)[:, None]):
         angle, inner = ARCS[contact] * s.contact_angle[ball, contact], contact < 2

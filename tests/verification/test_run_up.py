@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
-from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _Way
+from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _peaks, _Way
 from rotordyn.analyses.unbalance.solve import answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
@@ -364,6 +364,16 @@ def test_peaks_narrower_than_the_instants_are_the_steady_ones(natural, down):
     steady = 1e-6 / mass / (2.0 * ratio * np.sqrt(1.0 - ratio**2))
     assert found.run_peak[0, 0] == pytest.approx(steady, rel=1e-3)
     assert found.run_peak_speed[0, 0] == pytest.approx(natural, rel=1e-5)
+
+
+def test_peaks_at_ends_and_those_without_limit_are_of_instants():
+    """At the ends of a run, and where the inverse squares of three instants dip below zero."""
+    rising, edge = [1.0, 2.0, 4.0, 7.0, 11.0], [1e-3, 1.0, 1.0, 1e-3, 1e-3]
+    axes = np.array([rising, rising[::-1], edge, [0.0] * 5]).T
+    for speed in (np.arange(5.0), np.arange(4.0, -1.0, -1.0)):
+        height, at = _peaks(speed, axes)
+        np.testing.assert_array_equal(height, [11.0, 11.0, 1.0, 0.0])
+        np.testing.assert_array_equal(at[:3], speed[[4, 0, 1]])
 
 
 def undamped(first, last, **runs):

@@ -88,12 +88,13 @@ def test_a_load_that_it_cannot_carry_is_named_where_it_stands(tmp_path: Path) ->
     """Among those of a case that it can."""
     head = "title: t\nspeeds: [0 rpm]\nbearing: thrust_50x78x22\nanalyses:\n  bearing:\n"
     path = tmp_path / "case.yaml"
-    for key, given, sentence in (
-        ("moments", "[0 N m, 170 N m]", "carries a moment up to 160"),
-        ("radial_loads", "[0 N, 10 N]", "carries no radial load: got 10 N"),
+    for key, given, beside, sentence in (
+        ("moments", "[0 N m, 170 N m]", "axial_load: 5 kN", "carries a moment up to 160"),
+        ("radial_loads", "[0 N, 10 N]", "axial_load: 5 kN", "carries no radial load: got 10 N"),
+        ("axial_load", "-5 kN", "moments: [0 N m]", "towards .x only: got -5000 N"),
+        ("radial_load", "10 N", "loads: [5 kN]", "carries no radial load: got 10 N"),
     ):
-        text = f"{head}    axial_load: 5 kN\n    {key}: {given}\n"
-        path.write_text(text, encoding="utf-8")
+        path.write_text(f"{head}    {beside}\n    {key}: {given}\n", encoding="utf-8")
         with pytest.raises(
             rotordyn.InvalidInput, match=rf"7:\d+: analyses.bearing.{key}: .*{sentence}"
         ):

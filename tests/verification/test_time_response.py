@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs,
 from rotordyn.analyses.time_response.march import march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
-from rotordyn.analyses.time_response.solve import answer
+from rotordyn.analyses.time_response.solve import _on_orbit, answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import accuracy, summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
@@ -242,6 +243,20 @@ def test_an_orbit_wider_than_any_machine_is_no_answer(damping: float) -> None:
         assert near.ended[0] == near.time[-1]
 
 
+def test_an_orbit_that_no_solver_finds_is_not_one_at_rest() -> None:
+    """Where Ω² is the stiffness over the mass to the last digit."""
+    spec = TimeResponseSpec(0.05, 200.0, ("middle",), unbalances=(Unbalance("middle", 1e-5),))
+    equation: Any = SimpleNamespace(
+        stiffness=np.full((2, 1, 1), 4.0),
+        damping=np.zeros((2, 1, 1)),
+        speed=np.array([[2.0], [1.0]]),
+        inputs=np.ones((1, len(spec.ports))),
+    )
+    displacement, velocity = _on_orbit(spec, equation)
+    assert np.isinf([displacement[0], velocity[0]]).all()
+    assert np.isfinite([displacement[1], velocity[1]]).all()
+
+
 def test_what_nothing_holds_moves_evenly_and_is_not_called_unstable() -> None:
     """F t₁ (t − t₁/2) / m after a push, up to 0.1 m."""
     machine, force, pushed = hung(1e-15), 240.0, 0.05
@@ -342,6 +357,21 @@ def test_a_force_adds_to_friction_or_relieves_it(rpm: float, force: float) -> No
     else:
         assert found.holding[0, 0] > 1.3
         assert told
+
+
+@pytest.mark.parametrize("force", [30.0, -30.0])
+def test_friction_of_a_mirrored_sleeve_is_relieved_alike(force: float) -> None:
+    """x to 0.12 m − x: the sleeve, its spring and what the run-up left point the other way."""
+    sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
+    plain = replace(short(3000.0), sleeves=(sleeve,))
+    seats = [replace(s, x=0.12 - s.x, thrust=-s.thrust) for s in plain.seats]
+    turned = replace(plain, seats=tuple(reversed(seats)), points={"nose": 0.12, "end": 0.0})
+    holding = []
+    for spindle, given in ((plain, force), (turned, -force)):
+        spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(given, direction="x", pulse=0.05),))
+        found = answer(seen(spindle, spec, 20e3, rotor="rigid", **CONTROL), spec)
+        holding.append(found.holding[0, 0])
+    assert holding[1] == pytest.approx(holding[0], rel=1e-3)
 
 
 def test_pressures_are_those_of_the_state_under_the_force() -> None:

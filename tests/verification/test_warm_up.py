@@ -296,6 +296,9 @@ def test_a_speed_without_balance_says_so_however_short_the_time() -> None:
     fallen = replace(short, axial_load=0.5 * short.axial_load)
     told = [line for line in warnings(fallen) if "times that of the warm spindle" in line]
     assert not [line for line in told if "20000 rpm" in line]
+    assert without_balance().unbalanced[0]
+    (told_once,) = warnings(without_balance())
+    assert "at 20000 rpm temperatures run away" in told_once
 
 
 def test_speeds_without_balance_need_none_beside_them_that_has_one() -> None:
@@ -327,6 +330,11 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     assert np.isnan(result.axial_load).all()
     assert np.isnan(result.largest_time).all()
     assert not [*warnings(result), *summary(result), *figures(None, result, {})]  # type: ignore[arg-type]
+
+
+def test_a_speed_without_a_start_leaves_the_figure_of_the_others() -> None:
+    partly = replace(running_away(), outcome=("", "no axial state at the start"))
+    assert [name for name, _ in figures(None, partly, {})] == ["warm_up"]  # type: ignore[arg-type]
 
 
 def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
@@ -493,6 +501,27 @@ def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -
     assert f"{reached.max():.0f} °C at 8000 rpm, {end.max():.0f} °C in balance" in told
     assert f"{100.0 * share:.0f} % of the way still to come" in told
     assert not [*warnings(to_the_end)]
+
+
+def test_a_temperature_is_late_by_more_than_a_kelvin_and_on_its_way() -> None:
+    """The share of the way is left out where it ends farther from balance than it began."""
+    result = begun()
+    settled = replace(
+        result,
+        steady_load=result.axial_load[:, -1],
+        steady_ball_temperature=result.ball_temperature[:, -1],
+        steady_inner_temperature=result.inner_temperature[:, -1],
+        steady_outer_temperature=result.outer_temperature[:, -1],
+    )
+    assert not [*warnings(settled)]
+    outer, end = result.outer_temperature, result.outer_temperature[:, -1]
+    still = np.broadcast_to(end[:, None], outer.shape)
+    near = replace(settled, outer_temperature=still, steady_outer_temperature=end + 0.9)
+    assert not [*warnings(near)]
+    passed = replace(settled, steady_outer_temperature=outer[:, 0] + 0.1 * (end - outer[:, 0]))
+    (told,) = warnings(passed)
+    assert "outer ring" in told
+    assert "of the way" not in told
 
 
 def test_loads_across_the_axis_take_no_part() -> None:

@@ -114,11 +114,13 @@ class BearingMapSpec(Spec):
         except InvalidBearing as refusal:
             yield ("flexible_rings",), f"{refusal}"
         free = (*(True,) * 3, *(self.tilt != "blocked",) * 2)
-        for value in self.values:
-            given = {name: getattr(self, fixed) for name, fixed in FIXED.items()}
-            axial, radial, moment = (given | {self.swept: value}).values()
+        fixed = {name: getattr(self, key) for name, key in FIXED.items()}
+        alone = [(FIXED[name], {name: fixed[name]}) for name in (AXIAL, RADIAL)]
+        swept = [(LISTS[self.swept], fixed | {self.swept: value}) for value in self.values]
+        for key, given in (*alone, *swept):
+            axial, radial, moment = (given.get(name, 0.0) for name in SWEPT)
             if why := bearing.refusal((axial, radial, 0.0, 0.0, moment), free):
-                yield (LISTS[self.swept],), why
+                yield (key,), why
                 return
 
     def mounted(self, bearing: BallBearing) -> BallBearing:

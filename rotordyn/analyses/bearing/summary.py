@@ -145,7 +145,10 @@ def _life(result: BearingMapResult) -> list[str]:
         text = f"{_solved(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
         if np.isfinite(result.viscous_heat[good, k]).any():
             heat = (result.contact_heat + result.viscous_heat)[good, k]
-            text += f", heat {from_to(heat, 0)} W (order of magnitude)"
+            turning = good & (result.speed > 0.0)
+            more = "; of the resultants where balls have more than two contacts, an estimate"
+            rough = bool((result.contacts[turning, k] > 2).any())
+            text += f", heat {from_to(heat, 0)} W (order of magnitude{more * rough})"
         lines.append(f"{'life       ' if not lines else INDENT}{text}")
     return lines
 

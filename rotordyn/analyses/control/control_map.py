@@ -131,8 +131,8 @@ def least_margins(state: BearingState) -> Array:
 
 
 def three_contacts(state: BearingState) -> NDArray[np.bool_]:
-    """Whether a ball that the inner race loads has more than two contacts (…)."""
-    return np.asarray(((state.inner_load > 0.0) & (state.contacts > 2)).any(axis=-1))
+    """Whether a ball has more than two contacts (…), which its inner race then loads."""
+    return np.asarray((state.contacts > 2).any(axis=-1))
 
 
 def resting_weight(bearing: BallBearing) -> float:

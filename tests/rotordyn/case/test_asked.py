@@ -103,6 +103,19 @@ def test_four_point_bearings_are_ground_to_their_play() -> None:
         assert abs(made.plays[0] - angle) > math.radians(0.1)
 
 
+@pytest.mark.parametrize("play", ["axial_play", "radial_play"])
+def test_a_play_that_is_given_stays_as_it_is(play: str) -> None:
+    case = rotordyn.load("qj218")
+    place = 1 + ("axial_play", "radial_play").index(play)
+    given = {"contact_angle": None, play: case.bearing.plays[place]}
+    case = replace(case, bearing=replace(case.bearing, **given))
+    asked = asked_of(case)
+    changes = [each.at(1.0) for each in asked.tolerances if "bearing." in each.path]
+    assert [*map(set, changes)] == [{f"bearing.{race}_conformity"} for race in ("inner", "outer")]
+    made = rotordyn.vary(case, {k: v for change in changes for k, v in change.items()}).bearing
+    assert made.plays[place] == pytest.approx(case.bearing.plays[place], abs=1e-12)
+
+
 def test_an_angle_of_ones_own_tolerance_is_not_that_of_a_play() -> None:
     case = replace(
         rotordyn.load("qj218"),

@@ -16,6 +16,7 @@ from rotordyn.analyses.unbalance import summary as unbalance
 from rotordyn.case.model import model
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.results.balls import gripping, pressed, slipping
+from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.warnings import _lost, bearing_warnings
 from tests.oracles.spindles import RPM, conditions, mfw2310
@@ -136,3 +137,20 @@ def test_balls_with_a_third_contact_are_noted() -> None:
         assert bool(said) == noted
         if noted:
             assert "balls of bearing front have more than two contacts from 3000 rpm on" in said[0]
+
+
+def test_balls_at_rest_have_no_motion_to_be_noted() -> None:
+    """Under 3 kN across the axis they have four contacts at rest, too."""
+    seats = (
+        BearingSeat("front", model("bearings", "qj218"), 0.05),
+        BearingSeat("rear", model("bearings", "6012"), 0.35),
+    )
+    machine = mfw2310(seats=seats, sleeves=(), arrangement=None, shortening=None)
+    given = conditions(axial_force=500.0, loads=(PointLoad(0.05, Fy=3e3),))
+    for speeds, when in (([0.0], ""), ([0.0, 100.0], "contacts at 100 rpm,")):
+        scene = Scene(machine, given, np.array(speeds) * RPM)
+        front, column = scene.preload.seat_states()[0]
+        assert (front.contacts[:, column].max(axis=1) == 4).all()
+        said = [each for each in scene.notes if "more than two contacts" in each]
+        assert len(said) == bool(when)
+        assert all(when in each for each in said)

@@ -14,6 +14,7 @@ from rotordyn.analyses.bearing.tables import LAYOUTS
 from rotordyn.report.tables import tidy_columns
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.lubrication import Lubrication
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
 from tests.rotordyn.analyses.bearing.test_bearing_map import FLOW, OIL
@@ -51,6 +52,18 @@ def test_contacts_without_a_state_have_no_line() -> None:
     found = answer(four_point(QJ218), inner, speed, spec)
     assert [word == "" for word in found.outcome[:, 0]] == [True, False, False]
     assert not any(line.startswith("contacts") for line in summary(found))
+
+
+@pytest.mark.parametrize(("load", "rpm", "said"), [(5e3, 6e3, True), (5e4, 6e3, False)])
+def test_heat_of_balls_with_a_third_contact_is_an_estimate(
+    load: float, rpm: float, *, said: bool
+) -> None:
+    """Up to nine times too much (docs/theory/four_point.md)."""
+    spec = BearingMapSpec((load,), lubricant=Lubrication(32e-6, 5.4e-6, 50.0))
+    found = answer(four_point(QJ218), OUTER, np.array([0.0, rpm]) * RPM, spec)
+    (line,) = (each for each in summary(found) if "heat" in each)
+    assert ("where balls have more than two contacts, an estimate" in line) == said
+    assert (found.contacts[1, 0].max() > 2) == said
 
 
 def test_the_rating_of_a_pair_is_questioned() -> None:

@@ -15,6 +15,7 @@ from rotordyn.analyses.control.spec import ControlSpec
 from rotordyn.errors import NoSolution
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM, VEX70
+from tests.oracles.known_grooves import QJ218, four_point
 
 CLOSE = replace(VEX70, inner_conformity=0.52)
 SPEED = np.array([0.0, 5000.0, 10000.0, 15000.0, 20000.0]) * RPM
@@ -68,6 +69,12 @@ def test_speeds_without_any_state_say_so() -> None:
     assert found.boundary_absence[:, 1].tolist() == ["no equilibrium"] * 2
     with pytest.raises(NoSolution, match="no equilibrium"):
         answer(CLOSE, inner, np.array([30000.0]) * RPM, ControlSpec(100.0))
+
+
+def test_a_third_contact_at_every_load_leaves_no_race_control() -> None:
+    """Of a QJ 218 at 6000 rpm up to 2 kN."""
+    with pytest.raises(NoSolution, match="no load and speed of the case has race control: third"):
+        answer(four_point(QJ218), Conditions(), np.array([6000.0]) * RPM, ControlSpec(2e3))
 
 
 def test_what_contacts_cannot_bear_is_no_boundary(monkeypatch: pytest.MonkeyPatch) -> None:
