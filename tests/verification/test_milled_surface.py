@@ -250,6 +250,27 @@ def test_run_out_alike_is_none_and_moves_the_wall():
     assert half.swing == pytest.approx(whole.swing, rel=1e-4)  # a pattern of two and of four
 
 
+def test_a_rigid_tip_feels_the_forces_of_unlike_teeth():
+    """Its vibration is none, by which nothing can be divided."""
+    asked = (DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
+    found = milled(lambda omega: 0.0 * tip(omega), *asked, runout=OUT)
+    stiff = milled(lambda omega: 1e-9 * tip(omega), *asked, runout=OUT)
+    assert (found.swing == 0.0).all()
+    assert found.error == found.departure == 0.0
+    assert found.force == pytest.approx(stiff.force, rel=1e-6)
+    assert found.most == pytest.approx([-2e-5])
+
+
+@pytest.mark.parametrize("immersion", [1e-2, 1e-3])
+def test_forces_of_a_short_arc_are_seen_where_they_begin(immersion):
+    """Down-milling, where the chip is thickest as a straight edge enters: a run-out of next to
+    nothing changes nothing."""
+    entry = math.acos(2.0 * immersion - 1.0)
+    asked = (tip, DEPTH, FEED, 3, KT, KR, entry, math.pi, SPEED, DIAMETER)
+    out = milled(*asked, runout=(0.0, 2e-9, 1e-9))
+    assert out.force == pytest.approx(milled(*asked).force, rel=2e-3)
+
+
 def test_an_idle_tooth_is_as_none():
     """Two of three teeth, uneven, of which the feed is that of the pitches."""
     feed, pitches = 1e-4, tuple(np.radians([120.0, 240.0]))

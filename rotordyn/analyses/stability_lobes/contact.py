@@ -20,7 +20,8 @@ from rotordyn.analyses.stability_lobes.forces import Forces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FINE, LEAST = 8, 2000  # angles to the shortest wave, and in all
+FINE, LEAST, ARC = 8, 2000, 400  # angles to the shortest wave, in all, and from entry to exit
+MOST = 100_000  # angles for short arcs
 SLICE = 0.05  # rad, by which an edge lags from slice to slice
 
 
@@ -85,8 +86,10 @@ class Contact:
 
     def _angle(self, order: Array) -> Array:
         """Of the cutter over its pattern (count,), between the steps."""
-        count = max(FINE * len(order), LEAST)
-        return self.forces.cut.turn * (np.arange(count) + 0.5) / count
+        cut = self.forces.cut
+        of_arc = min(math.ceil(ARC * cut.turn / (cut.exit - cut.entry)), MOST)
+        count = max(FINE * len(order), LEAST, of_arc)
+        return cut.turn * (np.arange(count) + 0.5) / count
 
     def _over(self, order: Array, amplitude: Complex) -> Array:
         """Values at these angles (count, 2) of amplitudes (n, 2)."""
