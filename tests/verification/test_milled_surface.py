@@ -652,6 +652,9 @@ def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
     assert math.floor(order[0]) > math.floor(order[1])
     assert (width[1:] == 0.0).all()
     assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
+    for wide, told in ((0.18, True), (0.19, False)):  # 2000 rpm are 0.182 of 11 000
+        as_wide = replace(lobes(found), resonance_width=np.array([wide, 0.0, 0.0]))
+        assert any("farther apart" in each for each in warnings(as_wide)) == told
 
 
 def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):
