@@ -409,6 +409,8 @@ def test_shorter_steps_settle_what_whole_ones_do_not_and_the_best_is_kept(monkey
     found = milled(tip, 0.8 * limit, FEED, *cut, DIAMETER, pitch=pitch)
     assert found.error < 1e-3
     assert 0.6 < found.departure < 0.7
+    sharp = Forces(Cut(*cut[:-1], pitches=pitch), 0.8 * limit, FEED).mean_torque()
+    assert found.torque == pytest.approx(0.5 * DIAMETER * sharp, rel=1e-12), "they do the same work"
     last = milled(tip, 0.95 * limit, FEED, *cut, DIAMETER, pitch=pitch)
     monkeypatch.setattr(forced_vibration, "ROUNDS", 1)
     first = milled(tip, 0.95 * limit, FEED, *cut, DIAMETER, pitch=pitch)

@@ -127,12 +127,15 @@ class Contact:
                 yield at[where], where
 
     def _push(self, s: Array, c: Array, thick: Array, rate: Array) -> Array:
-        """Force on the tip in feed and normal and torque over the radius (n, 3) of a slice."""
+        """Force on the tip in feed and normal and torque of the edge over the radius (n, 3) of a
+        slice. At every angle all chips together are the feed, however the tip moves: their mean
+        torque stays."""
         forces, cut = self.forces, self.forces.cut
         share = forces.depth / max(1, math.ceil(cut.lag / SLICE))
         t = share * (cut.tangential * thick + forces.tangential)
         r = share * (cut.radial * thick + forces.radial + rate)
-        return np.stack([-t * c - r * s, t * s - r * c, t], axis=-1)
+        edge = np.full_like(t, share * forces.tangential)
+        return np.stack([-t * c - r * s, t * s - r * c, edge], axis=-1)
 
 
 def _since(order: Array, gap: float) -> Complex:
