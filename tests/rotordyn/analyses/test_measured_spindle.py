@@ -305,6 +305,13 @@ def test_a_band_that_holds_no_two_frequencies_of_the_measurement(tested, band):
     case(tested, asked.replace(band, "[61 Hz, 62 Hz]"))
 
 
+def test_of_a_faulty_file_its_fault_alone_is_told(tested):
+    (tested / "lost.csv").write_text("nothing\n", encoding="utf-8")
+    with pytest.raises(RotordynError, match=r"lost\.csv") as told:
+        case(tested, frf(measured("lost.csv", "y")))
+    assert "fewer than two" not in str(told.value)
+
+
 @pytest.mark.parametrize(
     ("kept", "sentence"),
     [(5, "too few frequencies: given 4; allowed: from 6"), (3, "column 2: not a finite number")],
