@@ -12,7 +12,9 @@ import pytest
 from scipy.linalg import expm
 
 import rotordyn
+from rotordyn.analyses.stability_lobes import forced as forced_vibration
 from rotordyn.analyses.stability_lobes import limit_depth, milled, planned_cut
+from rotordyn.analyses.stability_lobes.contact import Contact
 from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.figures import headline_curves
 from rotordyn.analyses.stability_lobes.figures.milled_surface import surface_figure
@@ -46,9 +48,10 @@ def tip(omega):
 
 
 def over_time(cut, edges, rubbing, turns=16, slices=40, steps=STEPS):
-    """Position of the tip (steps, 2) over the last of some revolutions from rest, and the largest
-    force: each tooth in slices along its edge, each step exact under the force at its middle.
-    Unlike teeth take off what the deepest of all before them left, or nothing."""
+    """Position of the tip (steps, 2) over the last of some revolutions from rest, the largest
+    force and the mean torque over the radius: each tooth in slices along its edge, each step exact
+    under the force at its middle. Unlike teeth take off what the deepest of all before them left,
+    or nothing."""
     pitches = np.array(cut.pitches or [2.0 * math.pi / cut.teeth] * cut.teeth)
     behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
     feeds = FEED * cut.teeth * pitches / (2.0 * math.pi)
@@ -82,6 +85,8 @@ def over_time(cut, edges, rubbing, turns=16, slices=40, steps=STEPS):
     out = np.array(cut.runout or [0.0] * cut.teeth)
     higher = out[:, None] - out[np.roll(before, -1, axis=1)]
     state, path, largest = np.zeros(4), np.zeros((turns * steps + 1, 2)), 0.0
+    torque = cut.tangential * np.einsum("njl,njl,j->n", share, s, feeds)
+    torque += edges[0] * share.sum(axis=(1, 2))
     for n in range(turns * steps):
         place = n % steps
         here = state[:2] + 0.5 * step * state[2:]
@@ -91,13 +96,14 @@ def over_time(cut, edges, rubbing, turns=16, slices=40, steps=STEPS):
             chip = np.einsum("jmi,jli->jml", moved, normal[place]) + higher[..., None]
             chip = (chip + since[..., None] * s[place][:, None]).min(axis=1)
             cuts = share[place] * (chip > 0.0)
+            torque[place] = (cuts * (cut.tangential * chip + edges[0])).sum()
             total = np.einsum("jl,jl,jli->i", cuts, chip, force[place])
             total += np.einsum("jl,jli->i", cuts, edge[place])
             total -= rubbing * np.einsum("jl,jli,jlk->ik", cuts, *[normal[place]] * 2) @ state[2:]
         state = ahead @ state + by_force @ total
         path[n + 1] = state[:2]
         largest = max(largest, math.hypot(*total)) if n >= (turns - 1) * steps else 0.0
-    return path[-steps - 1 :], largest
+    return path[-steps - 1 :], largest, torque.mean()
 
 
 UNEVEN = tuple(np.radians([100.0, 120.0, 140.0]))
@@ -139,9 +145,10 @@ def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     walls = [wall for wall, there in (("up", cut.entry == 0.0), ("down", cut.exit > 3.0)) if there]
     found = Forced(forces, DIAMETER, SPEED, 2.0 * math.pi * 12e3, rubbing).solve(tip, walls)
     steps = 3600 if cut.runout and any(edges) and not cut.lag else STEPS  # edges begin at once
-    path, largest = over_time(cut, edges, rubbing, steps=steps)
+    path, largest, torque = over_time(cut, edges, rubbing, steps=steps)
     assert found.error < 1e-3
     assert found.force == pytest.approx(largest, rel=5e-3 if cut.lag else 1e-3)  # slices
+    assert found.torque == pytest.approx(0.5 * DIAMETER * torque, rel=2e-3)
     near = 3e-3 * np.ptp(path, axis=0).max()
     assert found.deflection == pytest.approx(path[1:].mean(axis=0), abs=near)
     assert found.swing == pytest.approx(np.ptp(path, axis=0), abs=near)
@@ -248,6 +255,27 @@ def test_run_out_alike_is_none_and_moves_the_wall():
     half = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6))
     whole = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6 + 1e-11))
     assert half.swing == pytest.approx(whole.swing, rel=1e-4)  # a pattern of two and of four
+
+
+def test_a_rigid_tip_feels_the_forces_of_unlike_teeth():
+    """Its vibration is none, by which nothing can be divided."""
+    asked = (DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
+    found = milled(lambda omega: 0.0 * tip(omega), *asked, runout=OUT)
+    stiff = milled(lambda omega: 1e-9 * tip(omega), *asked, runout=OUT)
+    assert (found.swing == 0.0).all()
+    assert found.error == found.departure == 0.0
+    assert found.force == pytest.approx(stiff.force, rel=1e-6)
+    assert found.most == pytest.approx([-2e-5])
+
+
+@pytest.mark.parametrize("immersion", [1e-2, 1e-3])
+def test_forces_of_a_short_arc_are_seen_where_they_begin(immersion):
+    """Down-milling, where the chip is thickest as a straight edge enters: a run-out of next to
+    nothing changes nothing."""
+    entry = math.acos(2.0 * immersion - 1.0)
+    asked = (tip, DEPTH, FEED, 3, KT, KR, entry, math.pi, SPEED, DIAMETER)
+    out = milled(*asked, runout=(0.0, 2e-9, 1e-9))
+    assert out.force == pytest.approx(milled(*asked).force, rel=2e-3)
 
 
 def test_an_idle_tooth_is_as_none():
@@ -359,7 +387,7 @@ def test_vibration_that_takes_teeth_out_of_the_cut(monkeypatch):
         monkeypatch.setitem(globals(), name, value)
     forced = Forced(Forces(cut, DEPTH, FEED), DIAMETER, SPEED, 2.0 * math.pi * 12e3)
     found = forced.solve(tip, ["up"])
-    path, largest = over_time(cut, (0.0, 0.0), 0.0, turns=40, steps=2400)
+    path, largest, _ = over_time(cut, (0.0, 0.0), 0.0, turns=40, steps=2400)
     assert found.error < 1e-3
     assert found.swing[0] == pytest.approx(np.ptp(path[:, 0]), rel=5e-3)
     assert found.force == pytest.approx(largest, rel=1e-2)
@@ -370,6 +398,66 @@ def test_vibration_that_takes_teeth_out_of_the_cut(monkeypatch):
     linear = np.ptp(np.fft.irfft(moved, 1024) * 1024)
     assert linear / found.swing[0] == pytest.approx(0.908, abs=0.01)
     assert found.departure > 0.09
+
+
+def test_shorter_steps_settle_what_whole_ones_do_not_and_the_best_is_kept(monkeypatch):
+    """Towards a limit; the change is told over the vibration as it is, here less than the linear
+    one."""
+    pitch = tuple(np.radians([60.0, 75.0, 105.0, 120.0]))
+    cut = (4, 7e8, 2e8, 0.0, 1.2, 1250.0)
+    limit = limit_depth(tip, *cut, pitch=pitch).depth
+    found = milled(tip, 0.8 * limit, FEED, *cut, DIAMETER, pitch=pitch)
+    assert found.error < 1e-3
+    assert 0.6 < found.departure < 0.7
+    sharp = Forces(Cut(*cut[:-1], pitches=pitch), 0.8 * limit, FEED).mean_torque()
+    assert found.torque == pytest.approx(0.5 * DIAMETER * sharp, rel=1e-12), "they do the same work"
+    last = milled(tip, 0.95 * limit, FEED, *cut, DIAMETER, pitch=pitch)
+    monkeypatch.setattr(forced_vibration, "ROUNDS", 1)
+    first = milled(tip, 0.95 * limit, FEED, *cut, DIAMETER, pitch=pitch)
+    assert last.error <= first.error
+
+
+def test_flanks_of_teeth_that_leave_the_work_push_by_their_velocity():
+    """Forces of a motion that is given, of teeth that run out and partly leave, and what they have
+    beyond those of unmoved ends: angle by angle, a straight edge with what the deepest left."""
+    cut = Cut(3, KT, KR, 0.0, 2.4, 0.0, UNEVEN, (0.0, 3e-5, -7e-5))
+    contact = Contact(Forces(cut, DEPTH, FEED, KTE, KRE), SPEED, 4e3)
+    order, random = np.arange(21.0), np.random.default_rng(2)
+    moved = np.zeros((21, 2), dtype=complex)
+    moved[1:5] = 1e-5 * (random.normal(size=(4, 2)) + 1j * random.normal(size=(4, 2)))
+
+    def at(angle, by=1.0):
+        return (2.0 * np.exp(1j * np.multiply.outer(angle, order)) @ (by * moved)).real
+
+    angle = 2.0 * math.pi * (np.arange(2000) + 0.5) / 2000
+    rate = at(angle, 1j * order[:, None] * SPEED)
+    total, linear = np.zeros((2, 2000, 2))
+    for tooth in range(3):
+        own = np.mod(angle + cut.behind[tooth], 2.0 * math.pi)
+        away = np.stack([np.sin(own), np.cos(own)], axis=-1)
+        along = np.stack([away[:, 1], -away[:, 0]], axis=-1)
+
+        def push(cuts, thick, away=away, along=along):
+            radial = KR * thick + KRE + 4e3 * (rate * away).sum(axis=1)
+            whole = (KT * thick + KTE)[:, None] * along + radial[:, None] * away
+            return DEPTH * cuts[:, None] * whole
+
+        left, gap = [], 0.0
+        for k in range(3):
+            gap += UNEVEN[tooth - k]
+            out = cut.runout[tooth] - cut.runout[tooth - k - 1]
+            chip = 3.0 * FEED * gap / (2.0 * math.pi) * away[:, 0] + out
+            left.append(chip + ((at(angle) - at(angle - gap)) * away).sum(axis=1))
+            for one in contact.forces.chips:
+                if one.tooth == tooth and abs(one.gap - gap) < 1e-9:
+                    linear -= push((own > one.entry) & (own < one.exit), left[-1])
+        thick = np.min(left, axis=0)
+        total -= push((own > cut.entry) & (own < cut.exit) & (thick > 0.0), thick)
+    beyond = contact.of(order, moved)
+    np.testing.assert_allclose(beyond.over, total - linear, atol=1e-9 * np.abs(total).max())
+    assert np.abs(beyond.over).max() > 0.1 * np.abs(total).max()
+    found = contact.largest(order, moved, beyond)
+    assert found == pytest.approx(np.hypot(*total.T).max(), rel=1e-9)
 
 
 def test_vibration_that_does_not_settle_is_not_taken_for_right():
@@ -566,6 +654,9 @@ def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
     assert math.floor(order[0]) > math.floor(order[1])
     assert (width[1:] == 0.0).all()
     assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
+    for wide, told in ((0.18, True), (0.19, False)):  # 2000 rpm are 0.182 of 11 000
+        as_wide = replace(lobes(found), resonance_width=np.array([wide, 0.0, 0.0]))
+        assert any("farther apart" in each for each in warnings(as_wide)) == told
 
 
 def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):

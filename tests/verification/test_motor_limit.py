@@ -10,10 +10,12 @@ import pytest
 
 import rotordyn
 from rotordyn.analyses.stability_lobes.figures.lobes import lobes_figure
+from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve
 from rotordyn.machine.motor import Motor
+from rotordyn.results.described import Shown
 
 RPM = np.array([2000.0, 4000.0, 6000.0, 8000.0])
 MACHINE = """
@@ -90,6 +92,18 @@ def test_the_motor_drives_what_the_removal_rate_takes(solved):
     assert known["removal"] == pytest.approx(rate.max() * 60e6)
 
 
+def test_rates_equal_but_for_rounding_are_told_where_the_margin_is_largest(solved):
+    """And speeds that are not solved are passed over."""
+    found = solved(motor="motor: {power: 1 kW}")
+    odd = np.array([math.nan, 1.0, 1.0 - 1e-9, 1.0])
+    depth = np.array([math.nan, 1.1, 3.0, 2.0]) * found.motor_depth
+    some = replace(found, depth=depth, motor_removal=found.motor_removal * odd)
+    (told,) = (each.replace("\xa0", " ") for each in summary(some) if each.startswith("motor"))
+    assert "before chatter does at all 3 speeds" in told
+    assert "at 6000 rpm" in told
+    assert told.endswith(f", stable up to {depth[2] * 1e3:.2f} mm")
+
+
 def test_edges_of_a_planned_cut_take_their_part(solved):
     """Power of the cut at the depth that the motor drives is that of the motor."""
     edges = MILLING + "    cut: {depth: DEPTH, tangential_edge: 20 N/mm, radial_edge: 9 N/mm}\n"
@@ -154,3 +168,6 @@ def test_the_line_of_the_motor_is_drawn(solved, tmp_path):
     inside = found.motor_depth * 1e3 <= upper.get_ylim()[1]
     assert inside.any()
     assert line.get_ydata()[inside] == pytest.approx(found.motor_depth[inside] * 1e3)
+    shown = Shown("", found, (), case.spindle)
+    (chart, *_) = page(case.analyses["stability_lobes"], [shown])
+    assert label in [trace.get("name") for trace in chart.traces]

@@ -330,6 +330,9 @@ def test_what_gauges_near_to_each_other_read_stands_beside_each_other(
     assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
     panel = axes.get_window_extent()
     assert all(panel.x0 <= box.x0 and box.x1 <= panel.x1 for box in boxes)
+    both = line_figure([Shown(title, found, (), spindle) for title in ("one", "other")])
+    said = [text for text in both.axes[0].texts if "runout" in text.get_text()]
+    assert len(said) == len(gauges), "of the first machine alone"
 
 
 FAULTS: Sequence[tuple[str, dict[str, Any], str]] = (

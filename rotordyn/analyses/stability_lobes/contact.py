@@ -20,7 +20,8 @@ from rotordyn.analyses.stability_lobes.forces import Forces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FINE, LEAST = 8, 2000  # angles to the shortest wave, and in all
+FINE, LEAST, ARC = 8, 2000, 400  # angles to the shortest wave, in all, and from entry to exit
+MOST = 100_000  # angles for short arcs
 SLICE = 0.05  # rad, by which an edge lags from slice to slice
 
 
@@ -85,8 +86,10 @@ class Contact:
 
     def _angle(self, order: Array) -> Array:
         """Of the cutter over its pattern (count,), between the steps."""
-        count = max(FINE * len(order), LEAST)
-        return self.forces.cut.turn * (np.arange(count) + 0.5) / count
+        cut = self.forces.cut
+        of_arc = min(math.ceil(ARC * cut.turn / (cut.exit - cut.entry)), MOST)
+        count = max(FINE * len(order), LEAST, of_arc)
+        return cut.turn * (np.arange(count) + 0.5) / count
 
     def _over(self, order: Array, amplitude: Complex) -> Array:
         """Values at these angles (count, 2) of amplitudes (n, 2)."""
@@ -124,12 +127,15 @@ class Contact:
                 yield at[where], where
 
     def _push(self, s: Array, c: Array, thick: Array, rate: Array) -> Array:
-        """Force on the tip in feed and normal and torque over the radius (n, 3) of a slice."""
+        """Force on the tip in feed and normal and torque of the edge over the radius (n, 3) of a
+        slice. At every angle all chips together are the feed, however the tip moves: their mean
+        torque stays."""
         forces, cut = self.forces, self.forces.cut
         share = forces.depth / max(1, math.ceil(cut.lag / SLICE))
         t = share * (cut.tangential * thick + forces.tangential)
         r = share * (cut.radial * thick + forces.radial + rate)
-        return np.stack([-t * c - r * s, t * s - r * c, t], axis=-1)
+        edge = np.full_like(t, share * forces.tangential)
+        return np.stack([-t * c - r * s, t * s - r * c, edge], axis=-1)
 
 
 def _since(order: Array, gap: float) -> Complex:

@@ -133,10 +133,11 @@ class Forced:
         for _ in range(ROUNDS):
             beyond = self._contact.of(order, np.einsum("kij,kj->ki", own, force))
             change = loop.solve(beyond.force - rest)
-            before, error = error, size(change) / size(force)
+            whole = size(force) or 1.0  # a rigid tip does not move
+            before, error = error, size(change) / whole
             if error < best:
                 best = error
-                found = _Settled(force, beyond, error, size(force - linear) / size(force))
+                found = _Settled(force, beyond, error, size(force - linear) / whole)
             if error < SETTLED:
                 break
             share = share if error < LESS * before else max(0.5 * share, SHORTEST)

@@ -155,7 +155,7 @@ def _motor(result: StabilityLobesResult) -> list[str]:
     if not result.motor:
         return []
     known = ~np.isnan(result.depth)
-    less = int((result.motor_depth < result.depth)[known].sum())
+    less = int((result.motor_depth < result.depth).sum())
     where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
     line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
     rate = np.where(known, result.motor_removal, 0.0)

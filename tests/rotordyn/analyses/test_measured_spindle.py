@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rotordyn
+from rotordyn.analyses import registry
 from rotordyn.analyses.frf.uff import write_uff
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes import converged
@@ -113,6 +114,13 @@ def case(folder, asked, tool=TOOL, speeds="[0 rpm]", machine=MACHINE):
 def frf(given, way="y"):
     pair = f"{{response: tip.{way}, excitation: tip.{way}}}"
     return f"  frf: {{frequencies: {BAND}, pairs: [{pair}], measured_spindle: {given}}}\n"
+
+
+def test_the_speed_of_a_measured_spindle_is_a_slice(tested):
+    asked = frf(measured()).replace("pairs:", "slices: [90 rpm], pairs:")
+    spec = case(tested, asked, speeds="[0 rpm, 90 rpm]").analyses["frf"]
+    assert spec.measured_speeds == (0.0,)
+    assert set(registry.analysis("frf").speeds(spec)) == {0.0, spec.slices[0]}
 
 
 @pytest.mark.parametrize("way", ["y", "z"])
@@ -224,7 +232,8 @@ def test_peaks_between_the_samples_of_the_band_are_those_of_the_tip(share):
     assert -light.real < 0.01 * np.diff(tip.omega)[0]
     omega = light.imag + 0.1 * np.arange(-100, 101) * abs(light.real)
     exact = receptance(omega)
-    assert np.abs(tip._fit(omega)[:, 0] - exact).max() < 1e-2 * np.abs(exact).max()
+    for plane in tip._fit(omega).T:  # the other one is as that which was measured
+        assert np.abs(plane - exact).max() < 1e-2 * np.abs(exact).max()
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -294,6 +303,13 @@ def test_a_band_that_holds_no_two_frequencies_of_the_measurement(tested, band):
     with pytest.raises(RotordynError, match=r"yaml:\d+:\d+: analyses\.frf\.frequencies: fewer"):
         case(tested, asked)
     case(tested, asked.replace(band, "[61 Hz, 62 Hz]"))
+
+
+def test_of_a_faulty_file_its_fault_alone_is_told(tested):
+    (tested / "lost.csv").write_text("nothing\n", encoding="utf-8")
+    with pytest.raises(RotordynError, match=r"lost\.csv") as told:
+        case(tested, frf(measured("lost.csv", "y")))
+    assert "fewer than two" not in str(told.value)
 
 
 @pytest.mark.parametrize(

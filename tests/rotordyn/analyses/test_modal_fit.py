@@ -52,3 +52,12 @@ def test_the_noise_that_is_carried_is_the_scatter_of_repeated_fits() -> None:
         apart.append(np.abs(off) / found.carried(OMEGA, share))
     assert np.sqrt(np.mean(np.square(apart))) == pytest.approx(1.0, abs=0.15)
     assert np.median(np.sqrt(np.mean(np.square(apart), axis=0))) == pytest.approx(1.0, abs=0.15)
+
+
+@pytest.mark.parametrize("count", [6, 9, 14, 17])
+def test_few_frequencies_leave_more_samples_than_unknowns(count: int) -> None:
+    """Four to a mode and two, as where their number is given."""
+    for seed in range(6):
+        samples = slice(0, 10 * count, 10)
+        found = modal_fit(OMEGA[samples], noisy(seed)[samples, :1])
+        assert len(found.fit.pole) <= (count - 2) // 4

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rotordyn.numerics import pole_count
 from rotordyn.numerics.pole_count import (
     Counted,
+    Trial,
     _one_more,
     _outside,
     _peaks,
@@ -42,6 +44,25 @@ def measured(seed: int) -> tuple[np.ndarray, np.ndarray]:
 def inside(found: Counted) -> np.ndarray:
     pole = found.best.fit.pole
     return (pole.imag > OMEGA[0]) & (pole.imag < OMEGA[-1])
+
+
+@pytest.mark.parametrize(("further", "chosen"), [((7.0, 6.0, 1.0), 0), ((7.0, 4.0, 8.0, 8.0), 2)])
+def test_another_count_is_chosen_where_it_is_better_than_the_best(
+    monkeypatch: pytest.MonkeyPatch, further: tuple[float, ...], chosen: int
+) -> None:
+    """Not where it is better than the one before; after two in vain no more are tried."""
+    samples, deviation = measured(0)
+    told = dict(enumerate((5.0, *further), start=1))
+
+    def trial(fit: Refined, _: np.ndarray) -> Trial:
+        count = len(fit.fit.pole)
+        return Trial(count, told.get(count, 9.0), 1.0)
+
+    monkeypatch.setattr(pole_count, "_trial", trial)
+    monkeypatch.setattr(pole_count, "_peaks", lambda *_: POLE[:1])
+    monkeypatch.setattr(pole_count, "_outside", lambda _: POLE[:0])
+    found = counted(OMEGA, samples, deviation, 12)
+    assert len(found.best.fit.pole) == 1 + chosen
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -13,12 +13,14 @@ import pyuff
 
 import rotordyn
 from rotordyn.analyses.frf import summary as frf_summary
+from rotordyn.analyses.frf.figures import headline_curves
 from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import summary as measured_lines
 from rotordyn.analyses.frf.summary import warnings as measured_warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve
+from rotordyn.results.described import Shown
 from rotordyn.study.machines import lean
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
@@ -413,11 +415,19 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     assert result.frac[0] < 0.9
 
 
-@pytest.mark.parametrize("slices", ["[0 rpm, 1000 rpm]", "[]"])
+@pytest.mark.parametrize(
+    ("slices", "drawn"),
+    [
+        ("[0 rpm, 1000 rpm]", [0.0, 330.0, 1000.0]),
+        ("[]", [0.0, 330.0, 1000.0]),
+        ("[0 rpm, 100 rpm, 200 rpm]", [0.0, 100.0, 200.0, 330.0]),
+    ],
+)
 def test_the_curve_that_a_measured_one_is_compared_with_is_drawn(
-    tmp_path: Path, slices: str
+    tmp_path: Path, slices: str, drawn: list[float]
 ) -> None:
-    """At the speed of the measurement, between the slices; a study keeps that speed, too."""
+    """At the speed of the measurement, between the slices; a study keeps that speed, too, and a
+    comparison shows it where it leaves slices out."""
     rows = "".join(f"{f},{1.0 + f % 3},0\n" for f in range(5, 40))
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
     asked = (ASKED % "receptance").replace("slices: [0 rpm, 1000 rpm]", f"slices: {slices}")
@@ -426,9 +436,13 @@ def test_the_curve_that_a_measured_one_is_compared_with_is_drawn(
     tap = MEASURED % ("tap.csv", ", name: tap, speed: 330 rpm")
     (tmp_path / "case.yaml").write_text(HEAD + asked + tap)
     few = lean(rotordyn.load(tmp_path / "case.yaml"))
-    assert len(few.speeds) < 12
+    assert len(few.speeds) < 14
     found = solve(few).results["frf"]
-    assert (found.slice_speed * 30.0 / math.pi).tolist() == pytest.approx([0.0, 330.0, 1000.0])
+    assert (found.slice_speed * 30.0 / math.pi).tolist() == pytest.approx(drawn)
+    curves = headline_curves(None, Shown("", found, (), None))
+    titles = {each.title.partition(" at ")[2] for each in curves}
+    assert len(titles) == 3
+    assert "330 rpm" in titles
 
 
 @pytest.mark.long
