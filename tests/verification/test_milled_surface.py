@@ -681,6 +681,16 @@ def test_errors_that_cut_too_deep_count_by_their_amount(solved):
     assert "largest -9.00 to -8.00 µm at 3000 rpm" in told.replace("\xa0", " ")
 
 
+def test_values_of_a_vibration_that_does_not_settle_are_no_headline_numbers(solved):
+    found = lobes(solved(cut="{depth: 1 mm}", speeds="[3000 rpm, 5500 rpm]"))
+    for error, known in ((5e-3, True), (2e-2, False)):
+        restless = replace(found, vibration_error=np.array([0.0, error]))
+        named = {number.name: number for number in numbers(restless, None)}  # type: ignore[arg-type]
+        for name in ("surface error", "cutting power"):
+            assert math.isfinite(named[name].value) == known
+            assert known or named[name].absent == "not settled"
+
+
 def test_unlike_stable_speeds_are_not_compared(solved):
     """A machine that loses stability where errors are largest would look better."""
     found = lobes(solved(cut="{depth: 1 mm}"))

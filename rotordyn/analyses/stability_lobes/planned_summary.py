@@ -50,10 +50,13 @@ def summary(result: StabilityLobesResult) -> list[str]:
 
 def numbers(result: StabilityLobesResult) -> Iterator[Number]:
     """The largest amount of the error of the surface and the highest power, absent unless the cut
-    is stable at all speeds that are solved: over unlike speeds machines could not be compared."""
+    is stable, and its vibration settled, at all speeds that are solved: over unlike speeds machines
+    could not be compared."""
     if not result.cut_is_stable.size:
         return
-    whole, absent = not _unstable_cut(result).any() and result.cut_is_stable.any(), "not stable"
+    stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
+    absent = "not settled" if stable else "not stable"
+    whole = stable and not (result.vibration_error > UNSETTLED).any()
     worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
     power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
     yield Number("surface error", "µm", worst, digits=2, absent=absent)
