@@ -32,6 +32,7 @@ FINE = 8  # points of the shortest wave
 SETTLED, ROUNDS = 1e-3, 40  # of the vibration, in which its contact is settled
 LESS = 0.8  # times: where changes do not fall so from one to the next, shorter steps are taken
 SHORTEST = 0.1  # of a whole step
+LOST = 100.0  # of the vibration: changes so large lead nowhere
 SEEN = 1e-8  # of the largest harmonic of the motion: smaller ones move no surface
 SOLVED = 1e-10  # of the forces
 SEARCHED, RESTARTED = 80, 25  # directions, and how often
@@ -130,15 +131,15 @@ class Forced:
 
         linear = force = loop.solve(alone)
         share, error, best = 1.0, math.inf, math.inf
-        for _ in range(ROUNDS):
+        for step in range(ROUNDS):
             beyond = self._contact.of(order, np.einsum("kij,kj->ki", own, force))
             change = loop.solve(beyond.force - rest)
             whole = size(force) or 1.0  # a rigid tip does not move
             before, error = error, size(change) / whole
-            if error < best:
+            if step == 0 or error < best:
                 best = error
                 found = _Settled(force, beyond, error, size(force - linear) / whole)
-            if error < SETTLED:
+            if error < SETTLED or not error < LOST:
                 break
             share = share if error < LESS * before else max(0.5 * share, SHORTEST)
             force, rest = force + share * change, rest + share * (beyond.force - rest)
