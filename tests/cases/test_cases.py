@@ -48,7 +48,6 @@ WARNED = {  # what the case is there to show
     "deep_groove_uneven_teeth": (
         "period doubling limits",
         "repeats with the pattern of teeth limits",
-        "teeth leave the work",
     ),
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
