@@ -51,12 +51,23 @@ def write_changed(
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def _put(whole: dict[str, Any], steps: list[str], value: Any) -> None:
-    for step in steps[:-1]:
-        if not isinstance(whole.get(step), dict):
-            whole[step] = {}
-        whole = whole[step]
-    whole[steps[-1]] = value
+def _put(held: Any, steps: list[str], value: Any) -> None:
+    """Into a mapping, or a list whose items have a ``name`` or their place from 1."""
+    step, rest = steps[0], steps[1:]
+    key: Any = _names(held).index(step) if isinstance(held, list) else step
+    if not rest:
+        held[key] = value
+        return
+    if isinstance(held, dict) and not isinstance(held.get(key), dict | list):
+        held[key] = {}
+    _put(held[key], rest, value)
+
+
+def _names(items: list[Any]) -> list[str]:
+    named = (
+        (k, item.get("name") if isinstance(item, dict) else None) for k, item in enumerate(items)
+    )
+    return [str(k + 1 if name is None else name) for k, name in named]
 
 
 def _renamed(value: Any, name: Callable[[str], str]) -> Any:

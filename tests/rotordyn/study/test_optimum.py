@@ -556,6 +556,26 @@ def test_the_best_as_a_case_is_the_machine_that_was_tried(
     assert unlike(case, wanted)
 
 
+@pytest.mark.parametrize("choices", [{"cut.runout.2": [5e-6]}, {"speeds.2": [300.0], "teeth": [3]}])
+def test_the_best_as_a_case_has_items_of_lists(tmp_path: Path, choices: dict[str, Any]) -> None:
+    """By their place from 1, as paths name them where they have no name."""
+    (tmp_path / "case.yaml").write_text(
+        "spindle: deep_groove_rear\nspeeds: [0 rpm, 9000 rpm]\nanalyses:\n  stability_lobes:\n"
+        "    {point: nose, teeth: 3, diameter: 40 mm, tangential: 600 MPa, radial: 200 MPa,\n"
+        "    cut: {depth: 1 mm, runout: [0 um, 1 um, 2 um]}, speeds: [20 rpm, 25 rpm, 3000 rpm]}\n"
+    )
+    case = rotordyn.load(tmp_path / "case.yaml")
+    varied = {f"analyses.stability_lobes.{path}": values for path, values in choices.items()}
+    problem = Problem(case, tuple(parameters(case, varied)), ())
+    assert (
+        _write_best(problem, Trial((0.0,) * len(choices)), tmp_path / "best.yaml", tmp_path) == ""
+    )
+    found = rotordyn.load(tmp_path / "best.yaml").analyses["stability_lobes"]
+    wanted = vary(case, {path: values[0] for path, values in varied.items()})
+    assert found == wanted.analyses["stability_lobes"]
+    assert found != case.analyses["stability_lobes"]
+
+
 def test_what_a_limit_may_be() -> None:
     reading = Reading(np.array([100.0]), "N")
     for how, said in (
