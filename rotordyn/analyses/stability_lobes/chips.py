@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby, pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,35 +36,45 @@ class Chip:
     height: float
     gap: float
 
-    def thickness(self, angle: Array) -> Array:
-        """At angles of the tooth (…) [m]."""
-        return self.feed * np.sin(angle) + self.height
+
+class Passed(NamedTuple):
+    """Since each of the teeth before one, itself last (teeth,): ``gap`` [rad], ``feed`` [m], and by
+    how much it stands out farther than that, ``height`` [m]."""
+
+    gap: Array
+    feed: Array
+    height: Array
+
+
+@lru_cache
+def passed(cut: Cut, feed: float) -> tuple[Passed, ...]:
+    """Of all teeth of the pattern of a ``cut``, with ``feed`` by tooth [m] on average."""
+    gaps = np.array(cut.gaps)
+    count = len(gaps)
+    out, found = np.array(cut.runout[:count] or [0.0] * count), []
+    for tooth in range(count):
+        before = (tooth - np.arange(count + 1)) % count  # itself, those before it, itself again
+        gap, height = np.cumsum(gaps[before[:-1]]), out[tooth] - out[before[1:]]
+        found.append(Passed(gap, feed * cut.teeth * gap / (2.0 * math.pi), height))
+    return tuple(found)
 
 
 @lru_cache
 def chips(cut: Cut, feed: float) -> tuple[Chip, ...]:
     """Chips of all teeth of the pattern of a ``cut``, with ``feed`` by tooth [m] on average."""
-    feeds = feed * cut.teeth * np.array(cut.gaps) / (2.0 * math.pi)
-    return tuple(chip for tooth in range(len(feeds)) for chip in _of_tooth(cut, feeds, tooth))
-
-
-def _of_tooth(cut: Cut, feeds: Array, tooth: int) -> Iterator[Chip]:
-    count = len(feeds)
-    if not cut.runout:
-        yield Chip(tooth, cut.entry, cut.exit, float(feeds[tooth]), 0.0, cut.gaps[tooth])
-        return
-    before = [(tooth - k) % count for k in range(count)]  # itself, then those before it
-    since, gap = np.cumsum(feeds[before]), np.cumsum(np.array(cut.gaps)[before])
-    out = np.array(cut.runout)
-    height = out[tooth] - out[[*before[1:], tooth]]
-    for (entry, exit), left in _left_by(cut, since, height):
-        yield Chip(tooth, entry, exit, *(float(each[left]) for each in (since, height, gap)))
+    found = []
+    for tooth, since in enumerate(passed(cut, feed)):
+        whole = [((cut.entry, cut.exit), 0)]
+        spans = _left_by(cut, since.feed, since.height) if cut.runout else whole
+        for (entry, exit), left in spans:
+            values = since.feed[left], since.height[left], since.gap[left]
+            found.append(Chip(tooth, entry, exit, *map(float, values)))
+    return tuple(found)
 
 
 def _left_by(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
     """Spans of angle in which a tooth is in cut, and the place among those before it of the one
-    that left the chip there: that of the least ``feed`` sin φ + ``height``, where it is above 0.
-    """
+    that left the chip there: the least ``feed`` sin φ + ``height``, where that is above 0."""
     steeper, higher = np.subtract.outer(feed, feed), np.subtract.outer(height, height)
     with np.errstate(divide="ignore", invalid="ignore"):
         sine = np.append((-higher / steeper)[np.triu_indices(len(feed), 1)], -height / feed)

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.chips import passed
 from rotordyn.analyses.stability_lobes.forces import Forces
 
 Array = NDArray[np.float64]
@@ -47,14 +48,14 @@ class Contact:
         """With a motion of the tip (n, 2) at orders of the revolution, from 0 up."""
         angle, velocity = self._angle(order), self._over(order, moved * self._rate(order))
         linear, true = np.zeros((len(angle), 3)), np.zeros((len(angle), 3))
-        for tooth, gaps in enumerate(self._before()):
-            since = [self._over(order, moved * _since(order, gap)) for gap, *_ in gaps]
+        for tooth, before in enumerate(passed(self.forces.cut, self.forces.feed)):
+            since = [self._over(order, moved * _since(order, gap)) for gap in before.gap]
             for at, where in self._slices(angle, tooth):
                 s, c = np.sin(at), np.cos(at)
                 away = np.stack([s, c], axis=-1)
                 left = [
                     feed * s + height + (motion[where] * away).sum(axis=-1)
-                    for motion, (_, feed, height) in zip(since, gaps, strict=True)
+                    for motion, feed, height in zip(since, before.feed, before.height, strict=True)
                 ]
                 rate = self.rubbing * (velocity[where] * away).sum(axis=-1)
                 thick = np.minimum.reduce(left)
@@ -62,7 +63,7 @@ class Contact:
                 for chip in self.forces.chips:
                     if chip.tooth == tooth:
                         inside = (at > chip.entry) & (at < chip.exit)
-                        which = [gap for gap, *_ in gaps].index(chip.gap)
+                        which = int(before.gap.searchsorted(chip.gap))
                         push = self._push(s, c, left[which], rate)
                         linear[where] += push * inside[:, None]
         beyond = true - linear
@@ -100,28 +101,16 @@ class Contact:
     def _rate(self, order: Array) -> Complex:
         return np.asarray(1j * order * self.speed)[:, None]
 
-    def _before(self) -> list[list[tuple[float, float, float]]]:
-        """Of each tooth the gap [rad], the feed and the greater height [m] since each of those
-        before it."""
-        cut, forces = self.forces.cut, self.forces
-        count = len(cut.gaps)
-        gaps = np.array(cut.gaps)
-        feeds = forces.feed * cut.teeth * gaps / (2.0 * math.pi)
-        out = np.array(cut.runout[:count] or [0.0] * count)
-        found = []
-        for tooth in range(count):
-            before = [(tooth - k) % count for k in range(count)]
-            height = out[tooth] - out[[*before[1:], tooth]]
-            values = np.cumsum(gaps[before]), np.cumsum(feeds[before]), height
-            found.append([*zip(*(each.tolist() for each in values), strict=True)])
-        return found
+    @property
+    def _count(self) -> int:
+        """Slices of an edge."""
+        return max(1, math.ceil(self.forces.cut.lag / SLICE))
 
     def _slices(self, angle: Array, tooth: int) -> Iterator[tuple[Array, NDArray[np.intp]]]:
         """Angles of the slices of an edge that are between entry and exit, and their places among
         the ``angle`` of the cutter."""
         cut = self.forces.cut
-        count = max(1, math.ceil(cut.lag / SLICE))
-        for lag in cut.lag * (np.arange(count) + 0.5) / count:
+        for lag in cut.lag * (np.arange(self._count) + 0.5) / self._count:
             for at in cut.standing(angle)[:, tooth] - lag:
                 where = np.flatnonzero((at > cut.entry) & (at < cut.exit))
                 yield at[where], where
@@ -131,7 +120,7 @@ class Contact:
         slice. At every angle all chips together are the feed, however the tip moves: their mean
         torque stays."""
         forces, cut = self.forces, self.forces.cut
-        share = forces.depth / max(1, math.ceil(cut.lag / SLICE))
+        share = forces.depth / self._count
         t = share * (cut.tangential * thick + forces.tangential)
         r = share * (cut.radial * thick + forces.radial + rate)
         edge = np.full_like(t, share * forces.tangential)

@@ -129,8 +129,8 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, deepest pocket with its speed, and those
-    of a planned cut."""
+    """Least limit, infinite where no depth is unstable, deepest pocket with its speed, highest
+    removal rate within stability and motor, and those of a planned cut."""
     known = result.depth[~np.isnan(result.depth)]
     least = float(known.min()) if known.size else np.nan
     yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
