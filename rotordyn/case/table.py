@@ -7,7 +7,6 @@ lines and those that begin with ``#`` are passed over. Every value keeps its pla
 
 from __future__ import annotations
 
-import csv
 import re
 from pathlib import Path
 
@@ -15,7 +14,9 @@ from rotordyn.case.document import read_text, shown
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.override import apply
-from rotordyn.errors import Fault
+from rotordyn.delimited import Row
+from rotordyn.delimited import rows as rows_of
+from rotordyn.errors import Fault, InvalidInput
 
 _HEAD = re.compile(r"\s*(speed|(stiffness|damping)\.(\w+))\s*\[([^\]]+)\]\s*")
 _ALLOWED = "speed [rpm], stiffness.yy [N/um], damping.yy [N s/m] and the like"
@@ -27,11 +28,11 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
     if text is None:
         return
     file = shown(path)
-    rows = [
-        (line, row)
-        for line, row in enumerate(csv.reader(text.splitlines(), delimiter=_separator(text)), 1)
-        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
-    ]
+    try:
+        rows = rows_of(text)
+    except InvalidInput as error:
+        faults.add(Fault(file, 0, 0, "", str(error)))
+        return
     columns = _columns(rows, file, faults)
     for column, (way, unit) in enumerate(columns):
         cells = [
@@ -46,15 +47,7 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
             apply({".".join(way): Node(cells, file, rows[0][0], column + 1)}, support, faults)
 
 
-def _separator(text: str) -> str:
-    """Comma, semicolon or tab, whichever the header has most of."""
-    lines = (line for line in text.splitlines() if line.strip() and line.lstrip()[0] != "#")
-    return max(",;\t", key=next(lines, "").count)
-
-
-def _columns(
-    rows: list[tuple[int, list[str]]], file: str, faults: Faults
-) -> list[tuple[tuple[str, ...], str]]:
+def _columns(rows: list[Row], file: str, faults: Faults) -> list[tuple[tuple[str, ...], str]]:
     """The way to the key of every column, and its unit; nothing where the file is no table."""
     if not rows:
         faults.add(Fault(file, 0, 0, "", f"holds no table: allowed: columns {_ALLOWED}"))

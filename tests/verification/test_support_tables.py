@@ -237,6 +237,7 @@ def test_a_csv_file_is_the_lists(tmp_path: Path, between: str) -> None:
         ("speed [rpm], stiffness.yy [N/mm]\n0, 1\n9, x\n", 3, "not a finite number: given 'x N/mm"),
         ("speed [Hz], stiffness.yy [N/m]\n0, 1\n9, 1\n", 2, "'Hz' is not a unit of speed"),
         ("speed [rpm], stiffness.yy [N/m]\n9, 1\n0, 1\n", 3, "not in ascending order"),
+        ("speed [rpm], stiffness.yy [N/um]\n0, " + 140_000 * "1", 0, "not a table: field larger"),
     ],
 )
 def test_a_broken_csv_file_says_where(tmp_path: Path, text: str, line: int, words: str) -> None:

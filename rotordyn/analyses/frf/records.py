@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import cmath
-import csv
-import io
 import math
 import re
 import warnings
@@ -14,6 +12,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rotordyn.analyses.measured_response import NO_RESPONSE, QUANTITIES, out_of_range
+from rotordyn.delimited import Row
+from rotordyn.delimited import rows as rows_of
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.results.display import is_rotation, response_unit
@@ -248,36 +248,15 @@ def _from_table(path: Path, pair: str) -> Record:
     return _record(pair, quantity, frequency, values, coherence)
 
 
-class _Row(NamedTuple):
-    """What stands in a line of the file."""
-
-    line: int
-    cells: Sequence[str]
-
-
-def _rows(path: Path) -> list[_Row]:
-    """The header and what follows it, between commas, semicolons or tabs."""
+def _rows(path: Path) -> list[Row]:
+    """The header and what follows it."""
     try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            text = file.read()
-        reader = csv.reader(io.StringIO(text, newline=""), delimiter=_separator(text))
-        rows = [_Row(reader.line_num, row) for row in reader if _holds(row)]
-    except (UnicodeDecodeError, csv.Error) as error:
+        found = rows_of(path.read_text(encoding="utf-8-sig"))
+    except UnicodeDecodeError as error:
         raise InvalidInput(f"not a table in UTF-8: {error}") from None
-    if not rows:
+    if not found:
         raise InvalidInput("the file is empty")
-    return rows
-
-
-def _separator(text: str) -> str:
-    """That of the header, the first line that holds anything."""
-    header = next((line for line in text.splitlines() if _holds([line])), "")
-    return max(",;\t", key=header.count)
-
-
-def _holds(row: Sequence[str]) -> bool:
-    """False for an empty line, a remark, which begins with #, and a ``sep=;`` of spreadsheets."""
-    return any(cell.strip() for cell in row) and not row[0].lstrip().startswith(("#", "sep="))
+    return found
 
 
 def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
@@ -304,14 +283,14 @@ def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
     return chosen
 
 
-def _refuse_widths(rows: Sequence[_Row]) -> None:
+def _refuse_widths(rows: Sequence[Row]) -> None:
     width = len(rows[0].cells)
     for line, cells in rows[1:]:
         if len(cells) != width:
             raise InvalidInput(f"line {line} has {len(cells)} values where the header has {width}")
 
 
-def _scaled(rows: Sequence[_Row], column: tuple[int, str], scale: float) -> list[float]:
+def _scaled(rows: Sequence[Row], column: tuple[int, str], scale: float) -> list[float]:
     """A column in SI; those that are none of ours may hold anything."""
     place, values = column[0], []
     for line, cells in rows:
