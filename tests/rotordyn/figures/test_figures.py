@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -326,7 +327,13 @@ def test_a_map_shows_peaks_between_its_frequencies_and_no_speed_below_the_first(
     axes = map_figure(one, [0]).axes[0]
     assert _drawn_up_to(axes.images[0]) == pytest.approx(np.log10(1e-3 * 1e6))
     assert axes.get_xlim()[0] == pytest.approx(speed[0] * 30.0 / np.pi)
-    assert axes.images[0].get_extent()[0] == axes.get_xlim()[0]
+    first, up = axes.get_xlim()[0], frf.frequency[20]
+    cells = [
+        axes.images[0].get_cursor_data(SimpleNamespace(xdata=first + dx, ydata=up))
+        for dx in (-1.0, 1.0)
+    ]
+    assert cells[0] is None
+    assert cells[1] is not None
 
 
 def test_real_parts_of_sharp_peaks_stay_readable():

@@ -106,6 +106,8 @@ def draw_map(
 
     ``limits`` of the amplitude [printed unit]; by default its own.
     """
+    from matplotlib.image import PcolorImage
+
     rpm, frequency = result.speed * RPM.factor, result.frequency
     top = max(float(rpm[-1]), 1.0)
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
@@ -121,16 +123,13 @@ def draw_map(
         values[apart > BAND * (top - first)] = np.nan
         axes.set_facecolor(UNKNOWN)
     ends = math.log10(low), math.log10(high)
-    image = axes.imshow(
-        _coloured(np.log10(values.T), *ends),
-        origin="lower",
-        aspect="auto",
-        vmin=ends[0],
-        vmax=ends[1],
-        interpolation="nearest",
-        rasterized=True,
-        extent=(first, top, float(edges[0]), float(edges[-1])),
-    )
+    speeds = np.linspace(first, top, _COLUMNS + 1)
+    # pixels by their cell: `imshow` would resample colours as numbers, 16 bytes a pixel on paper
+    image = PcolorImage(axes, speeds, edges, _coloured(np.log10(values.T), *ends), rasterized=True)
+    image.set_clim(*ends)
+    image.set_clip_path(axes.patch)
+    axes.add_image(image)
+    axes.set_xlim(first, top)
     axes.set_ylim(0.0, float(edges[-1]))
     axes.grid(visible=False)
     return image
