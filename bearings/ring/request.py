@@ -85,8 +85,9 @@ def _groups(
         for turning in (True, False):
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
             index, share = np.flatnonzero(chosen), TOGETHER // (1 if axial else g.balls) + 1
-            for first in range(0, len(index), share):
-                yield index[first : first + share], axial, turning
+            if index.size:
+                for part in np.array_split(index, -(-index.size // share)):
+                    yield part, axial, turning
 
 
 def _neighbour(
