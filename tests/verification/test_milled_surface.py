@@ -287,8 +287,63 @@ def test_an_idle_tooth_is_as_none():
     assert three.force == pytest.approx(two.force, rel=1e-9)
     assert three.swing == pytest.approx(two.swing, rel=1e-9)
     assert three.most == pytest.approx(two.most, rel=1e-9)
-    assert Forces(Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 0.0, -1e-3)), DEPTH, feed).idle == 1
-    assert Forces(Cut(4, KT, KR, 0.0, 2.0, runout=(0.0, -1e-3) * 2), DEPTH, feed).idle == 2
+    assert Forces(Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 0.0, -1e-3)), DEPTH, feed).idle == {2}
+    assert Forces(Cut(4, KT, KR, 0.0, 2.0, runout=(0.0, -1e-3) * 2), DEPTH, feed).idle == {1}
+
+
+def operation(teeth, runout=(), pitch=()):
+    spec = StabilityLobesSpec(
+        *("tip", DIAMETER, teeth, KT, KR),
+        immersion=0.9,
+        milling="up",
+        pitch=pitch,
+        feed_per_tooth=FEED,
+        cut=PlannedCut(DEPTH, runout=runout),
+    )
+    return Operation(spec, KT, KR)
+
+
+@pytest.mark.parametrize(
+    ("teeth", "runout", "pitch", "left"),
+    [
+        (3, (0.0, 0.0, -1e-3), (), (240, 120)),
+        (3, (-1e-3, 0.0, 0.0), (100, 120, 140), (220, 140)),
+        (3, (-1e-3, 0.0, -1e-3), (), ()),
+        (4, (0.0, -1e-3) * 2, (), (180, 180)),
+        (4, (-1e-3, 0.0, -1e-3, 0.0), (80, 90, 95, 95), (170, 190)),
+        (4, (0.0, -2e-5, 0.0, 1e-5), (80, 90, 95, 95), (80, 90, 95, 95)),
+    ],
+)
+def test_limits_are_those_of_teeth_that_cut(teeth, runout, pitch, left):
+    """Where run-out keeps teeth out of the cut, the others take what they leave."""
+    found = operation(teeth, runout, tuple(np.radians(pitch))).cut
+    assert found.runout == ()
+    same = replace(found, teeth=len(left) or 1, pitches=tuple(np.radians(left)))
+    assert found.teeth == same.teeth
+    turned = [np.roll(found.gaps, k) for k in range(len(found.gaps))]
+    assert any(np.allclose(same.gaps, each, rtol=1e-12) for each in turned)
+
+
+def test_a_cut_with_an_idle_tooth_is_stable_up_to_its_limit(monkeypatch):
+    """Over time, with all teeth: a motion from rest settles below the limit, and not above."""
+    speed = 2.0 * math.pi * 172.0
+    cut, every = operation(3, (0.0, 0.0, -1e-3)).cut, operation(3).cut
+    own, other = (
+        limit_depth(
+            tip, c.teeth, KT, KR, c.entry, c.exit, speed, pitch=c.pitches and tuple(c.pitches)
+        )
+        for c in (cut, every)
+    )
+    assert own.depth > 1.2 * other.depth
+    monkeypatch.setitem(globals(), "SPEED", speed)
+    whole = replace(every, runout=(0.0, 0.0, -1e-3))
+    apart = {}
+    for share in (0.9, 1.1):
+        monkeypatch.setitem(globals(), "DEPTH", share * own.depth)
+        one, next_ = (over_time(whole, (0.0, 0.0), 0.0, turns=n)[0] for n in (24, 25))
+        apart[share] = np.abs(next_ - one).max() / np.ptp(one)
+    assert apart[0.9] < 0.02
+    assert apart[1.1] > 0.5
 
 
 def test_forces_by_a_motion_are_those_of_each_angle():
@@ -758,6 +813,9 @@ def test_run_out_of_a_case(solved):
     assert (
         sum("by their run-out 1 tooth takes off nothing" in each for each in warnings(found)) == 1
     )
+    alone = lobes(solved(cut="{depth: 1 mm}", teeth=1))
+    np.testing.assert_allclose(found.depth, alone.depth, rtol=1e-9)
+    assert (np.abs(found.depth / plain.depth - 1.0) > 0.1).any()
     with pytest.raises(InvalidInput, match=r"cut\.runout: given 3 in number; allowed: 2"):
         solved(cut="{depth: 1 mm, runout: [1 um, 2 um, 3 um]}")
 

@@ -10,7 +10,8 @@ Theory: docs/theory/lobes.md.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import accumulate, pairwise
 
@@ -68,6 +69,19 @@ class Cut:
     def interruption(self) -> float:
         """Period over the time in which some tooth cuts: so much deeper short cuts are stable."""
         return self.turn / sum(high - low for low, high in self.pieces())
+
+    def without(self, idle: Collection[int]) -> Cut:
+        """The cutter of the other teeth of its pattern, without run-out: they take what the
+        ``idle`` ones leave."""
+        count = len(self.gaps)
+        first = next(tooth for tooth in range(count) if tooth not in idle)
+        pitches, since = [], 0.0
+        for tooth in range(first + 1, first + 1 + self.teeth):
+            since += self.gaps[tooth % count]
+            if tooth % count not in idle:
+                pitches.append(since)
+                since = 0.0
+        return replace(self, teeth=len(pitches), pitches=tuple(pitches), runout=())
 
     def mean(self) -> Array:
         """Mean of H of all teeth (2, 2) [Pa]; the lag and the pitches do not change it."""

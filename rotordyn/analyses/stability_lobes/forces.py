@@ -50,10 +50,9 @@ class Forces:
         return round(2.0 * math.pi / self.cut.turn)
 
     @property
-    def idle(self) -> int:
-        """How many teeth take off nothing."""
-        cutting = {chip.tooth for chip in self.chips}
-        return self.repeats * (len(self.cut.gaps) - len(cutting))
+    def idle(self) -> frozenset[int]:
+        """Teeth of the pattern that take off nothing."""
+        return frozenset(range(len(self.cut.gaps))) - {chip.tooth for chip in self.chips}
 
     def at(self, angle: Array) -> Array:
         """Force on the tip in feed and normal [N] and torque over the radius [N] while the first

@@ -28,7 +28,16 @@ class Operation:
 
     @property
     def cut(self) -> Cut:
-        """The teeth in cut, of milling."""
+        """The teeth in cut, of milling: without those that the run-out of a planned cut keeps
+        out of it."""
+        if self.spec.cut is None or not self.spec.cut.runout:
+            return self._cutter
+        cut = replace(self.planned.cut, lag=0.0)
+        return cut.without(self.planned.idle)
+
+    @property
+    def _cutter(self) -> Cut:
+        """All teeth."""
         own = self.spec
         edges = own.teeth, self.tangential, self.radial
         return checked(Cut(*edges, *own.ends, pitches=own.pitches))
@@ -88,7 +97,7 @@ class Operation:
         assert planned is not None
         lag = 2.0 * planned.depth * math.tan(own.helix) / self.diameter
         edges = planned.tangential_edge, planned.radial_edge
-        cut = replace(self.cut, lag=lag, runout=planned.runout)
+        cut = replace(self._cutter, lag=lag, runout=planned.runout)
         return Forces(cut, planned.depth, own.feed_per_tooth, *edges)
 
     def forced(self, speed: float, top: float) -> Forced:

@@ -54,8 +54,8 @@ def planned_cut(
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
-        idle = operation.planned.idle
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
+        idle = repeats * len(operation.planned.idle)
         sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
         width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)
         rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)

@@ -102,8 +102,8 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     if result.idle_teeth:
         some = "1 tooth takes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth take"
         sentences.append(
-            f"stability_lobes: by their run-out {some} off nothing in the planned cut; without "
-            "them limits of stability may be lower than those of all teeth that are given"
+            f"stability_lobes: by their run-out {some} off nothing in the planned cut: limits of "
+            "stability are those of the teeth that do, and hold with that feed alone"
         )
     margin = OF_MARGIN * (result.depth / result.planned_depth - 1.0)
     departed = result.contact_departure > np.fmin(margin, DEPARTED)
