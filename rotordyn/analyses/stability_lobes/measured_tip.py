@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.modal import (
+    RIGID,
+    ModalTip,
     feed_and_normal,
     frequencies_near,
     of_residues,
@@ -27,18 +29,21 @@ NEAR = 1e-4  # of the largest receptance: how near a rational function comes tha
 FURTHER, DAMPED = 20, 0.1  # modes added where the sum is farthest from it, and their damping ratio
 WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
 BEYOND = 1.2  # times the band, within which no mode may drive the tip
+REACH = 1.5  # times the highest mode of the workpiece
 STILL = 0.5  # of the largest receptance: a band that ends higher ends within a peak
 
 
 @dataclass(frozen=True)
 class MeasuredTip:
-    """The tool on ``machine``, measured at rest; ``feed`` [rad] from z in the sense of rotation.
+    """The tool on ``machine``, measured at rest; ``feed`` [rad] from z in the sense of rotation;
+    modes of the ``workpiece``.
 
     Modes above the band of the measurement act by their static residual.
     """
 
     machine: OnMeasured
     feed: float
+    workpiece: ModalTip = RIGID
 
     @cached_property
     def omega(self) -> Array:
@@ -96,15 +101,15 @@ class MeasuredTip:
         residue = np.einsum("ik,mk,jk->mij", turn, fit.residue, turn)
         constant = np.einsum("ik,k,jk->ij", turn, fit.constant, turn)
         tip = of_residues(fit.pole, residue, constant)
-        return TipModes(
-            tip.pole[None], tip.shape[None], tip.participation[None], tip.constant[None]
-        )
+        own = TipModes(tip.pole[None], tip.shape[None], tip.participation[None], tip.constant[None])
+        return own.beside(self.workpiece)
 
     @cached_property
     def poles(self) -> Complex:
         """Of modes in the band (1, k) [rad/s]."""
         pole = self._fit.pole
-        return pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])][None]
+        known = pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])]
+        return np.concatenate([known, self.workpiece.pole])[None]
 
     @property
     def growing(self) -> Complex:
@@ -113,8 +118,10 @@ class MeasuredTip:
 
     @property
     def tops(self) -> Array:
-        """The highest frequency that is known (1,) [rad/s]."""
-        return self.omega[-1:]
+        """The highest frequency that is known, and beyond the modes of the workpiece (1,)
+        [rad/s]."""
+        workpiece = REACH * self.workpiece.pole.imag.max(initial=0.0)
+        return np.maximum(self.omega[-1:], workpiece)
 
     def about_poles(self, row: int) -> Array:
         """Frequencies that resolve the peaks, ascending [rad/s]."""

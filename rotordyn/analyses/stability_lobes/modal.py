@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -73,6 +76,23 @@ class ModalTip:
         static = -2.0 * np.tensordot(1.0 / self.pole[far], residue, axes=1).real
         parts = self.pole[near], self.shape[near], self.participation[near]
         return ModalTip(*parts, self.constant + static)
+
+
+def of_workpiece(modes: Sequence[WorkpieceMode]) -> ModalTip:
+    """Modes of a workpiece in feed and normal: its deflection adds to the motion of the tip
+    against it, as the cut pushes both apart."""
+    natural, ratio, stiffness, angle = (
+        np.array([getattr(mode, name) for mode in modes], dtype=float)
+        for name in ("frequency", "damping", "stiffness", "direction")
+    )
+    natural = 2.0 * math.pi * natural
+    damped = natural * np.sqrt(1.0 - ratio**2)
+    way = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    residue = natural**2 / stiffness / (2j * damped)
+    return ModalTip(-ratio * natural + 1j * damped, residue[:, None] * way, way.astype(complex))
+
+
+RIGID = of_workpiece(())
 
 
 def of_residues(pole: Complex, residue: Complex, constant: Array) -> ModalTip:

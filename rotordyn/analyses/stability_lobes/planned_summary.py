@@ -36,11 +36,12 @@ def summary(result: StabilityLobesResult) -> list[str]:
         float(np.nanmax(each))
         for each in (result.cutting_force, result.cutting_torque, result.cutting_power)
     )
+    against = " against the workpiece" if result.workpiece_mode.size else ""
     return [
         f"cut        {what}: {where}",
         f"surface    error {'; '.join(error)} (positive: material is left)",
-        f"vibration  of the tip up to {_micrometre(float(swing[most]))} from peak to peak at "
-        f"{_milling_rpm(result, most)}",
+        f"vibration  of the tip{against} up to {_micrometre(float(swing[most]))} from peak to peak "
+        f"at {_milling_rpm(result, most)}",
         unbroken(
             f"forces     up to {number(force)} N; mean torque {number(torque, 3)} N m, power up to "
             f"{number(power * 1e-3, 2)} kW"

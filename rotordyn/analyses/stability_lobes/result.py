@@ -36,7 +36,8 @@ class StabilityLobesResult:
     ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
     are those of the cutter, none without such a cut; where it is stable follow
     the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
-    tooth, positive where material is left, and the mean displacement of the tip, its vibration from
+    tooth, positive where material is left, and the mean displacement of the tip against the
+    workpiece, its vibration from
     peak to peak, the largest force, mean torque and power. ``idle_teeth`` take off nothing, by
     their run-out. The vibration moves the ends of its own contact: ``contact_departure``, by how
     much that changes it, and ``vibration_error``, what it still asks for, both over its size.
@@ -139,6 +140,10 @@ class StabilityLobesResult:
         infinite=(ANY_DEPTH,),
     )
     workpiece: str = quantity(unit="", label="material of the workpiece")
+    workpiece_mode: NDArray[np.int_] = coordinate(
+        "workpiece_mode", unit="", label="mode of the workpiece"
+    )
+    workpiece_frequency: Array = quantity("workpiece_mode", unit="Hz", label="its frequency")
     source: NDArray[np.int_] = coordinate("source", unit="", label="source of the coefficients")
     tangential: Array = quantity(
         "source", unit="Pa", label="tangential cutting coefficient", printed=MEGAPASCAL

@@ -14,6 +14,7 @@ from rotordyn.analyses.stability_lobes.bands import band
 from rotordyn.analyses.stability_lobes.converged import ALLOWED, converged
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
+from rotordyn.analyses.stability_lobes.modal import of_workpiece
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.planned_cut import planned_cut
@@ -100,6 +101,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         measured=_spread(place, len(speeds), measured),
         least=_spread(place, len(speeds), ends[0]),
         most=_spread(place, len(speeds), ends[1]),
+        workpiece_mode=np.arange(1, len(spec.workpiece_modes) + 1),
+        workpiece_frequency=of_workpiece(spec.workpiece_modes).pole.imag / (2.0 * math.pi),
         workpiece="" if spec.workpiece is None else spec.workpiece.name,
         source=np.arange(1, len(of_file) + 1),
         tangential=coefficients[:, 0],
@@ -118,7 +121,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
 
 
 def _tip(scene: Scene, spec: StabilityLobesSpec) -> Tip:
-    return Tip(scene, spec.point, _feed(spec), _modelled(spec, scene))
+    workpiece = of_workpiece(spec.workpiece_modes)
+    return Tip(scene, spec.point, _feed(spec), _modelled(spec, scene), workpiece)
 
 
 def _modelled(spec: StabilityLobesSpec, scene: Scene) -> float:
@@ -138,7 +142,7 @@ def _on_measured(
         return np.full(len(speed), np.nan)
     machine = OnMeasured(spec.measured_spindle, scene.spindle)
     rows = np.zeros(len(speed), dtype=np.intp)
-    tip = MeasuredTip(machine, _feed(spec))
+    tip = MeasuredTip(machine, _feed(spec), of_workpiece(spec.workpiece_modes))
     return _depths(Limits(tip, rows, speed, scene.progress).of(operation))
 
 

@@ -13,6 +13,7 @@ from rotordyn.analyses.stability_lobes.workpiece import (
     RadialCoefficient,
     Workpiece,
 )
+from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
 from rotordyn.description import Description, Faults, ascending, within
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.plausibility import undamped
@@ -39,7 +40,10 @@ MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
-OF_MILLING = ("teeth", "pitch", "tangential", "radial", "workpiece", "helix", "cut")
+OF_MILLING = (
+    *("teeth", "pitch", "tangential", "radial", "workpiece", "helix", "cut"),
+    "workpiece_modes",
+)
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
 SAME = 1e-6  # of a diameter that is given twice
 ALIKE = 1e-9  # rad: pitches that differ by less are equal
@@ -71,7 +75,7 @@ class Turning(Description):
 class Interval(Description):
     """By how much values of the model may be off, as a share of them to both sides."""
 
-    stiffness: Annotated[Share, "of the whole machine"] = 0.0
+    stiffness: Annotated[Share, "of the whole machine, not of a flexible workpiece"] = 0.0
     damping: Annotated[Share, "ratios of all modes"] = 0.0
     coefficients: Annotated[Share, "of cutting"] = 0.0
 
@@ -157,6 +161,10 @@ class StabilityLobesSpec(Spec):
         PlannedCut | None,
         "of which forces, vibration and the error of the milled surface are asked",
     ] = None
+    workpiece_modes: Annotated[
+        tuple[WorkpieceMode, ...],
+        "of a flexible workpiece, such as a thin wall; rigid by default",
+    ] = ()
 
     @property
     def ends(self) -> tuple[float, float]:

@@ -69,10 +69,11 @@ def _least(result: StabilityLobesResult) -> list[str]:
         return []
     row, many = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
     speeds = f" at {'the other' if growing.any() else 'all'} {many} speeds" if many > 1 else ""
+    of_it = np.isin(result.mode_frequency[row], result.workpiece_frequency)
     return [
         f"chatter    stable up to {in_mm(depth[row])}{speeds}, limited at {_rpm(result, row)} by "
-        f"the mode at {number(result.mode_frequency[row])} Hz (chatter at "
-        f"{number(result.chatter[row])} Hz)"
+        f"the mode at {number(result.mode_frequency[row])} Hz{' of the workpiece' if of_it else ''}"
+        f" (chatter at {number(result.chatter[row])} Hz)"
     ]
 
 
@@ -82,9 +83,13 @@ def _growing(result: StabilityLobesResult) -> Flags:
 
 
 def _material(result: StabilityLobesResult) -> list[str]:
-    """Cutting coefficients of a workpiece: those of the limits, then those of the band."""
+    """Modes of the workpiece; its cutting coefficients: those of the limits, then those of the
+    band."""
+    modes = ", ".join(number(each) for each in result.workpiece_frequency)
+    some = "a mode" if result.workpiece_mode.size == 1 else "modes"
+    moved = [f"workpiece  flexible, {some} at {modes} Hz"] if modes else []
     if not result.source.size:
-        return []
+        return moved
     pairs = zip(result.tangential, result.radial, strict=True)
     own, *others = (
         unbroken(" and ".join(number(each * MEGAPASCAL.factor, 0) for each in pair))
@@ -92,7 +97,7 @@ def _material(result: StabilityLobesResult) -> list[str]:
     )
     also = f"; by other sources {', '.join(others)}" if others else ""
     name = result.workpiece or "workpiece"
-    return [f"material   {name}, Ktc and Krc [MPa]: {own}{also}"]
+    return [f"material   {name}, Ktc and Krc [MPa]: {own}{also}", *moved]
 
 
 def _band(result: StabilityLobesResult) -> list[str]:

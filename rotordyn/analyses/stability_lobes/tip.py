@@ -1,4 +1,5 @@
-"""Receptance of the tip of the tool in feed and normal, at every speed, from the free motions.
+"""Receptance of the tip of the tool against the workpiece in feed and normal, at every speed, from
+the free motions of the machine and the modes of the workpiece.
 
 Teeth turn from the normal to the feed as the spindle turns from y to z: normal = y and feed = z,
 both turned by the angle of the feed. With the opposite sense the gyroscopic cross receptances
@@ -8,13 +9,19 @@ would have the opposite sign.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.modal import Change, feed_and_normal, frequencies_near
+from rotordyn.analyses.stability_lobes.modal import (
+    RIGID,
+    Change,
+    ModalTip,
+    feed_and_normal,
+    frequencies_near,
+)
 from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE, STIFF
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.arrays import Indices
@@ -34,12 +41,14 @@ BEYOND = 1.5  # times the highest mode that matters
 
 @dataclass(frozen=True)
 class Tip:
-    """The tip at the usable speeds of a scene; ``feed`` [rad] from z in the sense of rotation."""
+    """The tip at the usable speeds of a scene; ``feed`` [rad] from z in the sense of rotation;
+    ``workpiece``: its modes, alike at all speeds."""
 
     scene: Scene
     point: str
     feed: float
     highest: float
+    workpiece: ModalTip = RIGID
 
     @cached_property
     def _parts(self) -> list[tuple[FreeMotions, list[tuple[int, int]], Array]]:
@@ -80,7 +89,7 @@ class Tip:
             values = motions.receptance(omega, responses, excitations)
             for k, (one, other) in enumerate(pairs):
                 whole[..., one, other] = values[:, k]
-        return np.asarray(self._turn @ whole @ self._turn.T)
+        return np.asarray(self._turn @ whole @ self._turn.T) + self.workpiece.receptance(omega)
 
     @cached_property
     def modes(self) -> TipModes | None:
@@ -97,7 +106,8 @@ class Tip:
             poles.append(motions.pole)
             shapes.append(np.where(twice[..., None], 0.5 * shape, shape))
             participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ both)
-        return TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
+        own = TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
+        return own.beside(self.workpiece)
 
     @cached_property
     def growing(self) -> Complex:
@@ -106,7 +116,7 @@ class Tip:
 
     def at(self, row: int) -> Tip:
         """The tip at one of the speeds."""
-        one = Tip(self.scene, self.point, self.feed, self.highest)
+        one = replace(self)
         chosen = np.array([row])
         parts = [(motions.at(chosen), *rest) for motions, *rest in self._parts]
         one.__dict__["_parts"] = parts
@@ -116,7 +126,7 @@ class Tip:
         """The tip at some of the speeds, its machine changed as a whole."""
         stiffness, damping = change.stiffness, change.damping * np.sqrt(change.stiffness)
         highest = self.highest * math.sqrt(float(change.stiffness.max()))
-        one = Tip(self.scene, self.point, self.feed, highest)
+        one = replace(self, highest=highest)
         one.__dict__["_parts"] = [
             (free_motions(motions.linear.at(rows).scaled(stiffness, damping)), *rest)
             for motions, *rest in self._parts
@@ -131,7 +141,8 @@ class Tip:
         ------
         InvalidInput : one without damping that the tip feels
         """
-        pole = np.concatenate([motions.pole for motions, *_ in self._parts], axis=1)
+        workpiece = np.broadcast_to(self.workpiece.pole, (self.count, len(self.workpiece.pole)))
+        pole = np.concatenate([*(motions.pole for motions, *_ in self._parts), workpiece], axis=1)
         limit = 2.0 * math.pi * self.highest
         with np.errstate(invalid="ignore"):
             kept = (pole.imag > 1e-3) & (pole.imag < limit) & (pole.imag > -pole.real)

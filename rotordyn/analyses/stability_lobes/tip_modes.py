@@ -27,6 +27,20 @@ class TipModes:
     participation: Complex
     constant: Array | None = None
 
+    def beside(self, workpiece: ModalTip) -> TipModes:
+        """With the modes of a ``workpiece``, alike at all speeds, and without residual."""
+
+        def joined(own: Complex, more: Complex) -> Complex:
+            alike = np.broadcast_to(more, (len(own), *more.shape))
+            return np.concatenate([own, alike], axis=1)
+
+        return TipModes(
+            joined(self.pole, workpiece.pole),
+            joined(self.shape, workpiece.shape),
+            joined(self.participation, workpiece.participation),
+            self.constant,
+        )
+
     def at(self, row: int) -> ModalTip:
         """Modes at one speed, given by its ``row``."""
         kept = np.isfinite(self.pole[row])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,6 +15,8 @@ from rotordyn.analyses.frf.uff import write_uff
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes import converged
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
+from rotordyn.analyses.stability_lobes.modal import of_workpiece
+from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.job.solving import solve
@@ -245,6 +248,20 @@ def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed
         tip = tip_of(lambda omega, by=share: by * receptance(omega))
         found.append(tip._fit(tip.omega)[:, 0])
     assert np.abs(found[1] - found[0]).max() < 1e-9 * np.abs(found[0]).max()
+
+
+def test_a_workpiece_that_gives_way_stands_beside_the_measured_tip():
+    """Its modes are known exactly, and may lie above the band of the measurement."""
+    modes = WorkpieceMode(800.0, 0.02, 1e7, 0.4), WorkpieceMode(7000.0, 0.02, 1e8)
+    alone = tip_of(base(1))
+    both, own = replace(alone, workpiece=of_workpiece(modes)), of_workpiece(modes)
+    omega = np.linspace(100.0, 5e4, 200)
+    there, here = (tip.modes.at(0).receptance(omega) for tip in (alone, both))
+    np.testing.assert_allclose(here - there, own.receptance(omega), atol=1e-9 * np.abs(here).max())
+    assert both.tops[0] > 1.2 * own.pole.imag.max() > both.omega[-1]
+    assert alone.tops[0] == alone.omega[-1]
+    assert np.isin(own.pole, both.poles).all()
+    assert both.about_poles(0)[-1] > own.pole.imag[-1]
 
 
 @pytest.mark.long
