@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby, pairwise
+from itertools import chain, groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -25,11 +25,12 @@ from rotordyn.preload.arrangement import (
     HOUSING,
     SHAFT,
     Arrangement,
+    AxialBearing,
     arrangement,
     as_mounted,
     has_stop,
 )
-from rotordyn.preload.axial_tables import axial_table, deflection_of
+from rotordyn.preload.axial_tables import axial_tables, deflection_of
 from rotordyn.preload.network import Network as PreloadNetwork
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
@@ -190,6 +191,7 @@ def history(preload: PreloadState, reach: float) -> History:
 
     before, through, after = moments(past, joined.speed.tolist(), preload.force)
     start = Moment(0.0, False, 0.0)
+    laws.all_at([*before, *through, *chain(*after)])
     return History(
         network,
         of_seat=joined.bearing_of_seat,
@@ -297,19 +299,37 @@ class BearingLaws:
     def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
         """Laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
         [rad/s], at operating temperature or not."""
-        state = self.preload
-        key = speed, warm and state.temperatures is not None
-        if key not in self._known:
-            if warm not in self._arranged:
-                acting = state.law, state.temperatures if warm else None, state.films
-                self._arranged[warm] = arrangement(state.spindle, self.speeds, 0.0, *acting)
-            there = self._arranged[warm].at(np.searchsorted(self.speeds, [speed]))
-            of_seat = there.bearing_of_seat
-            bearings = [there.bearings[of_seat[one.seats[0]]] for one in self.joined.bearings]
-            shift = np.array([bearing.shortening[0] for bearing in bearings])
-            laws = tuple(axial_table(bearing, speed, self.most) for bearing in bearings)
-            self._known[key] = laws, shift, float(there.support_shift[0])
-        return self._known[key]
+        place = self._place(speed, warm)
+        self._solve([place])
+        return self._known[place]
+
+    def all_at(self, moments: Iterable[Moment]) -> None:
+        """Make those of some ``moments`` together, which is quicker."""
+        self._solve(dict.fromkeys(self._place(at.speed, at.warm) for at in moments))
+
+    def _place(self, speed: float, warm: bool) -> tuple[float, bool]:
+        return speed, warm and self.preload.temperatures is not None
+
+    def _solve(self, places: Iterable[tuple[float, bool]]) -> None:
+        """Make those at speeds, warm or not, that are not known yet."""
+        new = {place: self._bearings(*place) for place in places if place not in self._known}
+        every = [bearing for own, _ in new.values() for bearing in own]
+        speeds = [speed for (speed, _), (own, _) in new.items() for _ in own]
+        tables = iter(axial_tables(every, speeds, self.most))
+        for place, (own, at_supports) in new.items():
+            shift = np.array([bearing.shortening[0] for bearing in own])
+            self._known[place] = tuple(next(tables) for _ in own), shift, at_supports
+
+    def _bearings(self, speed: float, warm: bool) -> tuple[list[AxialBearing], float]:
+        """The bearings at a speed, and the shift of the shaft at its supports [m]."""
+        if warm not in self._arranged:
+            state = self.preload
+            acting = state.law, state.temperatures if warm else None, state.films
+            self._arranged[warm] = arrangement(state.spindle, self.speeds, 0.0, *acting)
+        there = self._arranged[warm].at(np.searchsorted(self.speeds, [speed]))
+        of_seat = there.bearing_of_seat
+        own = [there.bearings[of_seat[one.seats[0]]] for one in self.joined.bearings]
+        return own, float(there.support_shift[0])
 
 
 def _network(preload: PreloadState, joined: Arrangement, deflection: Array) -> Network:

@@ -251,7 +251,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
     "rotordyn/preload/axial_tables.py": [
         (
             "2.0 -> 2.2",
-            "way",
+            "ways",
             "how far a table goes that is doubled as needed",
         ),
         ("0.25 -> 0.275", "REACH", "how far a table goes that is doubled as needed"),

@@ -26,7 +26,7 @@ from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
 from rotordyn.preload.arrangement import arrangement
-from rotordyn.preload.axial_tables import _solved, axial_table
+from rotordyn.preload.axial_tables import _Asked, axial_tables, solved
 from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, history, moments, most_moments
 from rotordyn.preload.state import PreloadState
@@ -373,7 +373,7 @@ def test_histories_that_make_no_sense(words: str, build: Any) -> None:
 def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     """And is its law, to 0.1 mN where there is next to no load."""
     model = deep_groove(drawn_6210(0.0))
-    law = _solved(model, Law("outer", "equal"), (0.0, 0.0), 0.0, 50e-6)[0]
+    law = solved([_Asked(model, LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
     exact = float(model.equilibrium(displacement=[d, 0, 0, 0, 0]).load[0])
     assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
     assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
@@ -381,7 +381,7 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
 
 
 def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
-    law = _solved(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)[0]
+    law = solved([_Asked(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
     for d in (60e-6, 500e-6):
         assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-6)
 
@@ -390,7 +390,7 @@ def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
 def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     """Rounding of the loads of such a pair would make its slope between."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
-    law = _solved(model, Law("outer", "equal"), (growth, growth), 0.0, 50e-6)[0]
+    law = solved([_Asked(model, LAW, (growth, growth), 0.0, 50e-6)])[0].law
     slope = np.array([law(d)[1] for d in law.knots])
     between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
     assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
@@ -402,7 +402,8 @@ def test_tables_reach_far_above_the_loads_that_are_known() -> None:
     d = 0.2 * one.model.free_distance
     growth = {"static_growth": one.static_growth[0], "growth": one.growth[0]}
     exact = one.model.equilibrium(displacement=[d, 0, 0, 0, 0], **growth, **asdict(one.law))
-    assert axial_table(one, 0.0, 100.0)(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
+    (law,) = axial_tables([one], [0.0], 100.0)
+    assert law(d)[0] == pytest.approx(float(exact.load[0]), rel=1e-6)
 
 
 def test_rings_at_all_speeds_of_a_history_are_solved_at_once(
@@ -443,4 +444,4 @@ def test_a_bearing_without_any_state_is_named() -> None:
     """So fast that its balls stay away from the inner ring wherever it is pressed."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
     with pytest.raises(NoSolution, match=r"no axial state at any deflection; lower the speed"):
-        _solved(model, Law("outer", "equal"), (0.0, 0.0), 4e5, 1e-9)
+        solved([_Asked(model, LAW, (0.0, 0.0), 4e5, 1e-9)])
