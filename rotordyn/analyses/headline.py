@@ -11,10 +11,11 @@ from rotordyn.results.headline import Number, cells
 
 
 def headline_numbers(case: Described, results: Mapping[str, Any]) -> Iterator[tuple[str, Number]]:
-    """Every number, led by the name of its analysis, in the order of the analyses."""
+    """Every number of tables, led by the name of its analysis, in the order of the analyses."""
     for name in in_order(results):
         for number in analysis(name).numbers(results[name], case):
-            yield name, number
+            if not number.inner:
+                yield name, number
 
 
 def headline_cells(

@@ -15,6 +15,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM, number
 from rotordyn.results.kinds import Array, Flags
+from rotordyn.results.text import outside
 
 LEAST_POINTS = 4  # for a line; fewer are marks
 FAR = 4.0  # times a ceiling: as far as a line is drawn beyond an axis
@@ -28,7 +29,8 @@ class Number(NamedTuple):
 
     ``speed`` [rpm] where it is one of several over speed; ``part``: which of those of one
     ``name``, such as a direction of whirl, that summaries write side by side;
-    ``absent``: said where there is none (NaN).
+    ``absent``: said where there is none (NaN); ``inner``: at a speed between the first and the
+    last, which goals and limits read and tables leave out.
     """
 
     name: str
@@ -38,6 +40,7 @@ class Number(NamedTuple):
     speed: float | None = None
     digits: int = 1
     absent: str = "none"
+    inner: bool = False
 
     @property
     def words(self) -> str:
@@ -126,13 +129,13 @@ def belongs(reference: Reference, known: Collection[Known]) -> bool:
     return bool(about) and (reference.subject in about or not reference.subject)
 
 
-def ends(
+def at_speeds(
     result: Any, name: str, unit: str, values: Array, *, part: str = "", digits: int = 1
 ) -> Iterator[Number]:
-    """Numbers at the first and the last speed of ``values`` (speeds,), one of a single speed."""
-    for k in (0, -1) if len(values) > 1 else (0,):
-        rpm = float(result.speed[k] * RPM.factor)
-        yield Number(name, unit, float(values[k]), part, rpm, digits)
+    """A number at every speed of ``values`` (speeds,)."""
+    for k, (speed, value) in enumerate(zip(result.speed, values, strict=True)):
+        rpm, inner = float(speed * RPM.factor), 0 < k < len(values) - 1
+        yield Number(name, unit, float(value), part, rpm, digits, inner=inner)
 
 
 def curves_of(
@@ -165,15 +168,30 @@ def curves_of(
 
 
 def cells(numbers: Iterable[Number]) -> dict[str, str]:
-    """By name and unit the numbers in a few words: parts joined by "/", speeds by "→"."""
+    """By name and unit the numbers in a few words: parts joined by "/", the first and the last
+    speed by "→", with what lies beyond both of them."""
     grouped: dict[str, dict[float | None, list[Number]]] = {}
     for each in numbers:
         head = f"{each.name} [{each.unit}]" if each.unit else each.name
         grouped.setdefault(head, {}).setdefault(each.speed, []).append(each)
-    return {
-        head: " → ".join(map(_side_by_side, by_speed.values()))
-        for head, by_speed in grouped.items()
-    }
+    return {head: _over_speed([*by_speed.values()]) for head, by_speed in grouped.items()}
+
+
+def _over_speed(groups: Sequence[Sequence[Number]]) -> str:
+    """Numbers of every speed, those of one side by side."""
+    words = " → ".join(_side_by_side(group) for group in groups if not group[0].inner)
+    one = groups[0][0]
+    by_end = [
+        [pick([each.value for each in group]) for group in groups]
+        for pick in (np.fmin.reduce, np.fmax.reduce)
+    ]
+    more = [
+        f"{word} {number(value, one.digits)}"
+        for word, values in zip(("least", "most"), by_end, strict=True)
+        for kind, _, value in outside(np.array(values))
+        if kind == word
+    ]
+    return f"{words} ({', '.join(more)})" if more else words
 
 
 def _side_by_side(parts: Sequence[Number]) -> str:

@@ -9,11 +9,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.display import number
+from rotordyn.results.display import RPM, number
 
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
 WARNING = "WARNING: "
+BEYOND = 0.02  # of the largest value: less beyond both ends is not said
 _NO_BREAK = "\u00a0"
 _NUMBER = re.compile(r"(?<![\w.])[+-]?\d[\d.]*\b")
 
@@ -64,6 +65,35 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     """A line per row, columns as wide as their widest entry."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+
+
+def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: int = 1) -> str:
+    """The first and the last value over ``speed`` [rad/s], and what lies beyond both.
+
+    >>> over_speed(np.array([94.1, 7.71, 13.7]), np.array([0.0, 628.3, 942.5]))
+    '94.1 → 13.7 (least 7.71 at 6000 rpm)'
+    """
+    more = [
+        f"{word} {number(value, digits)} at {number(speed[k] * RPM.factor, 0)} rpm"
+        for word, k, value in outside(values)
+    ]
+    words = from_to(values, digits)
+    return f"{words} ({', '.join(more)})" if more else words
+
+
+def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
+    """The least and the most of values, with their places, where they lie beyond the first and the
+    last one."""
+    known = np.where(np.isfinite(values), values, np.nan)
+    if np.isnan(known).all():
+        return []
+    found = ("least", int(np.nanargmin(known)), -1.0), ("most", int(np.nanargmax(known)), 1.0)
+    room = BEYOND * float(np.nanmax(np.abs(known)))
+    return [
+        (word, k, float(values[k]))
+        for word, k, side in found
+        if not (side * values[k] <= side * values[[0, -1]] + room).any()
+    ]
 
 
 def from_to(values: NDArray[np.float64], digits: int = 1) -> str:

@@ -9,16 +9,16 @@ import numpy as np
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import STIFFNESS
-from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.text import from_to, over_speed, unbroken
 
 NO_LOSS = 1e-9  # J: rounding
 
 
 def summary(result: AxialCycleResult) -> list[str]:
-    """Axial stiffness at no load at the first and last speed, and the energy lost."""
+    """Axial stiffness at no load over speed, and the energy lost."""
     values = ", ".join(
-        unbroken(f"{name} {from_to(one)}")
+        unbroken(f"{name} {over_speed(one, result.speed)}")
         for name, one in zip(
             result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
         )
@@ -30,11 +30,11 @@ def summary(result: AxialCycleResult) -> list[str]:
 
 
 def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
-    """Stiffness at no load at the first and last speed, for each branch."""
+    """Stiffness at no load over speed, for each branch."""
     for name, values in zip(
         result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
     ):
-        yield from ends(result, "force", "N/µm", values, part=name)
+        yield from at_speeds(result, "force", "N/µm", values, part=name)
 
 
 def warnings(result: AxialCycleResult) -> list[str]:

@@ -20,8 +20,8 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS, percent
-from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import INDENT, from_to
+from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.text import INDENT, from_to, over_speed
 
 Array = NDArray[np.float64]
 MOST_LOADS = 6  # in a table of variants
@@ -29,7 +29,7 @@ RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
-    """Stiffness at each load at the first and last speed, life, how balls touch their grooves."""
+    """Stiffness at each load over speed, life, how balls touch their grooves."""
     lines = [*_stiffness(result), *_life(result), *_heat(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
@@ -90,7 +90,7 @@ def _stiffness(result: BearingMapResult) -> list[str]:
             lines.append(f"{INDENT}{mounted_under(result, k)}: {words[0]}")
             continue
         good = result.outcome[:, k] == ""
-        axial, radial = (from_to(stiffness[good, k, i, i]) for i in (0, 1))
+        axial, radial = (over_speed(stiffness[good, k, i, i], result.speed[good]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
             f"{INDENT}{_solved(result, k)}: axial {axial}, radial {radial}; pressure up to "
@@ -189,12 +189,12 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
     for k in _shown(result):
         for i, way in enumerate(("axial", "radial")):
             name = under(result, k)
-            yield from ends(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
+            yield from at_speeds(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
         lives = result.revolutions[:, k] * 1e-6
-        yield from ends(result, f"L10r {name}", "1e6", lives, digits=0)
+        yield from at_speeds(result, f"L10r {name}", "1e6", lives, digits=0)
         if np.isfinite(result.viscous_heat[:, k]).any():
             heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
-            yield from ends(result, f"heat {name}", "W", heat, digits=0)
+            yield from at_speeds(result, f"heat {name}", "W", heat, digits=0)
         if np.isfinite(result.ball_temperature[:, k]).any():
             limit = float(result.speed_limit[k] * RPM.factor)
             yield Number(f"speed limit {name}", "rpm", limit, digits=0, absent="not reached")

@@ -10,29 +10,29 @@ import numpy as np
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.text import over_speed, unbroken
 
 
 def summary(result: BearingLoadsResult) -> list[str]:
-    """Axial and radial load, and the largest ball load, at the first and last speed."""
+    """Axial and radial load, and the largest ball load, over speed."""
     largest = np.nanmax(np.nan_to_num(result.ball_inner_load), axis=2)
     lines = []
     for k, name in enumerate(result.bearing):
         words = (
-            f"axial {from_to(result.axial_load[:, k])}",
-            f"radial {from_to(result.radial_load[:, k])}",
-            f"largest ball {from_to(largest[:, k])}",
+            f"axial {over_speed(result.axial_load[:, k], result.speed)}",
+            f"radial {over_speed(result.radial_load[:, k], result.speed)}",
+            f"largest ball {over_speed(largest[:, k], result.speed)}",
         )
         lines.append(f"loads      bearing {name} [N]: " + ", ".join(map(unbroken, words)))
     return lines
 
 
 def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
-    """Largest inner load of a ball at the first and last speed, for each bearing."""
+    """Largest inner load of a ball over speed, for each bearing."""
     largest = np.nanmax(np.nan_to_num(result.ball_inner_load), axis=2)
     for k, name in enumerate(result.bearing):
-        yield from ends(result, "ball", "N", largest[:, k], part=name)
+        yield from at_speeds(result, "ball", "N", largest[:, k], part=name)
 
 
 def warnings(result: BearingLoadsResult) -> Iterator[str]:

@@ -17,7 +17,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Number
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.text import from_to, over_speed, unbroken
 
 WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
@@ -27,13 +27,13 @@ _TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
 
 
 def summary(result: CampbellResult) -> list[str]:
-    """Modes at the first and last speed, critical speeds on every line of excitation."""
+    """Modes over speed, critical speeds on every line of excitation."""
     if not result.mode:
         return ["modes      none in the band asked for"]
     speeds = result.speed * RPM.factor
     rpm = f"{from_to(speeds, 0)} rpm"
     entries = [
-        f"{result.mode[k]} {from_to(result.frequency[:, k])}"
+        f"{result.mode[k]} {over_speed(result.frequency[:, k], result.speed)}"
         f"{_whirl(result.mode[k], result.whirl[-1, k])}"
         for k in np.flatnonzero(~result.mostly_overdamped)
     ]
@@ -150,7 +150,7 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
 def lacking(result: CampbellResult) -> Iterator[Number]:
     """Bending modes, in pairs as those of the machine are, and critical speeds that it may have
     none of."""
-    rpm = (result.speed[[0, -1]] * RPM.factor).tolist()
+    rpm = (result.speed * RPM.factor).tolist()
     paired = all(number.part for number in _lowest_bending(result))
     name, parts = ("bending pair", WAYS) if paired else ("bending", ("",))
     for k, part, at in product(range(MODES), parts, rpm):
@@ -169,7 +169,7 @@ def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
 
 
 def _lowest_bending(result: CampbellResult) -> Iterator[Number]:
-    rows = (0, -1) if len(result.speed) > 1 else (0,)
+    rows = range(len(result.speed))
     for k, at in enumerate(zip(*(_bending(result, row)[:MODES] for row in rows), strict=True)):
         for row, modes in zip(rows, at, strict=True):
             for part, value, mode in modes:
@@ -177,7 +177,8 @@ def _lowest_bending(result: CampbellResult) -> Iterator[Number]:
                 lost = np.isnan(result.frequency[row]).all()
                 there = "none" if lost else _there(result, mode)
                 rpm = float(result.speed[row] * RPM.factor)
-                yield Number(name, "Hz", value, part, rpm, absent=there)
+                inner = 0 < row < rows[-1]
+                yield Number(name, "Hz", value, part, rpm, absent=there, inner=inner)
 
 
 def _there(result: CampbellResult, mode: int) -> str:

@@ -19,7 +19,7 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
-from rotordyn.results.headline import Number, ends
+from rotordyn.results.headline import Number, at_speeds
 from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
@@ -156,16 +156,16 @@ def _range(values: Array, digits: int) -> str:
 def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
     """Life of the set, static safety, pressure and heat."""
     lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
-    yield from ends(result, "set L10r", "h", lives, digits=0)
+    yield from at_speeds(result, "set L10r", "h", lives, digits=0)
     if np.isfinite(result.spectrum_set_life):
         yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
-    yield from ends(result, "S0", "", result.static_safety.min(axis=1))
-    yield from ends(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
+    yield from at_speeds(result, "S0", "", result.static_safety.min(axis=1))
+    yield from at_speeds(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
     if math.isfinite(result.viscosity):
-        yield from ends(result, "heat", "W", result.heat.sum(axis=1), digits=0)
+        yield from at_speeds(result, "heat", "W", result.heat.sum(axis=1), digits=0)
     if np.isfinite(result.ball_temperature).any():
         hottest = result.ball_temperature.max(axis=1)
-        yield from ends(result, "balls", "°C", hottest, digits=0)
+        yield from at_speeds(result, "balls", "°C", hottest, digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:

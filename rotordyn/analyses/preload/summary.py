@@ -11,17 +11,17 @@ from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, ends
+from rotordyn.results.headline import Number, at_speeds
 from rotordyn.results.kinds import Array
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.text import from_to, over_speed, unbroken
 
 SAME = 0.5  # N
 
 
 def summary(result: PreloadResult) -> list[str]:
-    """Axial loads of the bearings at the first and last speed, when stops are reached, friction."""
+    """Axial loads of the bearings over speed, when stops are reached, friction."""
     loads = ", ".join(
-        unbroken(f"{name} {_mounted(mounted, load)}{from_to(load, 0)}")
+        unbroken(f"{name} {_mounted(mounted, load)}{over_speed(load, result.speed, 0)}")
         for name, mounted, load in zip(
             result.bearing, result.mounted_load, result.axial_load.T, strict=True
         )
@@ -59,7 +59,7 @@ def numbers(result: PreloadResult, case: Described) -> Iterator[Number]:
     """Sum of the preloads, and when stops are reached."""
     if case.spindle is None:
         return
-    yield from ends(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
+    yield from at_speeds(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         at = float(speed * RPM.factor) if math.isfinite(speed) else math.nan
         yield Number(f"stop {name}", "rpm", at, digits=0, absent="not met")

@@ -10,14 +10,14 @@ import numpy as np
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS
-from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.text import over_speed, unbroken
 
 
 def summary(result: StiffnessResult) -> list[str]:
-    """Tangent stiffness by bearing model at the first and last speed."""
+    """Tangent stiffness by bearing model over speed."""
     values = ", ".join(
-        unbroken(f"{name.replace('_', ' ')} {from_to(values)}")
+        unbroken(f"{name.replace('_', ' ')} {over_speed(values, result.speed)}")
         for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]
@@ -26,7 +26,7 @@ def summary(result: StiffnessResult) -> list[str]:
 def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
     """Tangent stiffness by bearing model."""
     for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True):
-        yield from ends(result, name.replace("_", " "), STIFFNESS.unit, values)
+        yield from at_speeds(result, name.replace("_", " "), STIFFNESS.unit, values)
 
 
 def warnings(result: StiffnessResult) -> list[str]:

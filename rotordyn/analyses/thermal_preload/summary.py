@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, ends
+from rotordyn.results.headline import Number, at_speeds
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
@@ -46,11 +46,12 @@ def _unsolved(result: ThermalPreloadResult, index: int) -> list[str]:
 
 
 def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
-    """The largest axial load of any bearing, and the difference nearest to none without a state, at
-    the first and the last speed."""
+    """The largest axial load of any bearing, and the difference nearest to none without a state,
+    over speed."""
     largest = np.nan_to_num(result.axial_load, nan=-np.inf).max(axis=(1, 2))
-    yield from ends(result, "load", "N", np.where(np.isinf(largest), np.nan, largest), digits=0)
-    yield from ends(result, "difference without a state", "K", _lost(result))
+    largest = np.where(np.isinf(largest), np.nan, largest)
+    yield from at_speeds(result, "load", "N", largest, digits=0)
+    yield from at_speeds(result, "difference without a state", "K", _lost(result))
 
 
 def warnings(result: ThermalPreloadResult) -> Iterator[str]:

@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, ends
+from rotordyn.results.headline import Number, at_speeds
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
@@ -78,9 +78,9 @@ def _rpm(result: WarmUpResult, row: int) -> str:
 
 
 def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
-    """Largest axial load at the first and last speed, for each bearing."""
+    """Largest axial load over speed, for each bearing."""
     for k, name in enumerate(result.bearing):
-        yield from ends(result, "load", "N", result.largest_load[:, k], part=name)
+        yield from at_speeds(result, "load", "N", result.largest_load[:, k], part=name)
 
 
 def accuracy(result: WarmUpResult) -> list[str]:

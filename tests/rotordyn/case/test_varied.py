@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ import rotordyn
 from rotordyn.case.varied import usual_unit, varied
 from rotordyn.job.side_by_side import scale_of, write_comparison
 from rotordyn.quantity import Quantity
-from rotordyn.results.headline import Number, cells, changes
+from rotordyn.results.headline import Number, at_speeds, cells, changes
+from rotordyn.results.text import over_speed
 
 
 def springs() -> list[rotordyn.Case]:
@@ -76,6 +78,31 @@ def test_parts_and_speeds_of_a_number_share_a_cell() -> None:
     words = {"bending 1 [Hz]": "903.4 → 460.7/466.8", "tip [µm]": "unbounded"}
     assert cells(numbers) == words
     assert numbers[3].heading == "bending 1 forward at 24000 rpm [Hz]"
+
+
+def test_what_lies_beyond_both_ends_of_the_speeds_is_said() -> None:
+    """As a hole of stiffness where a spring unloads; not what rounding, or little, is beyond."""
+    speed = np.array([0.0, 300.0, 600.0, 900.0])
+
+    def words(values: list[float]) -> str:
+        result = SimpleNamespace(speed=speed)
+        return cells(at_speeds(result, "full", "N/µm", np.array(values)))["full [N/µm]"]
+
+    assert words([94.1, 9.8, 7.71, 13.7]) == "94.1 → 13.7 (least 7.71)"
+    assert words([94.1, 50.0, 120.0, 13.7]) == "94.1 → 13.7 (most 120.0)"
+    assert words([94.1, 3.0, 120.0, 13.7]) == "94.1 → 13.7 (least 3.00, most 120.0)"
+    assert words([94.1, 95.0, 13.0, 13.7]) == "94.1 → 13.7"
+    assert words([np.nan, 95.0, np.nan, 13.7]) == "none → 13.7 (most 95.0)"
+    assert words([np.nan, np.inf, np.nan, np.nan]) == "none → none"
+    assert over_speed(np.array([-50.0, -9.0, -70.0, -20.0]), speed, 0) == (
+        "-50.0 → -20.0 (least -70.0 at 5730 rpm, most -9 at 2865 rpm)"
+    )
+    parts = [
+        Number("pair", "Hz", value, way, rpm, inner=rpm == 500.0)
+        for rpm, pair in ((0.0, (9.0, 9.0)), (500.0, (4.0, 6.0)), (900.0, (7.0, 8.0)))
+        for way, value in zip(("backward", "forward"), pair, strict=True)
+    ]
+    assert cells(parts)["pair [Hz]"] == "9.00 → 7.00/8.00 (least 4.00)"
 
 
 def test_changes_are_relative_to_the_first() -> None:

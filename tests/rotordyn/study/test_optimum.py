@@ -14,6 +14,7 @@ from scipy.optimize import brentq, minimize
 
 import rotordyn
 from rotordyn import Goal, Limit, Span, model, optimise
+from rotordyn.analyses.headline import headline_numbers
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at, unlike
 from rotordyn.case.vary import vary
@@ -132,6 +133,24 @@ def test_a_machine_without_critical_speed_keeps_a_limit_that_says_so(tmp_path: P
             assert found.best is not None
             assert found.values[outer] == best
             assert not any(each.sentence for each in found.trials)
+
+
+def test_a_headline_number_is_that_at_the_worst_speed() -> None:
+    """Least where the stop is met, between the ends of the speeds; a table has the ends alone."""
+    found = rotordyn.load("mfw2310").vary({"speeds": [f"{r} rpm" for r in (0, 18000, 24000)]})
+    one = restricted(found, ("stiffness", "campbell"))
+    results = Neighbours().solve(one)[0].results
+    for words, variable, where in (
+        ("stiffness: full", "stiffness.tangent", {"variant": "full"}),
+        ("campbell: bending pair 2 forward", "campbell.frequency", {"mode": "bending 2 forward"}),
+    ):
+        asked = Criterion(words), Criterion(variable, where)
+        number, values = (each.read(one, results) for each in asked)
+        assert sorted(number.values) == pytest.approx(sorted(values.values))
+        assert number.values.argmin() == 1
+    heads = [each.heading for _, each in headline_numbers(one, results)]
+    assert "full at 24000 rpm [N/µm]" in heads
+    assert not [head for head in heads if "18000" in head]
 
 
 def test_what_no_machine_has_is_refused(case: Case) -> None:
