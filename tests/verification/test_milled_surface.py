@@ -820,6 +820,25 @@ def test_run_out_of_a_case(solved):
         solved(cut="{depth: 1 mm, runout: [1 um, 2 um, 3 um]}")
 
 
+@pytest.mark.parametrize(
+    "changed", [("", ""), ("  points:", "  damping: {loss_factor: 0.02}\n  points:")]
+)
+def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed):
+    """Blunt edges next to the limit, not sharp ones; a machine whose receptance is no sum of modes,
+    too; then there are no headline numbers."""
+    least = lobes(solved(changed=changed)).depth.min()
+    for edge, told in (("0.1 N/mm", 0), ("150 N/mm", 1)):
+        cut = f"{{depth: {800.0 * least:.6g} mm, radial_edge: {edge}}}"
+        found = lobes(solved(changed=changed, cut=cut))
+        assert found.edges_chatter.any() == bool(told)
+        said = [each for each in warnings(found) if "edge forces follow the vibration" in each]
+        assert len(said) == told
+        error = next(each for each in numbers(found, None) if each.name == "surface error")
+        assert np.isnan(error.value) == bool(told)
+    assert f"at {found.edges_chatter.sum()} of 7 speeds" in said[0]
+    assert error.absent == "not settled"
+
+
 def test_edges_and_process_damping_of_a_case_reach_the_planned_cut():
     spec = StabilityLobesSpec(
         *("tip", 0.05, 3, 6e8, 2e8),

@@ -13,7 +13,7 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import accumulate, pairwise
+from itertools import accumulate, chain, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and e
 LEAST = math.radians(0.999)  # of a pitch
 FULL = 1e-6  # rad, by which all pitches may miss a full turn
 STRAIGHT = 1e-7  # rad of lag: the mean along an edge that lags less is rounding
+SPREAD = 0.05  # rad
+NONE = 1e-9  # sine of an angle at which a chip has no thickness
 ALIKE = 1e-12  # rad, m: pitches and run-out that differ by less are equal
 
 
@@ -34,7 +36,9 @@ class Cut:
 
     ``lag`` [rad]: how far the end of an edge is behind its tip. ``pitches`` [rad]: from each tooth
     to the one that cut before it, in the order in which they cut; none where all are equal.
-    ``runout`` [m]: how far each tooth stands out; none where all are alike.
+    ``runout`` [m]: how far each tooth stands out; none where all are alike. ``edges``: tangential
+    and radial forces of edges by length over the feed of a radian [Pa rad], which follow the
+    vibration where chips begin or end with no thickness.
     """
 
     teeth: int
@@ -45,6 +49,7 @@ class Cut:
     lag: float = 0.0
     pitches: tuple[float, ...] = ()
     runout: tuple[float, ...] = ()
+    edges: tuple[float, float] = (0.0, 0.0)
 
     @property
     def gaps(self) -> tuple[float, ...]:
@@ -88,10 +93,21 @@ class Cut:
         swept = self.swept(np.array(self.exit)) - self.swept(np.array(self.entry))
         return swept * self.teeth / (2.0 * math.pi)
 
+    @property
+    def ends(self) -> list[tuple[float, float]]:
+        """Spans of angle next to where chips begin or end with no thickness, over which edge
+        forces that follow the vibration are spread."""
+        if self.edges == (0.0, 0.0):
+            return []
+        wide = min(SPREAD, 0.5 * (self.exit - self.entry))
+        each = (self.entry, self.entry + wide), (self.exit - wide, self.exit)
+        return [span for span in each if math.sin(span[0]) < NONE or math.sin(span[1]) < NONE]
+
     def pieces(self) -> list[tuple[float, float]]:
         """Spans of the first tooth's angle, within one turn of the pattern, in which some tooth
         cuts and H is smooth."""
-        ends = np.array([self.entry, self.exit, self.entry + self.lag, self.exit + self.lag])
+        ends = np.array([self.entry, self.exit, *chain(*self.ends)])
+        ends = np.concatenate([ends, ends + self.lag])
         ends = (ends[:, None] - self.behind).ravel()
         ends = np.unique(self.entry + np.mod(ends - self.entry, self.turn))
         ends = np.append(ends, self.entry + self.turn)
@@ -121,7 +137,27 @@ class Cut:
             coefficients = (self.swept(end) - self.swept(begin)) / self.lag
         else:
             coefficients = self.one_tooth(at)
-        return np.where(self.cutting(at)[..., None, None], coefficients, 0.0).sum(axis=0)
+        coefficients = np.where(self.cutting(at)[..., None, None], coefficients, 0.0)
+        if self.ends:
+            gap = np.array(self.gaps) if which is None else np.array(self.gaps[which : which + 1])
+            coefficients += self._by_ends(at)[..., None, None] * self._pushing(gap)
+        return np.asarray(coefficients.sum(axis=0))
+
+    def _by_ends(self, at: Array) -> Array:
+        """Density [1/rad] of the ends of contact at angles of teeth (…), over the lag."""
+        found = np.zeros(at.shape)
+        for low, high in self.ends:
+            if self.lag > STRAIGHT:
+                part = np.clip(at, low, high) - np.clip(at - self.lag, low, high)
+                found += part / (self.lag * (high - low))
+            else:
+                found += ((at > low) & (at < high)) / (high - low)
+        return found
+
+    def _pushing(self, gap: Array) -> Array:
+        """Forces at an end by the displacement since a ``gap`` (gaps,) [rad]: (gaps, 1, 2, 2)."""
+        matrix = np.array([[0.0, self.edges[0]], [0.0, self.edges[1]]])
+        return np.asarray(matrix / gap[:, None, None, None])
 
     def cutting(self, at: Array) -> NDArray[np.bool_]:
         """Whether some part of the edge of a tooth at ``at`` is in cut."""

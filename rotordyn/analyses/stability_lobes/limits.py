@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.stability_lobes.limit import sampled_limit
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal import Change
-from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
+from rotordyn.analyses.stability_lobes.modal_limit import Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
 from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
@@ -25,6 +25,7 @@ from rotordyn.numerics.threads import each_in_threads
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
+Flags = NDArray[np.bool_]
 MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
 AT_ONCE = 1_000_000  # samples of all speeds that are solved together
 PARTS = 20  # in which progress is reported
@@ -88,6 +89,29 @@ class Limits:
         # numpy leaves the interpreter free while it solves for eigenvalues
         return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
+    def stable(self, process: Callable[[float], Process], depth: float) -> Flags:
+        """Whether cuts by speed are stable at a ``depth`` [m] (s,), of machines that are without a
+        cut.
+
+        Raises
+        ------
+        InvalidInput : see ``sampled_limit``
+        """
+        tops = self.tip.tops[self.rows]
+
+        def radius(row: int, top: float, cut: Process) -> float:
+            if isinstance(self.tip, Tip) and self.tip.modes is None:
+                return depth / self._sampled_limit(self.tip, row, cut).depth
+            assert self.tip.modes is not None
+            found = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
+            return float(np.abs(found).max())
+
+        every = zip(
+            self.rows.tolist(), tops.tolist(), map(process, self.speed.tolist()), strict=True
+        )
+        found = [*each_in_threads(lambda one: radius(*one), [*every])]
+        return np.array(found) < 1.0
+
     def _reported(self, found: Iterator[Limit]) -> list[Limit]:
         """Limits as they come, reported in parts."""
         every, count = [], len(self.rows)
@@ -104,14 +128,16 @@ class Limits:
             raise InvalidInput(NOT_MODES.format(what=what))
 
         def limit(row: int, speed: float) -> Limit:
-            one = tip.at(row)
-            process, top = operation.process(speed), float(tip.tops[row])
-            near = tip.about_poles(row)
-            return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
+            return self._sampled_limit(tip, row, operation.process(speed))
 
         tip.tops  # noqa: B018  solved once, before threads ask for it
         every = [*zip(self.rows.tolist(), self.speed.tolist(), strict=True)]
         return self._reported(each_in_threads(lambda one: limit(*one), every))
+
+    def _sampled_limit(self, tip: Tip, row: int, process: Process) -> Limit:
+        one = tip.at(row)
+        near, top = tip.about_poles(row), float(tip.tops[row])
+        return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
 
     def _mean(self, operation: Operation) -> list[Limit]:
         """Zero-order limits, solved together for speeds whose tooth periods are similar."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -14,6 +15,7 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
+SURE = 1.1  # times the planned depth, at which edge forces let nothing grow
 HARMONICS = 6.0  # times the highest frequency that matters
 VALUES = {
     "surface_error_least": ("least", "wall"),
@@ -51,9 +53,14 @@ def planned_cut(
         for name, (_, dim) in VALUES.items()
     }
     width, idle = np.full(len(speed), np.nan), 0
+    chatters = np.zeros(len(speed), dtype=bool)
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
+        if spec.cut.tangential_edge or spec.cut.radial_edge:
+            kept = stable[place]
+            some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
+            chatters[place[kept]] = ~some.stable(operation.pushed, SURE * spec.cut.depth)
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
         sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
@@ -71,6 +78,7 @@ def planned_cut(
         "cut_is_stable": stable,
         "resonance_width": width,
         "idle_teeth": idle,
+        "edges_chatter": chatters,
         **names,
         **found,
     }

@@ -57,7 +57,8 @@ def numbers(result: StabilityLobesResult) -> Iterator[Number]:
         return
     stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
     absent = "not settled" if stable else "not stable"
-    whole = stable and not (result.vibration_error > UNSETTLED).any()
+    unsettled = (result.vibration_error > UNSETTLED) | result.edges_chatter
+    whole = stable and not unsettled.any()
     worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
     power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
     yield Number("surface error", "µm", worst, digits=2, absent=absent)
@@ -99,6 +100,14 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: the planned cut of {in_mm(result.planned_depth)} is not stable "
             f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
             f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
+        )
+    pushed = np.flatnonzero(result.edges_chatter)
+    if pushed.size:
+        sentences.append(
+            "stability_lobes: edge forces follow the vibration where chips begin or end with no "
+            f"thickness, and may let the planned cut chatter at {pushed.size} of {stable.size} "
+            f"speeds, first at {_milling_rpm(result, int(pushed[0]))}: vibration and surface are "
+            "not sure there; take less depth or more feed"
         )
     if result.idle_teeth:
         some = "1 tooth takes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth take"

@@ -38,9 +38,10 @@ class StabilityLobesResult:
     the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
     tooth, positive where material is left, and the mean displacement of the tip against the
     workpiece, its vibration from
-    peak to peak, the largest force, mean torque and power. ``idle_teeth`` take off nothing, by
-    their run-out. The vibration moves the ends of its own contact: ``contact_departure``, by how
-    much that changes it, and ``vibration_error``, what it still asks for, both over its size.
+    peak to peak, the largest force, mean torque and power. ``edges_chatter``: where edge
+    forces that follow the vibration may let it chatter. ``idle_teeth`` take off nothing, by their
+    run-out. The vibration moves the ends of its own contact: ``contact_departure``, by how much
+    that changes it, and ``vibration_error``, what it still asks for, both over its size.
     ``resonance_width``: twice the least damping ratio of the high modes that a multiple of the
     frequency of the teeth meets on the way to the next speed, so wide are resonances over speed; 0
     where none is met.
@@ -216,6 +217,9 @@ class StabilityLobesResult:
         unit="1",
         label="width of the sharpest resonance on the way to the next speed over its frequency",
         absent=(CUT,),
+    )
+    edges_chatter: Flags = quantity(
+        "milling_speed", unit="", label="may chatter by edge forces that follow the vibration"
     )
     idle_teeth: int = quantity(unit="", label="teeth that do not cut")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")

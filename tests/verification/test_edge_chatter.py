@@ -1,0 +1,126 @@
+"""Chatter by edge forces whose contact begins and ends as the vibration moves it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.stability_lobes import cutting
+from rotordyn.analyses.stability_lobes.as_modes import as_modes
+from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.modal_limit import Process, modal_limit
+from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.sampling import resolving
+from rotordyn.analyses.stability_lobes.spec import PlannedCut, StabilityLobesSpec
+from tests.oracles.milling_floquet import Machine
+from tests.oracles.uneven_milling import UnevenMilling
+from tests.verification import test_milled_surface as surface
+
+MACHINE = Machine(((811.0, 0.028, 1.1e7, (1.0, 0.2)), (1190.0, 0.028, 7.1e6, (-0.2, 1.0))))
+FEED, SPEED = 1e-4, 1330.0
+ENDS = {"up": (0.0, 0.85), "down": (math.pi - 0.85, math.pi), "slot": (0.0, math.pi)}
+
+
+def with_edges(cut, tangential, radial):
+    feed = FEED * cut.teeth / (2.0 * math.pi)
+    return replace(cut, edges=(tangential / feed, radial / feed))
+
+
+def limit(cut, speed, receptance=MACHINE.receptance):
+    omega, top = resolving(receptance)
+    return modal_limit(as_modes(receptance, omega), top, Process(cut, cut.turn / speed)).depth
+
+
+@dataclass(frozen=True)
+class Pushed(UnevenMilling):
+    """With a jump of the edge force where a tooth enters or leaves at a normal to the feed."""
+
+    edges: tuple[float, float] = (0.0, 0.0)
+
+    def means(self, low, high, lag):
+        found = super().means(low, high, lag)
+        for end in (self.entry, self.exit):
+            if abs(math.sin(end)) < 1e-9:
+                for turn in (-1, 0, 1):
+                    at = end + 2.0 * math.pi * turn + 1e-12
+                    here = (low <= at) & (at < high)
+                    matrix = np.array([[0.0, self.edges[0]], [0.0, self.edges[1]]]) / FEED
+                    found += np.where(here, 1.0 / (high - low), 0.0)[:, None, None] * matrix
+        return found
+
+
+@pytest.mark.parametrize("way", ENDS)
+@pytest.mark.parametrize("edges", [(0.0, 2e4), (2.5e4, 0.0), (1.5e4, 2e4)])
+def test_limits_are_those_of_steps_in_time(way, edges, monkeypatch):
+    """Evenly spaced teeth, forces at the very end: spread over less and less they come to these."""
+    entry, exit = ENDS[way]
+    monkeypatch.setattr(cutting, "SPREAD", 0.01)
+    plain = Cut(3, 4.1e8, 1e8, entry, exit)
+    depth = limit(with_edges(plain, *edges), SPEED)
+    pitches = (2.0 * math.pi / 3.0,) * 3
+    truth = Pushed(MACHINE, pitches, 4.1e8, 1e8, entry, exit, SPEED, edges=edges)
+    assert truth.radius(0.97 * depth, 720) < 1.0 < truth.radius(1.03 * depth, 720)
+    assert abs(depth / limit(plain, SPEED) - 1.0) > 0.05
+
+
+def test_how_far_they_are_spread_hardly_matters(monkeypatch):
+    cut = with_edges(Cut(3, 4.1e8, 1e8, *ENDS["down"]), 1.5e4, 2e4)
+    usual = limit(cut, SPEED)
+    monkeypatch.setattr(cutting, "SPREAD", 0.01)
+    assert usual == pytest.approx(limit(cut, SPEED), rel=0.02)
+
+
+def test_uneven_teeth_each_have_their_feed():
+    """Pitches next to even ones, and the mean over a turn of what the ends add."""
+    plain = Cut(3, 4.1e8, 1e8, *ENDS["slot"])
+    even = with_edges(plain, 1.5e4, 2e4)
+    third = 2.0 * math.pi / 3.0
+    near = replace(even, pitches=(third + 1e-6, third, third - 1e-6))
+    assert limit(near, SPEED) == pytest.approx(limit(even, SPEED), rel=1e-6)
+    uneven = replace(even, pitches=tuple(np.radians([100.0, 120.0, 140.0])))
+    for lag in (0.0, 0.4):
+        own = replace(uneven, lag=lag)
+        angle = 2.0 * math.pi * (np.arange(200_000) + 0.5) / 200_000
+        each = own.by_gap(angle).mean(axis=1) - replace(own, edges=(0.0, 0.0)).by_gap(angle).mean(
+            axis=1
+        )
+        feed = FEED * 3.0 * np.radians([100.0, 120.0, 140.0]) / (2.0 * math.pi)
+        for k, f in enumerate(feed):
+            expected = 2.0 * np.array([[0.0, 1.5e4], [0.0, 2e4]]) / f / (2.0 * math.pi)
+            np.testing.assert_allclose(each[k], expected, rtol=1e-3, atol=1e-3 * expected.max())
+            np.testing.assert_allclose(own.by_gap(angle[:50], k), own.by_gap(angle[:50])[k])
+
+
+def test_edges_do_not_matter_where_chips_begin_and_end_thick():
+    cut = Cut(3, 4.1e8, 1e8, 0.5, 2.0)
+    assert limit(with_edges(cut, 1.5e4, 2e4), SPEED) == limit(cut, SPEED)
+
+
+@pytest.mark.long
+def test_over_time_a_cut_chatters_next_to_the_limit_that_is_asked_for(monkeypatch):
+    """With teeth that cut behind the normal, too, where vibration takes them there, and of any
+    tooth what those before it left: half of what both ways would give limits the depth."""
+    speed, edge = 2.0 * math.pi * 172.0, 6e4
+    spec = StabilityLobesSpec(
+        *("tip", surface.DIAMETER, 3, surface.KT, surface.KR),
+        immersion=0.2,
+        milling="down",
+        feed_per_tooth=FEED,
+        cut=PlannedCut(1e-3, 0.0, edge),
+    )
+    process = Operation(spec, surface.KT, surface.KR).pushed(speed)
+    omega, top = resolving(surface.tip)
+    depth = modal_limit(as_modes(surface.tip, omega), top, process).depth
+    monkeypatch.setattr(surface, "SPEED", speed)
+    free = Cut(3, surface.KT, surface.KR, process.cut.entry, math.pi + 0.5, runout=(0.0,) * 3)
+    moved = {}
+    for share, pushed in ((0.85, edge), (1.1, edge), (1.1, 0.0)):
+        monkeypatch.setattr(surface, "DEPTH", share * depth)
+        one, other = (surface.over_time(free, (0.0, pushed), 0.0, turns=n)[0] for n in (40, 41))
+        moved[share, pushed] = np.abs(other - one).max() / np.ptp(one)
+    assert moved[0.85, edge] < 0.02
+    assert moved[1.1, edge] > 0.1
+    assert moved[1.1, 0.0] < 1e-3
