@@ -44,7 +44,7 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_lobes": ("period doubling limits", "farther apart than resonances"),
-    "mfw2310_thin_wall": ("period doubling limits", "farther apart than resonances"),
+    "mfw2310_thin_wall": ("period doubling limits",),
     "mfw2310_uneven_teeth": ("period doubling limits",),
     "deep_groove_uneven_teeth": (
         "period doubling limits",

@@ -820,9 +820,10 @@ def test_run_out_of_a_case(solved):
         solved(cut="{depth: 1 mm, runout: [1 um, 2 um, 3 um]}")
 
 
-@pytest.mark.parametrize(
-    "changed", [("", ""), ("  points:", "  damping: {loss_factor: 0.02}\n  points:")]
-)
+LOSSY = "  points:", "  damping: {loss_factor: 0.02}\n  points:"
+
+
+@pytest.mark.parametrize("changed", [("", ""), pytest.param(LOSSY, marks=pytest.mark.long)])
 def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed):
     """Blunt edges next to the limit, not sharp ones; a machine whose receptance is no sum of modes,
     too; then there are no headline numbers."""
