@@ -118,6 +118,21 @@ def test_a_frequency_that_jumps_where_a_stop_closes_is_cut_there():
     assert "a stop closes" not in _labels(campbell_figure(moved).axes[0])
 
 
+def test_a_jump_on_a_steep_slope_is_cut_and_a_bend_is_not():
+    """Frequencies that fall by 60 Hz a step: one rises by 92 Hz where the stop closes, the other
+    goes on there between the slopes of both sides."""
+    result = samples.campbell(9)
+    jumping, bending = result.kind.index("axial"), result.kind.index("bending")
+    frequency, stopped = result.frequency.copy(), np.zeros(9)
+    stopped[6:] = 1.0
+    frequency[:, jumping] = 900.0 - 60.0 * np.arange(9) + 92.0 * stopped
+    frequency[:, bending] = np.cumsum([900.0, *[-60.0] * 5, -20.0, 10.0, 10.0])
+    steep = replace(result, frequency=frequency, stopped=stopped)
+    assert np.argwhere(jumps(steep)).tolist() == [[5, jumping]]
+    last = replace(result, frequency=frequency[:7], stopped=stopped[:7])
+    assert jumps(last)[5, jumping], "no step behind it"
+
+
 def test_campbell_shows_where_a_mode_is_unstable():
     result = samples.campbell(9)
     ratio = result.damping_ratio.copy()
