@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from itertools import combinations
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +18,7 @@ from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.preload.unshortened import shortening_load
@@ -116,6 +117,16 @@ def arc_notes(scene: Scene) -> Iterator[str]:
                 f"balls of bearing {seat.name} have more than two contacts "
                 f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
                 "frequencies and heat are those of the resultants of each race, estimates there"
+            )
+
+
+def joint_notes(spindle: Spindle) -> Iterator[str]:
+    """Points at joints, which belong to the part in front."""
+    for joint, (name, x) in product(spindle.joints, spindle.points.items()):
+        if abs(x - joint.x) <= SLACK:
+            yield (
+                f"point {name} lies at joint {joint.name} and moves with the part in front of it: "
+                "for the part behind, name a point 0.1 mm behind the joint"
             )
 
 
