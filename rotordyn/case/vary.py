@@ -30,6 +30,7 @@ from rotordyn.field import (
     parts_of,
     shown,
 )
+from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -164,6 +165,9 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
         if any(each != old.bearing for each in whole):
             new["model"] = ""  # the name of the one that was there
+    if isinstance(own := new.get("arrangement"), BearingSet):
+        turned = own.turned(old.seats)
+        new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
     made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
         there = getattr(made, name)

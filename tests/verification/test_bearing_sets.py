@@ -342,6 +342,21 @@ def test_a_set_and_a_sleeve_beside_it_are_changed_together() -> None:
         rotordyn.vary(machine, undone)
 
 
+def test_another_set_turns_the_bearings_whose_thrusts_follow_from_it() -> None:
+    """As in a file that names the other set; a thrust that is given stays and contradicts it."""
+    variants = rotordyn.load("preload_concepts").variants
+    back, face = (variants[name].spindle for name in ("back_to_back", "face_to_face"))
+    assert [seat.thrust for seat in back.seats] == [1, -1]
+    other = rotordyn.vary(back, {"arrangement.set": "DF"})
+    assert [seat.thrust for seat in other.seats] == [-1, 1]
+    assert (other.seats, other.sleeves) == (face.seats, face.sleeves)
+    warm = rotordyn.vary(back, {"arrangement.set": "DF", "bearings.front.damping.radial": 7.0})
+    assert (warm.seats[0].thrust, warm.seats[0].radial_damping) == (-1, 7.0)
+    given = spindle("DB", SetPreload(force=600.0))
+    with pytest.raises(InvalidInput, match="do not make a set DF"):
+        rotordyn.vary(given, {"arrangement.set": "DF"})
+
+
 def test_a_constant_force_is_no_mistaken_spring() -> None:
     machine = spindle("DB", SetPreload(constant_force=600.0))
     assert machine.sleeves[0].spring.rate == "constant"
