@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.display import number
+from rotordyn.results.display import RPM, number
 
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
@@ -64,6 +64,21 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     """A line per row, columns as wide as their widest entry."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+
+
+def at_speeds(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
+    """At which of the speeds [rad/s] something ``holds`` (speeds, ...), at one of them at least.
+
+    >>> at_speeds(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
+    'at 955 rpm'
+    """
+    rows = np.flatnonzero(holds.reshape(len(speed), -1).any(axis=1))
+    first = f"{speed[rows[0]] * RPM.factor:.0f} rpm"
+    if rows.size == len(speed) - rows[0]:
+        return f"from {first} on"
+    if rows.size == 1:
+        return f"at {first}"
+    return f"at {rows.size} of {len(speed)} speeds, first at {first}"
 
 
 def from_to(values: NDArray[np.float64], digits: int = 1) -> str:

@@ -20,7 +20,7 @@ from rotordyn.results.balls import (
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, ends
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.text import at_speeds, from_to, unbroken
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
@@ -186,27 +186,32 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     yield from _overloaded(result, k)
     if hot := softened(result.rating_factor[:, k], result.speed):
         yield hot
-    if where := _first(result, result.shoulder_margin[:, k] < 0.0):
+    passing = result.shoulder_margin[:, k] < 0.0
+    if passing.any():
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         lost = percent(np.nanmax(result.lost_load[:, k]))
         yield (
-            f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
-            f"{lost} of its load; lower the load or raise the shoulder"
+            f"a contact ellipse passes the shoulder by {margin:.2g}° "
+            f"{at_speeds(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            "the shoulder"
         )
     turning = result.speed > 0.0
-    if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
+    thin = turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)
+    if thin.any():
+        last = result.speed[np.flatnonzero(thin)[-1]] * RPM.factor
         yield (
-            f"viscosity ratio κ below {LEAST_KAPPA:g} up to "
-            f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
+            f"viscosity ratio κ below {LEAST_KAPPA:g} up to {last:.0f} rpm, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
     loaded = turning & np.isfinite(result.equivalent_load[:, k])
     if thick := no_film(loaded & (result.film[:, k] == 0.0), result.speed):
         yield thick
-    if where := _first(result, result.slips[:, k]):
+    slips = result.slips[:, k]
+    if slips.any():
         yield (
-            f"the balls need more friction than that of the lubricant from {where} on: they slip, "
-            "and the heat of its contacts is a guess there; raise the preload"
+            "the balls need more friction than that of the lubricant "
+            f"{at_speeds(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
+            "there; raise the preload"
         )
     life = result.spectrum_life[k]
     lives = np.array([life]) if np.isfinite(life) else result.life[:, k]
@@ -233,13 +238,3 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
         )
     if high := overloaded(result.equivalent_load[:, k], result.dynamic_rating[k], result.speed):
         yield high
-
-
-def _first(result: LifeResult, where: NDArray[np.bool_]) -> str:
-    """The first speed at which something holds; empty where it does not."""
-    at = np.flatnonzero(where)
-    return f"{result.speed[at[0]] * RPM.factor:.0f} rpm" if at.size else ""
-
-
-def _up_to(result: LifeResult, where: NDArray[np.bool_]) -> str:
-    return f"{result.speed[np.flatnonzero(where)[-1]] * RPM.factor:.0f} rpm"
