@@ -489,6 +489,25 @@ def test_a_stop_bears_from_the_speed_on_at_which_it_closes():
         assert np.interp(closes * 24000.0, *line.get_data()) == 0.0
 
 
+def test_a_sleeve_and_its_spring_stay_from_the_speed_on_at_which_the_stop_closes():
+    """Between speeds, where of the shaft and of another sleeve nothing is known."""
+    result = samples.preload(5)
+    met = replace(result, stop_speed=result.stop_speed / 0.75 * 0.7)  # 16 800, not 18 000 rpm
+    axes = preload_figure(met, samples.spindle()).axes
+    shifts = {line.get_label(): line for line in axes[2].lines}
+    springs = {line.get_label(): line for line in axes[3].lines}
+    for line, there in (
+        (shifts["front sleeve"], met.position[3, 1] * 1e6),
+        (springs["front sleeve, spring"], met.spring_force[3, 0]),
+    ):
+        rpm = [0.0, 6000.0, 12000.0, 16800.0, 18000.0, 24000.0]
+        np.testing.assert_allclose(line.get_xdata(), rpm)
+        assert line.get_ydata()[3] == there
+    for body in ("shaft", "rear sleeve"):
+        assert np.isnan(shifts[body].get_ydata()).tolist() == [False] * 3 + [True] + [False] * 2
+    assert len(springs["rear sleeve, spring"].get_xdata()) == 5
+
+
 def test_peak_bins_keep_the_peak_and_fill_gaps():
     coordinate, values = np.array([0.0, 1.0, 2.0, 10.0]), np.array([[1.0, 5.0, 2.0, 10.0]])
     found = peak_bins(values, coordinate, np.array([0.0, 3.0, 5.0, 9.0, 11.0]))
