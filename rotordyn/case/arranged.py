@@ -7,10 +7,11 @@ from dataclasses import replace
 from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.machine.bearing_set import SETS, patterns
+from rotordyn.machine.bearing_set import fitting
 
 CLASSES = ("light", "medium", "heavy")
 WORDS = {"+": "+x", "-": "-x"}
+SIGNS = {word: sign for sign, word in WORDS.items()}
 
 
 def arrange(tree: Node, faults: Faults) -> None:
@@ -49,16 +50,10 @@ def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
 def _thrusts(name: Node, seats: list[Node]) -> None:
     """Gives seats without a thrust that of the set, drawn or mirrored as the others have theirs."""
     given = [seat.child("thrust") for seat in seats]
-    named = patterns(name.value) if name.value in [*SETS] else ()
-    known = [signs for signs in named if len(signs) == len(seats)] or ["+" * len(seats)]
-    fitting = [
-        signs
-        for signs in known
-        if all(g is None or g.value == WORDS[s] for g, s in zip(given, signs, strict=True))
-    ]
-    for seat, before, sign in zip(seats, given, (fitting or known)[0], strict=True):
+    signs = fitting(name.value, [SIGNS.get(str(g.value), "?") if g else "" for g in given])
+    for seat, before, sign in zip(seats, given, signs, strict=True):
         if before is None:
-            seat.value["thrust"] = replace(name, value=WORDS[sign])
+            seat.value["thrust"] = replace(name, value=WORDS[sign], shared=True)
 
 
 def _class(given: Node, seats: list[Node], faults: Faults) -> None:

@@ -32,7 +32,9 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     model = named.value if named is not None and isinstance(named.value, str) else ""
     if node.child("model", "estimate") is not None:
         model += " (estimate)"
-    return reading.description(BearingSeat, node, model=model, own=own, sizes=sizes)
+    thrust = node.child("thrust")
+    by_set = thrust is not None and thrust.shared
+    return reading.description(BearingSeat, node, model=model, own=own, sizes=sizes, by_set=by_set)
 
 
 def _size(node: Node | None) -> float | None:

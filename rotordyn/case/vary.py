@@ -30,6 +30,7 @@ from rotordyn.field import (
     parts_of,
     shown,
 )
+from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -164,14 +165,26 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
         if any(each != old.bearing for each in whole):
             new["model"] = ""  # the name of the one that was there
+    if isinstance(own := new.get("arrangement"), BearingSet):
+        turned = own.turned(old.seats)
+        new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
     made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
-        if getattr(made, name) is not value and getattr(made, name) != value:
-            raise groups[name][0].refused(
-                "changes nothing: what stands there follows from others of its keys, as the sleeve "
-                "of a set from its arrangement; change those"
-            )
+        there = getattr(made, name)
+        if there is not value and there != value:
+            _require_kept(fields[name].annotation, there, groups[name])
     return made
+
+
+def _require_kept(annotation: Any, there: Any, changes: Sequence[_Change]) -> None:
+    """What stands ``there`` after ``changes`` has their values, whatever else it was given."""
+    if _value(annotation, there, changes) == there:
+        return
+    undone = (each for each in changes if _value(annotation, there, [each]) != there)
+    raise next(undone, changes[0]).refused(
+        "changes nothing: what stands there follows from others of its keys, as the sleeve of a "
+        "set from its arrangement; change those"
+    )
 
 
 def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence[_Change]) -> Any:

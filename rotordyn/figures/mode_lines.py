@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEAST_SPEEDS = 4  # for a line; at fewer a mode is a mark at each
-JUMP = 3.0  # times the change over the steps beside it: a frequency that jumps where a stop closes
+JUMP = 0.5  # of the change over the steps beside it: a frequency that jumps where a stop closes
 LOOKS: dict[str, tuple[str, Any, str]] = {
     "forward": (BLUE, "-", "forward whirl"),
     "backward": (RED, (0, (5, 2)), "backward whirl"),
@@ -55,16 +55,15 @@ class Modes(Protocol):
 
 def jumps(result: Modes) -> Flags:
     """Steps between speeds (speeds − 1, modes) over which a stop closes or opens and a frequency
-    jumps: it changes more than ``JUMP`` times as much as over the steps on both sides."""
-    frequency = result.frequency
-    step = np.abs(np.diff(frequency, axis=0))
-    beside = np.zeros_like(step)
-    if len(step) > 1:
-        beside[1:] = np.nan_to_num(step[:-1])
-        beside[:-1] = np.maximum(beside[:-1], np.nan_to_num(step[1:]))
+    jumps: its change lies beyond those over the steps on both sides, by ``JUMP`` of the larger."""
+    step = np.diff(result.frequency, axis=0)
+    around = np.pad(step, ((1, 1), (0, 0)), constant_values=np.nan)
+    beside = around[:-2], around[2:]
+    low, high = (np.nan_to_num(extreme(*beside)) for extreme in (np.fmin, np.fmax))
+    away = np.maximum(low - step, step - high)
+    least = np.maximum(JUMP * np.maximum(np.abs(low), np.abs(high)), 1e-4 * result.frequency[1:])
     moved = np.abs(np.diff(result.stopped)) > 0.0
-    with np.errstate(invalid="ignore"):
-        return np.asarray(moved[:, None] & (step > JUMP * beside) & (step > 1e-4 * frequency[1:]))
+    return np.asarray(moved[:, None] & (away > least))
 
 
 def whirl_segments(result: Modes) -> Segments:

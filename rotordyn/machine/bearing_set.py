@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, repeated
@@ -45,6 +45,15 @@ def patterns(name: str) -> tuple[str, ...]:
     drawn = SETS[name]
     mirrored = drawn[::-1].translate(str.maketrans("+-", "-+"))
     return tuple(dict.fromkeys((drawn, mirrored)))
+
+
+def fitting(name: str, given: Sequence[str]) -> str:
+    """Signs of thrust of a set, as drawn or mirrored, whichever has the signs ``given`` of its
+    bearings, of which the empty ones follow; as drawn where neither has them."""
+    named = patterns(name) if name in [*SETS] else ()
+    known = [signs for signs in named if len(signs) == len(given)] or ["+" * len(given)]
+    fit = (s for s in known if all(g in ("", sign) for g, sign in zip(given, s, strict=True)))
+    return next(fit, known[0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +164,17 @@ class BearingSet(Description):
                 f"{signs}, and those of {self.set} are {wanted}; turn bearings, or "
                 + _instead(signs),
             )
+
+    def turned(self, seats: tuple[BearingSeat, ...]) -> tuple[BearingSeat, ...]:
+        """``seats``, of which those whose thrust follows from the set have that of this one."""
+        held = {seat.name: seat for seat in seats}
+        there = [held[name] for name in self.bearings if name in held]
+        given = ["" if seat.by_set else "+" if seat.thrust > 0 else "-" for seat in there]
+        signs = fitting(self.set, given)
+        for seat, sign in zip(there, signs, strict=True):
+            if seat.by_set:
+                held[seat.name] = replace(seat, thrust=1 if sign == "+" else -1)
+        return tuple(held.values())
 
     def sleeve(self, seats: Sequence[BearingSeat]) -> Sleeve | None:
         """The sleeve under the rear side of the set, locked or sprung."""

@@ -30,7 +30,7 @@ class BearingSeat(Description):
     of its balls is that of the conditions of the case unless given here; friction ``none`` or
     infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
     ``own``: keys that it gives itself of those a spindle gives for all bearings; ``sizes``: of its
-    rings, as its model gives them, for fits [m].
+    rings, as its model gives them, for fits [m]; ``by_set``: its thrust is that which its set says.
     """
 
     name: Annotated[Name, "of this bearing"]
@@ -71,6 +71,7 @@ class BearingSeat(Description):
     sizes: Annotated[Mapping[str, Length], HIDDEN] = field(
         default_factory=dict, repr=False, compare=False
     )
+    by_set: Annotated[bool, HIDDEN] = field(default=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self.known_bearing

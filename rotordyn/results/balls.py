@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
-from rotordyn.results.display import RPM
+from rotordyn.results.text import at_speeds
 
 GRIP = 0.1  # friction coefficient
 LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
@@ -28,13 +28,12 @@ BALL_QUANTITIES = (
 
 def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
     """A warning where the pressure passes the limit at some speed, else nothing."""
-    over = np.flatnonzero(peak > WARNING_PRESSURE)
-    if not over.size:
+    over = peak > WARNING_PRESSURE
+    if not over.any():
         return ""
     return (
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
-        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on: lower the "
-        "preload or the loads"
+        f"{WARNING_PRESSURE / 1e9:g} GPa, {at_speeds(speed, over)}: lower the preload or the loads"
     )
 
 
@@ -63,13 +62,13 @@ def of_a_pair(rating: float, of_grooves: float) -> str:
 
 def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     """A warning where the static safety (speeds, …) leaves the range of lives, else nothing."""
-    at = np.argwhere(safety < LEAST_SAFETY)
-    if not len(at):
+    low = safety < LEAST_SAFETY
+    if not low.any():
         return ""
     return (
-        f"static safety {np.nanmin(safety):.2g} is below {LEAST_SAFETY:g} from "
-        f"{speed[at[0, 0]] * RPM.factor:.0f} rpm on, and life is shorter than computed; lower the "
-        "load or take a larger bearing"
+        f"static safety {np.nanmin(safety):.2g} is below {LEAST_SAFETY:g} "
+        f"{at_speeds(speed, low)}, and life is shorter than computed; lower the load or take a "
+        "larger bearing"
     )
 
 
@@ -78,47 +77,44 @@ def overloaded(
 ) -> str:
     """A warning where the equivalent load (speeds, …) is beyond half the dynamic rating [N], up to
     which ISO/TS 16281 knows lives, else nothing."""
-    at = np.argwhere(2.0 * load > rating)
-    if not len(at):
+    high = 2.0 * load > rating
+    if not high.any():
         return ""
     return (
-        f"equivalent load above half the dynamic rating from {speed[at[0, 0]] * RPM.factor:.0f} "
-        "rpm on: life is shorter than computed; lower the load"
+        f"equivalent load above half the dynamic rating {at_speeds(speed, high)}: life is shorter "
+        "than computed; lower the load"
     )
 
 
 def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
     """A warning where loaded contacts that turn have no film (speeds, …), else nothing."""
-    at = np.argwhere(gone)
-    if not len(at):
+    if not gone.any():
         return ""
     return (
-        f"films count as 0 from {speed[at[0, 0]] * RPM.factor:.0f} rpm on, where the formula of "
-        "inlet heating ends for an oil this thick; take a thinner or a warmer one"
+        f"films count as 0 {at_speeds(speed, gone)}, where the formula of inlet heating ends for "
+        "an oil this thick; take a thinner or a warmer one"
     )
 
 
 def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     """A warning where heat lowers the dynamic rating at some speed (speeds, …), else nothing."""
-    at = np.argwhere(factor < 1.0)
-    if not len(at):
+    hot = factor < 1.0
+    if not hot.any():
         return ""
     return (
-        f"hotter than 150 °C from {speed[at[0, 0]] * RPM.factor:.0f} rpm on: the dynamic rating is "
-        f"down to {100.0 * np.nanmin(factor):.0f} % there; cool it"
+        f"hotter than 150 °C {at_speeds(speed, hot)}: the dynamic rating is down to "
+        f"{100.0 * np.nanmin(factor):.0f} % there; cool it"
     )
 
 
 def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:
     """A warning where balls slip on a race at some speed, else nothing."""
-    at = np.flatnonzero(races != "")
-    if not at.size:
+    slips = races != ""
+    if not slips.any():
         return ""
     names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
-    return (
-        f"{what}: the balls slip on {names[str(races[at[0]])]} from "
-        f"{speed[at[0]] * RPM.factor:.0f} rpm on (friction as given)"
-    )
+    race = names[str(races[slips.argmax()])]
+    return f"{what}: the balls slip on {race} {at_speeds(speed, slips)} (friction as given)"
 
 
 def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
@@ -127,11 +123,11 @@ def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -
     0.1 is about what oil-lubricated steel on steel has at most (Harris and Kotzalas, Rolling
     Bearing Analysis, 5th ed., on gyroscopic motion: 0.02 to 0.1).
     """
-    at = np.flatnonzero(grip > GRIP)
-    if not at.size:
+    much = grip > GRIP
+    if not much.any():
         return ""
     return (
         f"{what}: its balls roll without gyroscopic slip only if friction is above "
-        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts from "
-        f"{speed[at[0]] * RPM.factor:.0f} rpm on; raise its preload, or set friction to see it slip"
+        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts "
+        f"{at_speeds(speed, much)}; raise its preload, or set friction to see it slip"
     )

@@ -96,6 +96,21 @@ def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
     ]
 
 
+def at_speeds(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
+    """At which of the speeds [rad/s] something ``holds`` (speeds, ...), at one of them at least.
+
+    >>> at_speeds(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
+    'at 955 rpm'
+    """
+    rows = np.flatnonzero(holds.reshape(len(speed), -1).any(axis=1))
+    first = f"{speed[rows[0]] * RPM.factor:.0f} rpm"
+    if rows.size == len(speed) - rows[0]:
+        return f"from {first} on"
+    if rows.size == 1:
+        return f"at {first}"
+    return f"at {rows.size} of {len(speed)} speeds, first at {first}"
+
+
 def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
     """The first and the last value over speed; where there is but one speed, its value."""
     ends = values[[0, -1]] if len(values) > 1 else values

@@ -34,7 +34,13 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics
-from rotordyn.scene.warnings import arc_notes, friction_notes, machine_warnings, ring_notes
+from rotordyn.scene.warnings import (
+    arc_notes,
+    friction_notes,
+    joint_notes,
+    machine_warnings,
+    ring_notes,
+)
 
 MEETING = 1e-6  # rad/s, of the speed at which a stop is met
 BESIDE = 1e-3  # rad/s below it the stop is open
@@ -145,7 +151,8 @@ class Scene(Statics):
         flow = self.conditions.heat_flow
         frame = frame_notes(self.conditions.formulation)
         flows = () if flow is None else (flow.note,)
-        return (*frame, *friction_notes(self), *ring_notes(self), *arc_notes(self), *flows)
+        joints = joint_notes(self.spindle)
+        return (*frame, *joints, *friction_notes(self), *ring_notes(self), *arc_notes(self), *flows)
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from itertools import combinations
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,11 +18,13 @@ from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.machine.plausibility import implausible
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.preload.unshortened import shortening_load
 from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
+from rotordyn.results.text import at_speeds
 from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
@@ -116,6 +118,16 @@ def arc_notes(scene: Scene) -> Iterator[str]:
                 f"balls of bearing {seat.name} have more than two contacts "
                 f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
                 "frequencies and heat are those of the resultants of each race, estimates there"
+            )
+
+
+def joint_notes(spindle: Spindle) -> Iterator[str]:
+    """Points at joints, which belong to the part in front."""
+    for joint, (name, x) in product(spindle.joints, spindle.points.items()):
+        if abs(x - joint.x) <= SLACK:
+            yield (
+                f"point {name} lies at joint {joint.name} and moves with the part in front of it: "
+                "for the part behind, name a point 0.1 mm behind the joint"
             )
 
 
@@ -314,10 +326,7 @@ def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
 
 
 def _rows_when(speed: Array, rows: Indices) -> str:
-    """At which of the speeds [rad/s] something holds."""
-    first = f"{speed[rows[0]] * RPM.factor:.0f} rpm"
+    """At which of the speeds [rad/s] something holds; of the last one alone, at that."""
     if rows.size == 1:
-        return f"at {first}"
-    if rows.size == len(speed) - rows[0]:
-        return f"from {first} on"
-    return f"at {rows.size} of {len(speed)} speeds, first at {first}"
+        return f"at {speed[rows[0]] * RPM.factor:.0f} rpm"
+    return at_speeds(speed, np.isin(np.arange(len(speed)), rows))

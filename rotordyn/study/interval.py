@@ -120,7 +120,12 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
     solved = [each.change for each in effects] + ([corners.change] if corners else [])
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
-        drawn = nominal.of(machines.all(changes))
+        others = machines.all(changes)
+        if all(each.sentence for each in others):
+            machines.lost.insert(
+                0, f"all {len(others)} machines drawn, so that tolerances have no ranges"
+            )
+        drawn = nominal.of(others)
         usual, worst = _tails(drawn), _ends(drawn)
         together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
@@ -208,7 +213,8 @@ def _tails(drawn: Array) -> Array:
     known = np.isfinite(drawn).any(axis=0)
     ends = np.zeros((drawn.shape[1], 2))
     half = quantiles.COVERED / 2.0
-    ends[known] = np.nanpercentile(drawn[:, known], (50.0 - half, 50.0 + half), axis=0).T
+    if known.any():
+        ends[known] = np.nanpercentile(drawn[:, known], (50.0 - half, 50.0 + half), axis=0).T
     return ends
 
 

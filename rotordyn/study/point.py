@@ -23,11 +23,15 @@ from rotordyn.study.neighbours import Neighbours
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Study:
-    """A case, the points at which it is solved, and analyses whose ``results`` are kept whole."""
+    """A case, the points at which it is solved, and analyses whose ``results`` are kept whole.
+
+    ``left_out``: variants of the case, which take no part.
+    """
 
     case: Case
     design: Design
     results: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,14 +55,14 @@ def study_of(
     if len(analyses):
         case = restricted(case, tuple(analyses))
     _require("results", results, case)
-    case = one_machine(case, varied)
+    left_out, case = tuple(case.variants), one_machine(case, varied)
     points = design(case, varied, sampling, samples, seed)
     if len(results) and points.count > MOST_DRAWN:
         raise InvalidInput(
             f"results: given {', '.join(results)}; allowed for up to {MOST_DRAWN:g} points, since "
             "each is kept as a file: leave them out, numbers are kept of any study"
         )
-    return Study(case, points, tuple(results))
+    return Study(case, points, tuple(results), left_out)
 
 
 def _require(key: str, given: Sequence[str], case: Case) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rotordyn.report.tables import Column, write_table
@@ -30,6 +30,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
     many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
     lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]
     lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
+    lines += without(study.left_out)
     lines += [part for line in _unsolved(outcomes) for part in wrapped(line)]
     lines += [part for line in _warnings(outcomes) for part in wrapped(line)]
     lines += [part for line in _errors(outcomes) for part in wrapped(line)]
@@ -38,6 +39,14 @@ def summary(study: Study, outcomes: Outcomes) -> str:
         head = ("", "lowest", "highest", "lowest at", "highest at", "")
         lines += ["", *aligned([head, *rows])]
     return "\n".join(lines)
+
+
+def without(left_out: Sequence[str]) -> list[str]:
+    """Lines that say of which variants of its case a study takes no notice."""
+    if not left_out:
+        return []
+    names = ", ".join(left_out)
+    return wrapped(f"note       the case itself is solved, without its variants {names}")
 
 
 def _values(each: Parameter) -> str:

@@ -208,6 +208,15 @@ def test_lines_numbers_and_warnings() -> None:
     assert "at 0 rpm" in said[0]
 
 
+@pytest.mark.parametrize(
+    ("steps", "words"), [(1, "0 and -1900"), (2, "-150 and -1900"), (5, "-500 and -1200")]
+)
+def test_the_force_that_unloads_lies_between_two_of_the_cycle(steps: int, words: str) -> None:
+    """Steps of 100 N find it between -1100 and -1200 N, whatever coarser ones do."""
+    assert "force between -1100 and -1200 N at 0 rpm" in warnings(cycle())[0]
+    assert f"force between {words} N at 0 rpm" in warnings(cycle(steps=steps))[0]
+
+
 def test_its_figures_show_both_branches() -> None:
     drawn = {name: draw() for name, draw in figures(None, cycle(), {})}  # type: ignore[arg-type]
     assert set(drawn) == {"axial_cycle", "axial_stiffness", "held_force"}
@@ -216,6 +225,10 @@ def test_its_figures_show_both_branches() -> None:
     assert [np.asarray(loop)[0] for loop in loops] == pytest.approx([-57.95, -57.95], abs=0.01)
     for panel in drawn["axial_cycle"].axes:
         assert re.search(r"\[.+\]$", panel.get_xlabel())
+    assert not any(panel.get_legend() for panel in drawn["axial_cycle"].axes[1::2])
+    (bearings,) = drawn["axial_cycle"].legends
+    boxes = [panel.get_window_extent() for panel in drawn["axial_cycle"].axes]
+    assert bearings.get_window_extent().y0 > max(box.y1 for box in boxes)
 
 
 def test_its_headline_curves_are_the_loops_and_the_stiffness_of_both_branches() -> None:

@@ -326,6 +326,37 @@ def test_friction_and_stop_of_a_set_are_those_of_its_sleeve() -> None:
     assert rotordyn.vary(named, {"arrangement.preload.friction": 50.0}).sleeves[0].friction == 50.0
 
 
+def test_a_set_and_a_sleeve_beside_it_are_changed_together() -> None:
+    """As one after the other; only a change of the sleeve of the set itself is refused."""
+    pair = spindle("DF", SetPreload(offset=14e-6))
+    rear = BearingSeat("r", BEARING, 0.25, thrust=1)
+    beside = Sleeve("beside", ("r",), Spring(300.0, 5e5))
+    machine = replace(pair, seats=(*pair.seats, rear), sleeves=(beside, *pair.sleeves))
+    of_set, of_sleeve = {"arrangement.preload.offset": 10e-6}, {"sleeves.beside.stop_travel": 5e-5}
+    one_by_one = rotordyn.vary(rotordyn.vary(machine, of_set), of_sleeve)
+    assert one_by_one.sleeves[0].stop_travel == 5e-5
+    for both in (of_set | of_sleeve, of_sleeve | of_set):
+        assert rotordyn.vary(machine, both) == one_by_one
+    undone = {**of_set, **of_sleeve, "sleeves.set.friction": 50.0}
+    with pytest.raises(InvalidInput, match=r"^sleeves\.set\.friction: changes nothing"):
+        rotordyn.vary(machine, undone)
+
+
+def test_another_set_turns_the_bearings_whose_thrusts_follow_from_it() -> None:
+    """As in a file that names the other set; a thrust that is given stays and contradicts it."""
+    variants = rotordyn.load("preload_concepts").variants
+    back, face = (variants[name].spindle for name in ("back_to_back", "face_to_face"))
+    assert [seat.thrust for seat in back.seats] == [1, -1]
+    other = rotordyn.vary(back, {"arrangement.set": "DF"})
+    assert [seat.thrust for seat in other.seats] == [-1, 1]
+    assert (other.seats, other.sleeves) == (face.seats, face.sleeves)
+    warm = rotordyn.vary(back, {"arrangement.set": "DF", "bearings.front.damping.radial": 7.0})
+    assert (warm.seats[0].thrust, warm.seats[0].radial_damping) == (-1, 7.0)
+    given = spindle("DB", SetPreload(force=600.0))
+    with pytest.raises(InvalidInput, match="do not make a set DF"):
+        rotordyn.vary(given, {"arrangement.set": "DF"})
+
+
 def test_a_constant_force_is_no_mistaken_spring() -> None:
     machine = spindle("DB", SetPreload(constant_force=600.0))
     assert machine.sleeves[0].spring.rate == "constant"

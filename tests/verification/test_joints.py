@@ -283,6 +283,24 @@ def test_radial_stiffness_is_the_receptance_at_rest() -> None:
     assert tangent[0] < 0.9 * stiffness.answer(stiff, spec).tangent[0, 0]
 
 
+def test_a_point_at_a_joint_is_in_series_with_it_and_said_to_be() -> None:
+    """The nose face of a spindle belongs to the tool where that is held by a joint there."""
+    conditions = replace(case().conditions, axial_stiffening=False)
+    spec = StiffnessSpec("nose", 10.0, steps=1, variants=("full",))
+    joint = Joint("HSK", 0.0, radial=8e8)
+    compliance, said = [], []
+    for joints, x in (((), 0.0), ((joint,), 0.0), ((joint,), 1e-4)):
+        spindle = mfw2310(joints=joints, rotor_damping=(), points={"nose": x})
+        found = Scene(spindle, conditions, np.array([0.0]), 500.0, (x,))
+        compliance.append(1.0 / stiffness.answer(found, spec).tangent[0, 0])
+        said.append([each for each in found.notes if "joint HSK" in each])
+    bare, series, behind = compliance
+    assert series == pytest.approx(bare + 1.0 / 8e8, rel=1e-6)
+    assert behind == pytest.approx(bare, rel=1e-2)
+    assert [len(each) for each in said] == [0, 1, 0]
+    assert said[1][0].startswith("point nose lies at joint HSK and moves with the part in front")
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [

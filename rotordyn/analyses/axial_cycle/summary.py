@@ -8,8 +8,8 @@ import numpy as np
 
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
-from rotordyn.results.display import STIFFNESS
-from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.display import RPM, STIFFNESS, number
+from rotordyn.results.headline import Number, at_every_speed
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 NO_LOSS = 1e-9  # J: rounding
@@ -34,7 +34,7 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
     for name, values in zip(
         result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
     ):
-        yield from at_speeds(result, "force", "N/µm", values, part=name)
+        yield from at_every_speed(result, "force", "N/µm", values, part=name)
 
 
 def warnings(result: AxialCycleResult) -> list[str]:
@@ -45,9 +45,19 @@ def warnings(result: AxialCycleResult) -> list[str]:
         rows, at = np.nonzero(load[..., k] == 0.0)
         if len(at):
             place = int(np.abs(result.force[at]).argmin())
-            rpm = result.speed[rows[place]] * 30.0 / np.pi
+            rpm = result.speed[rows[place]] * RPM.factor
             sentences.append(
-                f"bearing {name} is unloaded under an axial force of {result.force[at[place]]:.4g} "
-                f"N at {rpm:.0f} rpm: raise its preload, or keep the force away from there"
+                f"bearing {name} is unloaded under an axial force {_reached(result, at[place])} at "
+                f"{rpm:.0f} rpm: raise its preload, or keep the force away from there"
             )
     return sentences
+
+
+def _reached(result: AxialCycleResult, place: int) -> str:
+    """A force reached on the way from no load, between those at which the cycle was solved."""
+    force = result.force
+    before = place - int(np.sign(force[place]))
+    if not 0 <= before < len(force) or before == place:
+        return f"of {number(float(force[place]), 0)} N"
+    least = force[before] if force[before] * force[place] > 0.0 else 0.0
+    return f"between {number(float(least), 0)} and {number(float(force[place]), 0)} N"

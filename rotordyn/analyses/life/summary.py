@@ -19,7 +19,7 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
-from rotordyn.results.headline import Number, at_speeds
+from rotordyn.results.headline import Number, at_every_speed
 from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
@@ -156,16 +156,18 @@ def _range(values: Array, digits: int) -> str:
 def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
     """Life of the set, static safety, pressure and heat."""
     lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
-    yield from at_speeds(result, "set L10r", "h", lives, digits=0)
+    yield from at_every_speed(result, "set L10r", "h", lives, digits=0)
     if np.isfinite(result.spectrum_set_life):
         yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
-    yield from at_speeds(result, "S0", "", result.static_safety.min(axis=1))
-    yield from at_speeds(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
+    yield from at_every_speed(result, "S0", "", result.static_safety.min(axis=1))
+    yield from at_every_speed(
+        result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2
+    )
     if math.isfinite(result.viscosity):
-        yield from at_speeds(result, "heat", "W", result.heat.sum(axis=1), digits=0)
+        yield from at_every_speed(result, "heat", "W", result.heat.sum(axis=1), digits=0)
     if np.isfinite(result.ball_temperature).any():
         hottest = result.ball_temperature.max(axis=1)
-        yield from at_speeds(result, "balls", "°C", hottest, digits=0)
+        yield from at_every_speed(result, "balls", "°C", hottest, digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:
@@ -186,27 +188,32 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     yield from _overloaded(result, k)
     if hot := softened(result.rating_factor[:, k], result.speed):
         yield hot
-    if where := _first(result, result.shoulder_margin[:, k] < 0.0):
+    passing = result.shoulder_margin[:, k] < 0.0
+    if passing.any():
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         lost = percent(np.nanmax(result.lost_load[:, k]))
         yield (
-            f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
-            f"{lost} of its load; lower the load or raise the shoulder"
+            f"a contact ellipse passes the shoulder by {margin:.2g}° "
+            f"{at_every_speed(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            "the shoulder"
         )
     turning = result.speed > 0.0
-    if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
+    thin = turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)
+    if thin.any():
+        last = result.speed[np.flatnonzero(thin)[-1]] * RPM.factor
         yield (
-            f"viscosity ratio κ below {LEAST_KAPPA:g} up to "
-            f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
+            f"viscosity ratio κ below {LEAST_KAPPA:g} up to {last:.0f} rpm, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
     loaded = turning & np.isfinite(result.equivalent_load[:, k])
     if thick := no_film(loaded & (result.film[:, k] == 0.0), result.speed):
         yield thick
-    if where := _first(result, result.slips[:, k]):
+    slips = result.slips[:, k]
+    if slips.any():
         yield (
-            f"the balls need more friction than that of the lubricant from {where} on: they slip, "
-            "and the heat of its contacts is a guess there; raise the preload"
+            "the balls need more friction than that of the lubricant "
+            f"{at_every_speed(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
+            "there; raise the preload"
         )
     life = result.spectrum_life[k]
     lives = np.array([life]) if np.isfinite(life) else result.life[:, k]
@@ -233,13 +240,3 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
         )
     if high := overloaded(result.equivalent_load[:, k], result.dynamic_rating[k], result.speed):
         yield high
-
-
-def _first(result: LifeResult, where: NDArray[np.bool_]) -> str:
-    """The first speed at which something holds; empty where it does not."""
-    at = np.flatnonzero(where)
-    return f"{result.speed[at[0]] * RPM.factor:.0f} rpm" if at.size else ""
-
-
-def _up_to(result: LifeResult, where: NDArray[np.bool_]) -> str:
-    return f"{result.speed[np.flatnonzero(where)[-1]] * RPM.factor:.0f} rpm"

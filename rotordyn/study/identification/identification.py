@@ -115,7 +115,8 @@ class Identification:
     """What measurements say of a case.
 
     ``models`` by evidence, the best first; ``predictions`` and ``profiles``, by path, of the best;
-    ``failed``: models without a machine, and why; ``stopped`` before the end.
+    ``failed``: models without a machine, and why; ``stopped`` before the end; ``left_out``:
+    variants of the case, which take no part.
     """
 
     name: str
@@ -126,6 +127,7 @@ class Identification:
     profiles: Mapping[str, Profile] = field(default_factory=dict)
     failed: Mapping[str, str] = field(default_factory=dict)
     stopped: bool = False
+    left_out: tuple[str, ...] = ()
 
     @property
     def order(self) -> list[Explained]:

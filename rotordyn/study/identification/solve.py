@@ -40,13 +40,15 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """An identification held against its case, before anything is solved."""
+    """An identification held against its case, before anything is solved; ``left_out``: variants
+    of the case, which take no part."""
 
     case: Case
     searches: Searches
     criterion: FitCriterion
     predict: tuple[Predicted, ...]
     profiles: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
 
 def asked(  # noqa: PLR0913 - see identify
@@ -66,7 +68,7 @@ def asked(  # noqa: PLR0913 - see identify
     """An identification held against its case; see ``identify``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a case is needed, as rotordyn.load gives it; got {shown(case)}")
-    case = one_machine(case, unknowns)
+    left_out, case = tuple(case.variants), one_machine(case, unknowns)
     _require_measurements(case, measurements)
     found = sought(case, unknowns)
     if minimise not in MINIMISED:
@@ -87,7 +89,7 @@ def asked(  # noqa: PLR0913 - see identify
     if predict:
         with suppress(NoSolution, BearingError):
             numbers(first, first.start, tuple(predict), Known())  # refuses what is no number
-    return Asked(case, searches, held, tuple(predict), profiled)
+    return Asked(case, searches, held, tuple(predict), profiled, left_out)
 
 
 def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> None:
@@ -227,7 +229,7 @@ def identified(
         raise NoSolution("; ".join(dict.fromkeys(failed.values())))
     explained.sort(key=lambda each: each.information)
     best = explained[0]
-    parts: dict[str, Any] = {"failed": failed, "stopped": stopped}
+    parts: dict[str, Any] = {"failed": failed, "stopped": stopped, "left_out": held.left_out}
     if held.profiles and not stopped:
         parts["profiles"], parts["stopped"] = profiles_of(
             best.problem, best.fit, best.sure, held.profiles, workers or processors(), progress

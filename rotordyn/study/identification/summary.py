@@ -12,6 +12,7 @@ from rotordyn.results.text import wrapped
 from rotordyn.study.identification.certainty import ON_A_BOUND
 from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.unknown import Sought
+from rotordyn.study.summary import without
 
 if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Explained, Identification
@@ -37,6 +38,7 @@ def _lines(found: Identification) -> Iterator[str]:
     yield f"{many} solved{of}"
     if found.stopped:
         yield "stopped before the end: the best so far"
+    yield from without(found.left_out)
     yield ""
     yield from _table([*_values(found)])
     if found.predictions:

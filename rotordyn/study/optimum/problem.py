@@ -32,7 +32,7 @@ Place = tuple[float, ...]
 
 @dataclass(frozen=True)
 class Problem:
-    """A case, what may be chosen in it, goals and limits.
+    """A case, what may be chosen in it, goals and limits; ``left_out``: variants of the case.
 
     A ``place`` has a number for each parameter: a share in [0, 1] of the way between its ends, or
     the number of a value.
@@ -42,6 +42,7 @@ class Problem:
     parameters: tuple[Parameter, ...]
     goals: tuple[Goal, ...]
     limits: tuple[Limit, ...] = ()
+    left_out: tuple[str, ...] = ()
 
     @cached_property
     def whole(self) -> Flags:

@@ -192,13 +192,13 @@ def problem_of(
                 f"dataset, '{each.of}.variable'"
             )
     needed = tuple(dict.fromkeys(each.analysis for each in asked))
-    case = restricted(one_machine(case, varied), needed)
+    left_out, case = tuple(case.variants), restricted(one_machine(case, varied), needed)
     found = tuple(parameters(case, varied))
     for one in found:
         if one.ends is None and len(one.values) < 2:
             raise InvalidInput(f"{one.path}: one value is no choice: give two or more, or a span")
     require_each_once(found)
-    return Problem(case, found, tuple(goals), tuple(limits))
+    return Problem(case, found, tuple(goals), tuple(limits), left_out)
 
 
 @typed(InvalidInput, besides=["case"])

@@ -18,7 +18,7 @@ from rotordyn.results.text import wrapped
 from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.solve import Optimum
 from rotordyn.study.parameter import Parameter
-from rotordyn.study.summary import reasons
+from rotordyn.study.summary import reasons, without
 
 SUMMARY, TABLE, ABOUT, BEST = "summary.txt", "trials.csv", "optimum.json", "best.yaml"
 
@@ -33,6 +33,7 @@ def _lines(found: Optimum) -> Iterator[str]:
     good = sum(each.feasible for each in found.trials)
     yield problem.case.title or problem.case.name
     yield f"{len(found.trials)} trials, {good} of them keep all limits"
+    yield from without(problem.left_out)
     for sentence in reasons((each.sentence for each in found.trials), "trial", TABLE):
         yield from wrapped(sentence)
     yield ""

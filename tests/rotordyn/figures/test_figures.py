@@ -118,6 +118,21 @@ def test_a_frequency_that_jumps_where_a_stop_closes_is_cut_there():
     assert "a stop closes" not in _labels(campbell_figure(moved).axes[0])
 
 
+def test_a_jump_on_a_steep_slope_is_cut_and_a_bend_is_not():
+    """Frequencies that fall by 60 Hz a step: one rises by 92 Hz where the stop closes, the other
+    goes on there between the slopes of both sides."""
+    result = samples.campbell(9)
+    jumping, bending = result.kind.index("axial"), result.kind.index("bending")
+    frequency, stopped = result.frequency.copy(), np.zeros(9)
+    stopped[6:] = 1.0
+    frequency[:, jumping] = 900.0 - 60.0 * np.arange(9) + 92.0 * stopped
+    frequency[:, bending] = np.cumsum([900.0, *[-60.0] * 5, -20.0, 10.0, 10.0])
+    steep = replace(result, frequency=frequency, stopped=stopped)
+    assert np.argwhere(jumps(steep)).tolist() == [[5, jumping]]
+    last = replace(result, frequency=frequency[:7], stopped=stopped[:7])
+    assert jumps(last)[5, jumping], "no step behind it"
+
+
 def test_campbell_shows_where_a_mode_is_unstable():
     result = samples.campbell(9)
     ratio = result.damping_ratio.copy()
@@ -472,6 +487,25 @@ def test_a_stop_bears_from_the_speed_on_at_which_it_closes():
         line = next(one for one in forces.lines if one.get_label().endswith(", stop"))
         assert len(line.get_xdata()) == 5 + ahead
         assert np.interp(closes * 24000.0, *line.get_data()) == 0.0
+
+
+def test_a_sleeve_and_its_spring_stay_from_the_speed_on_at_which_the_stop_closes():
+    """Between speeds, where of the shaft and of another sleeve nothing is known."""
+    result = samples.preload(5)
+    met = replace(result, stop_speed=result.stop_speed / 0.75 * 0.7)  # 16 800, not 18 000 rpm
+    axes = preload_figure(met, samples.spindle()).axes
+    shifts = {line.get_label(): line for line in axes[2].lines}
+    springs = {line.get_label(): line for line in axes[3].lines}
+    for line, there in (
+        (shifts["front sleeve"], met.position[3, 1] * 1e6),
+        (springs["front sleeve, spring"], met.spring_force[3, 0]),
+    ):
+        rpm = [0.0, 6000.0, 12000.0, 16800.0, 18000.0, 24000.0]
+        np.testing.assert_allclose(line.get_xdata(), rpm)
+        assert line.get_ydata()[3] == there
+    for body in ("shaft", "rear sleeve"):
+        assert np.isnan(shifts[body].get_ydata()).tolist() == [False] * 3 + [True] + [False] * 2
+    assert len(springs["rear sleeve, spring"].get_xdata()) == 5
 
 
 def test_peak_bins_keep_the_peak_and_fill_gaps():

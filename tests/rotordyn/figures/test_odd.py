@@ -14,7 +14,7 @@ from rotordyn.analyses.campbell.figures.shapes import shapes_figure
 from rotordyn.analyses.campbell.result import TurningCampbellResult
 from rotordyn.analyses.frf.result import TurningFrfResult
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
-from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
+from rotordyn.analyses.stiffness.figures.curves import force_figure, stiffness_figure
 from rotordyn.figures.draw import Drawing
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.overlays import Scale, colour, dash, overlay_figure
@@ -78,6 +78,21 @@ def test_a_speed_between_lost_ones_is_seen() -> None:
     shown = [line for line in axes.get_lines() if line.get_label() == "forward whirl"]
     assert len(shown[0].get_xdata()) == 4
     assert not any("without whirl" in t for t in axes.get_legend_handles_labels()[1])
+
+
+def test_deflection_is_drawn_at_speeds_with_a_state_alone() -> None:
+    """The first, the middle and the last of these; no speed has one: no figures."""
+    result = samples.stiffness(5)
+    deflection, tangent = result.deflection.copy(), result.tangent.copy()
+    deflection[[0, 2, 4]], tangent[[0, 2, 4]] = np.nan, np.nan
+    some = replace(result, deflection=deflection, tangent=tangent)
+    titles = [axes.get_title() for axes in force_figure(some).axes]
+    assert titles == [f"{some.speed[k] * 30.0 / np.pi:.0f} rpm" for k in (1, 3)]
+    none = replace(result, deflection=np.full_like(deflection, np.nan))
+    assert {name for name, _ in figures(samples.case(), {"stiffness": some})} == {
+        "machine", "stiffness", "stiffness_force",
+    }  # fmt: skip
+    assert {name for name, _ in figures(samples.case(), {"stiffness": none})} == {"machine"}
 
 
 def test_known_values_beyond_the_speeds_are_not_drawn() -> None:

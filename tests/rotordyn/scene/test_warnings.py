@@ -15,7 +15,7 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import summary as unbalance
 from rotordyn.case.model import model
 from rotordyn.machine.seat import BearingSeat
-from rotordyn.results.balls import gripping, pressed, slipping
+from rotordyn.results.balls import gripping, pressed, slipping, softened
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.warnings import _lost, bearing_warnings
@@ -35,6 +35,18 @@ def test_pressure_slip_and_grip_are_named_from_their_first_speed() -> None:
     assert not pressed("a", SPEEDS, np.full(3, np.nan))
     assert not slipping("a", SPEEDS, np.full(3, ""))
     assert not gripping("a", SPEEDS, np.array([0.0, np.nan, 0.0999]))
+
+
+def test_warnings_of_balls_say_at_which_speeds() -> None:
+    """Friction that is needed at speeds in the middle is not needed from there on."""
+    speeds = np.array([0.0, 6000.0, 7500.0, 9000.0, 10500.0]) * RPM
+    grip = np.array([np.nan, 0.11, 0.13, 0.09, 0.07])
+    slips, factor = np.where(grip > 0.12, "inner", ""), np.where(grip > 0.1, 0.9, 1.0)
+    assert "at 2 of 5 speeds, first at 6000 rpm; raise" in gripping("a", speeds, grip)
+    assert "contacts from 6000 rpm on; raise" in gripping("a", speeds[:3], grip[:3])
+    assert "the inner race at 7500 rpm (friction" in slipping("a", speeds, slips)
+    assert "150 °C at 2 of 5 speeds, first at 6000 rpm:" in softened(factor[:, None], speeds)
+    assert "at 2 of 5 speeds, first at 6000 rpm:" in pressed("a", speeds, 4e10 * grip)
 
 
 def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.MonkeyPatch) -> None:

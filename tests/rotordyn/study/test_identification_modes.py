@@ -59,6 +59,15 @@ def test_sections_and_dampings_from_modes_alone() -> None:
     assert (best.sure.deviation[:3] < 0.02 * true[:3]).all()
 
 
+def test_an_identification_says_which_variants_it_leaves_out() -> None:
+    damped = replace(spindle(), rayleigh=RayleighDamping(stiffness=3e-7))
+    measured = modes(damped, np.random.default_rng(4))
+    sought = {"spindle.damping.rayleigh.stiffness": Unknown(1e-8, 1e-5)}
+    both = replace(case(damped), variants={"cold": case(damped), "warm": case(damped)})
+    note = "note       the case itself is solved, without its variants cold, warm"
+    assert note in summary(identify(both, sought, [measured], workers=1)).splitlines()
+
+
 def test_a_value_small_by_its_unit_is_printed() -> None:
     """Damping by stiffness, of 0.3 µs, stands in seconds: it and its interval are not 0.000000."""
     damped = replace(spindle(), rayleigh=RayleighDamping(stiffness=3e-7))

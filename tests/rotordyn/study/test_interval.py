@@ -372,6 +372,21 @@ def test_few_runs_cover_95_of_100_machines() -> None:
     assert np.isnan(again.interaction).all()
 
 
+def test_a_sample_of_which_no_machine_has_a_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bores wider than the shaft: one sentence, and no ranges over tolerances."""
+    section = "spindle.shaft.sections.tool_shank"
+    outer, inner = f"{section}.outer_diameter", f"{section}.inner_diameter"
+    widths = {outer: "14.8..33.1 mm", inner: "14..33 mm"}
+    case = _case(("preload",), (0.0,), tolerances=widths, samples=20)
+    monkeypatch.setattr(interval, "sampled", lambda *_: [{outer: 0.015, inner: 0.02}] * 20)
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    known = np.isfinite(held.nominal)
+    assert (held.tolerances == held.nominal[:, None])[known].all()
+    assert (held.without_within > 0)[known].all()
+    (note,) = [each for each in interval_doubts(held) if "without a solution" in each]
+    assert "all 20 machines drawn, so that tolerances have no ranges" in note
+
+
 def test_a_sample_is_the_same_again_and_within_its_tolerances() -> None:
     widths = {SPRING: "500..600 N", "spindle.bearings.*.fits.taken": "least..most"}
     case = replace(rotordyn.load("mfw2310"), uncertain=Uncertain(tolerances={SPRING: "500..600 N"}))

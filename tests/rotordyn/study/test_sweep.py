@@ -34,6 +34,7 @@ from rotordyn.scene.checks import Checks
 from rotordyn.scene.refinement import solve_accurately
 from rotordyn.study import deliver, neighbours, point, processes, solve, workers
 from rotordyn.study.journal import Journal
+from rotordyn.study.optimum.summary import summary as trials_in_words
 from rotordyn.study.point import Outcome
 from rotordyn.study.read import read_study
 from rotordyn.study.solve import study_of
@@ -814,6 +815,16 @@ def test_a_study_of_several_tools_asks_which(tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="compares 2 tools"):
         optimise(case, {spring: ["500 N", "600 N"]}, [Goal(highest="stability_lobes: least")])
     assert study_of(case, {"tool": ["hsk63_end_mill_12"]}).design.count == 1
+
+
+def test_a_study_says_which_variants_it_leaves_out(case: Case) -> None:
+    both = replace(case, variants={"cold": case, "warm": case})
+    note = "note       the case itself is solved, without its variants cold, warm"
+    values = {SPRING: ["800 N", "900 N"]}
+    assert note in summary(study_of(both, values), {}).splitlines()
+    assert "note" not in summary(study_of(case, values), {})
+    found = optimise(both, values, [Goal(highest="preload: sum")], workers=1)
+    assert note in trials_in_words(found).splitlines()
 
 
 def test_numbers_without_bound_are_the_largest(case: Case) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.figures.curves import draw_columns, merged
-from rotordyn.figures.legends import legend
+from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
@@ -53,7 +53,7 @@ def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
         upper.set_title(f"{rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
         if first:
             legend(upper)
-            legend(lower)
+    top_legend(figure, *figure.axes[1::2])
     return figure
 
 

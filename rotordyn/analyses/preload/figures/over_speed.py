@@ -25,6 +25,7 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
+from rotordyn.results.headline import LEAST_POINTS
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def preload_figure(
     draw_columns(axes[0], rpm, result.axial_load, result.bearing)
     axes[1].plot(rpm, preload_sum(result, spindle), color=BLUE, label="computed")
     draw_references(axes[1], references, "preload_sum", float(rpm[-1]))
-    draw_columns(axes[2], rpm, result.position * MICROMETRE.factor, result.body)
+    _shifts(axes[2], result)
     draw_references(axes[2], references, "sleeve_displacement", float(rpm[-1]), subject=True)
     _forces(axes[3], result)
     for place in (0, 1, 3):
@@ -82,28 +83,48 @@ def contacts_figure(result: PreloadResult) -> Figure:
     return figure
 
 
+def _shifts(axes: Axes, result: PreloadResult) -> None:
+    """Of every body, those alike drawn once; where a stop closes between two speeds its sleeve
+    stands from there on, and of the others nothing is known."""
+    position = result.position * MICROMETRE.factor
+    for name, column in merged(result.body, position):
+        body = result.body[column]
+        line = result.speed * RPM.factor, position[:, column]
+        for place, sleeve in enumerate(result.sleeve):
+            line = from_closing(*line, result, place, None if sleeve == body else np.nan)
+        axes.plot(*line, label=name, **line_of(column))
+
+
 def _forces(axes: Axes, result: PreloadResult) -> None:
     """Springs solid, stops dashed, friction dotted, marks per sleeve; the stop's speed marked."""
     rpm = result.speed * RPM.factor
     for place, name in enumerate(result.sleeve):
         look = {"color": CYCLE[place % len(CYCLE)], **marked(place)}
-        axes.plot(rpm, result.spring_force[:, place], label=f"{name}, spring", **look)
+        spring = from_closing(rpm, result.spring_force[:, place], result, place)
+        axes.plot(*spring, label=f"{name}, spring", **look)
         if result.friction_limit[place] > 0.0:
             axes.plot(
                 rpm, result.friction_force[:, place], ls=":", label=f"{name}, friction", **look
             )
         if np.isfinite(result.stop_speed[place]):
-            closes = float(result.stop_speed[place] * RPM.factor)
-            line = from_closing(rpm, result.stop_force[:, place], closes)
-            axes.plot(*line, ls="--", label=f"{name}, stop", **look)
-            axes.axvline(closes, **STOP)
+            stop = from_closing(rpm, result.stop_force[:, place], result, place, 0.0)
+            axes.plot(*stop, ls="--", label=f"{name}, stop", **look)
+            axes.axvline(float(result.stop_speed[place] * RPM.factor), **STOP)
 
 
-def from_closing(rpm: Array, force: Array, closes: float) -> tuple[Array, Array]:
-    """Speeds and forces of a stop with the speed at which it ``closes``, from which on it bears."""
-    k = int(np.searchsorted(rpm, closes))
-    between = 0 < k < len(rpm) and rpm[k] > closes and force[k - 1] == 0.0
-    return (np.insert(rpm, k, closes), np.insert(force, k, 0.0)) if between else (rpm, force)
+def from_closing(
+    rpm: Array, values: Array, result: PreloadResult, sleeve: int, there: float | None = None
+) -> tuple[Array, Array]:
+    """Speeds and values with the speed between them at which the stop of a sleeve closes and what
+    is ``there``; None: what is beyond, as of its shift and its spring, which stay."""
+    closes, speed = float(result.stop_speed[sleeve]), result.speed
+    k = int(np.searchsorted(speed, closes))
+    between = 0 < k < len(speed) and speed[k] > closes and len(speed) >= LEAST_POINTS
+    if not between or result.stop_force[k - 1, sleeve] or not result.stop_reached[k, sleeve]:
+        return rpm, values
+    k = int(np.searchsorted(rpm, closes * RPM.factor))
+    value = values[k] if there is None else there
+    return np.insert(rpm, k, closes * RPM.factor), np.insert(values, k, value)
 
 
 def _inner_outer(

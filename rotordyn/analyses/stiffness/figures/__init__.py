@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.results.described import Described, Shown
@@ -15,7 +17,9 @@ code = partial(Code, __name__)
 
 
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """The figures of a result, none where no speed has a state."""
+    if not np.isfinite(result.deflection).any():
+        return
     point = getattr(case.analyses.get("stiffness"), "point", "")
     known = case.known
     yield "stiffness", partial(code("curves:stiffness_figure"), result, known, point)

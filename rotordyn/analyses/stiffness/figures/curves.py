@@ -55,12 +55,14 @@ def stiffness_figure(
 
 
 def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> Figure:
-    """Deflection under force at the first, the middle and the last speed, a line per variant.
+    """Deflection under force at the first, the middle and the last speed with a state, a line per
+    variant.
 
     Marks on the line of the full bearing model: balls that lose their contact there.
     """
     figure = new_figure(168.0, 80.0)
-    picked = evenly(result.speed.size, speeds)
+    known = np.flatnonzero(np.isfinite(result.deflection).any(axis=(1, 2)))
+    picked = known[evenly(known.size, speeds)]
     boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 6.0, 12.0, 9.0), gaps=(6.0, 0.0))
     largest = float(np.nanmax(result.deflection[picked])) * MICROMETRE.factor
     where = f" at {point}" if point else ""
