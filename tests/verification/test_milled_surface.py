@@ -779,6 +779,20 @@ def test_a_cut_that_the_band_does_not_hold_is_warned_of(solved):
     assert not any("whole band" in each for each in warnings(found))
 
 
+def test_a_cut_that_the_measured_spindle_does_not_hold_is_warned_of(solved):
+    """Of the speeds at which the computed machine has it stable."""
+    found = lobes(solved(cut="{depth: 1 mm}"))
+    few = np.where(np.arange(len(RPM)) < 3, 1e-3, 1.001e-3)
+    stable = np.arange(len(RPM)) > 0
+    some = replace(found, measured=few, cut_is_stable=stable, depth=np.where(stable, 2e-3, 0.5e-3))
+    (told,) = (each for each in warnings(some) if "on the measured spindle" in each)
+    assert (
+        f"at 2 of the 6 speeds at which it is on the machine as computed, first at {RPM[1]:.0f}"
+        in told
+    )
+    assert not any("measured spindle" in each for each in warnings(found))
+
+
 def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said(solved):
     found = lobes(solved(cut="{depth: 4 mm}", helix="40 deg", speeds="[3000 rpm]"))
     least, most = found.surface_error_least[0, 0] * 1e6, found.surface_error_most[0, 0] * 1e6

@@ -76,6 +76,14 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
             "its vibration and surface are not given there"
         )
+    other = np.flatnonzero(stable & (result.measured <= result.planned_depth))
+    if other.size:
+        sentences.append(
+            f"stability_lobes: on the measured spindle the planned cut of "
+            f"{in_mm(result.planned_depth)} is not stable at {other.size} of the "
+            f"{stable.sum()} speeds at which it is on the machine as computed, first at "
+            f"{_milling_rpm(result, int(other[0]))}: choose a speed at which both are"
+        )
     weak = np.flatnonzero(stable & (result.motor_depth < result.planned_depth))
     if weak.size:
         sentences.append(

@@ -134,11 +134,14 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, deepest pocket with its speed, highest
-    removal rate within stability and motor, and those of a planned cut."""
-    known = result.depth[~np.isnan(result.depth)]
-    least = float(known.min()) if known.size else np.nan
-    yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
+    """Least limit, infinite where no depth is unstable, that on a measured spindle and that of the
+    band, deepest pocket with its speed, highest removal rate within stability and motor, and those
+    of a planned cut."""
+    yield _lowest("least", result.depth)
+    if not np.isnan(result.measured).all():
+        yield _lowest("measured least", result.measured)
+    if banded(result):
+        yield _lowest("least of the band", result.least)
     if result.pocket_depth.size:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
@@ -147,6 +150,11 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         most = float(np.fmax.reduce(result.motor_removal))
         yield Number("removal", REMOVAL.unit, most * REMOVAL.factor, digits=1)
     yield from planned_summary.numbers(result)
+
+
+def _lowest(name: str, depth: Array) -> Number:
+    """The least of depths over speed."""
+    return Number(name, "mm", float(np.fmin.reduce(depth)) * MILLIMETRE.factor, digits=2)
 
 
 def lacking(_: StabilityLobesResult) -> Iterator[Number]:
@@ -221,7 +229,8 @@ def _measured(result: StabilityLobesResult) -> list[str]:
             f"; differs most from the machine as computed at rest at {_rpm(result, most)}: "
             f"{in_mm(result.measured[most])} in place of {in_mm(result.at_rest[most])}"
         )
-    return [line]
+    others = "pockets, removal rates, bands and planned cuts"
+    return [f"{line}; {others} are those of the machine as computed"]
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS
+from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS, MEASURED
 from rotordyn.analyses.stability_lobes.pockets import KEPT
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
-from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, REPEATING, StabilityLobesSpec
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -37,10 +37,7 @@ Array = NDArray[np.float64]
 ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 SIZE = 3.5  # of marks
-REPEATING = (
-    (FLIP, RED, "-", "period doubling"),
-    (FOLD, ORANGE, (0, (1.0, 0.7)), "repeats with the pattern of teeth"),
-)
+MARKS = ((FLIP, RED, "-"), (FOLD, ORANGE, (0, (1.0, 0.7))))
 APART = 0.11  # of the axis, between marks of pockets
 ABOVE = 9.0  # [mm] of the second axis
 ROW = 3.6  # [mm] of a line below the figure
@@ -70,7 +67,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     draw(rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
-        draw(tested, "on the measured spindle", marks, color=BLACK, lw=1.0, ls=":")
+        draw(tested, MEASURED, marks, color=BLACK, lw=1.0, ls=":")
     if result.motor:
         marks = {"marker": "v", "ms": 3.0}
         by_motor = result.motor_depth * MILLIMETRE.factor
@@ -78,10 +75,10 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     if np.isfinite(even).any():
         marks = {"marker": "s", "ms": 3.0}
         draw(even, "with evenly spaced teeth", marks, color=BLACK, lw=0.8, ls="-.")
-    for kind, colour, line, words in REPEATING:
+    for kind, colour, line in MARKS:
         shown = np.where(np.array(result.loss) == kind, depth, np.nan)
         if not np.isnan(shown).all():
-            draw(shown, words, {}, color=colour, lw=2.0, ls=line)
+            draw(shown, REPEATING[kind], {}, color=colour, lw=2.0, ls=line)
     if not lines and any((each > top).any() for each in (depth, rest, tested, even)):
         upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
