@@ -691,10 +691,10 @@ def test_words_numbers_and_figure(solved):
     words = [each.get_text() for each in figure.findobj(lambda one: hasattr(one, "get_text"))]
     assert "up-milled wall" in words
     assert "vibration in normal, peak to peak" in words
-    # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
-    (told,) = (each for each in warnings(found) if "farther apart than resonances" in each)
+    # 2500 rpm are wider than the resonances of 1 to 3 percent damping
+    (told,) = (each for each in warnings(found) if "too far apart for the resonances" in each)
     width = found.resonance_width[:-1] * found.milling_speed[1:]
-    step = 0.5 * width[width > 0.0].min() * 30.0 / math.pi
+    step = width[width > 0.0].min() / 8.0 * 30.0 / math.pi
     assert float(re.findall(r"steps of ([\d.]+) rpm", told)[0]) == pytest.approx(step, rel=6e-3)
 
 
@@ -709,16 +709,36 @@ def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
     assert math.floor(order[0]) > math.floor(order[1])
     assert (width[1:] == 0.0).all()
     assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
-    for wide, told in ((0.18, True), (0.19, False)):  # 2000 rpm are 0.182 of 11 000
+    for wide, told in ((1.08, True), (1.10, False)):  # 2000 rpm are 0.182 of 11 000, 1/6 of 1.09
         as_wide = replace(lobes(found), resonance_width=np.array([wide, 0.0, 0.0]))
-        assert any("farther apart" in each for each in warnings(as_wide)) == told
+        assert any("too far apart" in each for each in warnings(as_wide)) == told
+
+
+def test_the_step_that_is_advised_finds_the_largest_error(solved):
+    """Within 2 % of that in steps a sixth as long, wherever they begin; those of a third of the
+    width, which are warned of, lose four times as much."""
+
+    def run(step):
+        speeds = [f"{rpm:.6g} rpm" for rpm in np.arange(13200.0, 13801.0, step)]
+        found = lobes(solved(cut="{depth: 0.2 mm}", speeds=f"[{', '.join(speeds)}]"))
+        ends = np.abs([found.surface_error_least, found.surface_error_most]).max(axis=(0, 2))
+        told = [each for each in warnings(found) if "too far apart for the resonances" in each]
+        return ends, [float(re.findall(r"steps of ([\d.]+) rpm", each)[0]) for each in told]
+
+    _, (advised,) = run(64.0)
+    fine, none = run(advised / 6.0)
+    assert none == []
+    largest, away = fine.max(), {}
+    for every in (6, 16):
+        away[every] = max(1.0 - fine[k::every].max() / largest for k in range(every))
+    assert away[6] < 0.02 < 0.07 < away[16]
 
 
 def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):
     found = lobes(solved(cut="{depth: 1 um}", teeth=80, speeds="[3000 rpm, 6000 rpm]"))
     assert found.cut_is_stable.all()
     assert (found.resonance_width == 0.0).all()
-    assert not any("farther apart than resonances" in each for each in warnings(found))
+    assert not any("too far apart for the resonances" in each for each in warnings(found))
 
 
 def test_errors_that_cut_too_deep_count_by_their_amount(solved):

@@ -13,6 +13,7 @@ from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration
+COARSE, SEEN = 1 / 6, 1 / 8  # of the width of a resonance: steps that lose 5 % of its peak, and 3 %
 OF_MARGIN = 0.5  # to the limit of stability: contact that moves so much may cross it
 ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
 
@@ -92,12 +93,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     speed = result.milling_speed
     wide = result.resonance_width[:-1]
-    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > wide * speed[1:]))
+    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > COARSE * wide * speed[1:]))
     if coarse.size:
-        step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
+        step = SEEN * float((wide * speed[1:])[coarse].min()) * RPM.factor
         sentences.append(
-            "stability_lobes: speeds are farther apart than resonances of the planned cut are "
-            f"wide, from {_milling_rpm(result, int(coarse[0]))} to "
+            "stability_lobes: speeds are too far apart for the resonances of the planned cut, "
+            f"from {_milling_rpm(result, int(coarse[0]))} to "
             f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
             f"be larger: steps of {number(step, 0)} rpm show them"
         )
