@@ -38,7 +38,7 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
 
 SLIPS = ("the balls need more friction than that of the lubricant",)
 # of a chart at few speeds, not of the case
-FEWER = "lobes are closer than the speeds", "too far apart for the resonances"
+FEWER = "too far apart for the lobes", "too far apart for the resonances"
 WARNED = {  # what the case is there to show
     "preload_concepts": ("stand face to face (X)",),
     "grinding_spindle_life": SLIPS,

@@ -27,7 +27,10 @@ from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
-SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
+LOWER = 0.95  # times the limits beside it: so deep a flip between speeds is said
+# waves between teeth more or less from speed to speed; δ of them off the lowest point of a lobe a
+# limit is up to 1/cos 2πδ times as high: steps may lose 24 %, and 8 %
+SKIPPED, SEEN = 0.2, 0.125
 AS_MUCH = 0.999  # of the highest removal rate
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
@@ -285,7 +288,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
-    sentences += _skipped(result) + planned_summary.warnings(result)
+    sentences += _skipped(result) + _flips(result) + planned_summary.warnings(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         much = percent if np.isfinite(result.error) else "from none or to none"
@@ -317,7 +320,25 @@ def _skipped(result: StabilityLobesResult) -> list[str]:
     first, last = rows[0], rows[-1] + 1
     step = (speed[first + 1] - speed[first]) * SEEN / passing[first]
     return [
-        "stability_lobes: lobes are closer than the speeds from "
+        "stability_lobes: speeds are too far apart for the lobes from "
         f"{number(speed[first] * RPM.factor, 0)} to {_rpm(result, last)}, between which limits may "
         f"be lower: steps of {number(step * RPM.factor, 0)} rpm show them from the first on"
+    ]
+
+
+def _flips(result: StabilityLobesResult) -> list[str]:
+    """That period doubling limits the cut between speeds."""
+    beside = np.fmin(result.depth[:-1], result.depth[1:])
+    rows = np.flatnonzero(result.flip_depth[:-1] < LOWER * beside)
+    if not rows.size:
+        return []
+    lowest = rows[np.argmin(result.flip_depth[rows])]
+    speed = [number(each * RPM.factor, 0) for each in result.flip_speed]
+    others = [speed[row] for row in rows if row != lowest]
+    also = f", and at about {', '.join(others[:MOST])} rpm" if others else ""
+    more = f" and {len(others) - MOST} more speeds" if len(others) > MOST else ""
+    return [
+        "stability_lobes: between speeds period doubling limits the cut, at about "
+        f"{speed[lowest]} rpm to {in_mm(result.flip_depth[lowest])} where limits beside it are "
+        f"{in_mm(beside[lowest])} and more{also}{more}: add speeds there"
     ]

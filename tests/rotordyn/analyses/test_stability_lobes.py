@@ -20,7 +20,15 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
-from rotordyn.analyses.stability_lobes.summary import accuracy, numbers, summary, warnings
+from rotordyn.analyses.stability_lobes.summary import (
+    SEEN,
+    SKIPPED,
+    _skipped,
+    accuracy,
+    numbers,
+    summary,
+    warnings,
+)
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -797,7 +805,7 @@ def test_lobes_between_speeds_are_told() -> None:
         return rotordyn.run(replace(case, variants={}, analyses={"stability_lobes": own}))
 
     sparse, dense = solved(4000.0, 5000.0, 9000.0), solved(4000.0, 4010.0, 4020.0)
-    told = [each for each in sparse.warnings if "lobes are closer" in each]
+    told = [each for each in sparse.warnings if "too far apart for the lobes" in each]
     assert len(told) == 1
     result = sparse["stability_lobes"]
     between = result.chatter.values / (2.0 * np.array([4000.0, 5000.0, 9000.0]) / 60.0)
@@ -806,8 +814,70 @@ def test_lobes_between_speeds_are_told() -> None:
     most = max(result.chatter.values[:2]) * 30.0  # waves times speed
     step = 1000.0 * 0.125 / (most * (1.0 / 4000.0 - 1.0 / 5000.0))
     assert f"steps of {step:.1f} rpm" in told[0]
-    assert not [each for each in dense.warnings if "lobes are closer" in each]
+    assert not [each for each in dense.warnings if "too far apart for the lobes" in each]
     assert "at all 3 speeds" in sparse.summary
+
+
+def test_steps_that_are_not_told_lose_a_quarter_of_a_lobe_at_most():
+    """Turning on one mode of 1 %: least limits of samples, wherever they begin, over the lowest
+    point of the lobe."""
+    natural, each = 2.0 * math.pi * 600.0, 80
+
+    def one_mode(omega):
+        return 1e-7 / (1.0 - (omega / natural) ** 2 + 0.02j * omega / natural)
+
+    waves = 3.0 + np.arange(each + 1) / each
+    depth = np.array([turning_limit(one_mode, 2e9, natural / w).depth for w in waves])
+    lost = {}
+    for share in (SKIPPED, SEEN):
+        step = round(share * each)
+        lost[share] = max(depth[k::step].min() for k in range(step)) / depth.min()
+    for share, most in lost.items():  # the frequency of the chatter moves along the lobe, too
+        assert 1.0 < most < 1.0 / math.cos(math.pi * share)
+    assert lost[SEEN] < 1.06 < lost[SKIPPED] < 1.2
+    for step, told in ((0.99 * SKIPPED, 0), (1.01 * SKIPPED, 1)):
+        speed = 600.0 / np.array([3.0, 3.0 - step])  # revolutions a second
+        result = SimpleNamespace(
+            cutting_speed=2.0 * math.pi * speed,
+            chatter=np.full(2, 600.0),
+            waves=600.0 / speed,
+            loss=("hopf", "hopf"),
+        )
+        assert len(_skipped(result)) == told
+
+
+CUTTER = """
+spindle: deep_groove_rear
+conditions: {{kinematics: hybrid, moment_sharing: equal}}
+speeds: [0 rpm, 9000 rpm]
+analyses:
+  stability_lobes: {{point: nose, teeth: 2, diameter: 40 mm, tangential: 600 MPa, radial: 200 MPa,
+    milling: down, immersion: {immersion}, max_frequency: 2500 Hz, speeds: {speeds}}}
+"""
+
+
+@pytest.mark.parametrize("immersion", ["30 %", "5 %"])
+def test_period_doubling_between_speeds_is_told(tmp_path, immersion):
+    """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 4 rpm find it;
+    these have it among their limits, and nothing is told."""
+    found = []
+    for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 20}"):
+        path = tmp_path / "milling.yaml"
+        text = CUTTER.format(immersion=immersion, speeds=speeds)
+        path.write_text(text, encoding="utf-8")
+        found.append(rotordyn.run(rotordyn.load(path)))
+    coarse, fine = (each["stability_lobes"] for each in found)
+    row = int(fine.depth.values.argmin())
+    assert fine.loss.values[row] == "flip"
+    assert fine.depth.values[row] < 0.95 * coarse.depth.values.min()
+    assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
+    rpm = coarse.flip_speed.values[0] * 30.0 / math.pi
+    assert rpm == pytest.approx(float(fine.cutting_speed[row]) * 30.0 / math.pi, abs=8.0)
+    told = [[w for w in each.warnings if "between speeds period" in w] for each in found]
+    assert [len(each) for each in told] == [1, 0]
+    depth, beside = (1e3 * float(each) for each in (coarse.flip_depth[0], coarse.depth.min()))
+    assert f"at about {rpm:.0f} rpm to {depth:.2f} mm where limits beside it are" in told[0][0]
+    assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
 
 
 def test_the_cutter_of_a_tool_has_its_diameter() -> None:
@@ -1021,6 +1091,7 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
         chatter=np.array([500.0]),
         waves=np.array([1.0]),
         cutting_speed=np.array([500.0]),
+        flip_depth=np.full(1, np.nan),
         cut_is_stable=np.zeros(0),
     )
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]
