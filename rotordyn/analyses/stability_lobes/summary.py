@@ -172,8 +172,12 @@ def _motor(result: StabilityLobesResult) -> list[str]:
         return []
     known = ~np.isnan(result.depth)
     less = int((result.motor_depth < result.depth).sum())
-    where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
-    line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
+    if len(known) == 1:
+        order = "before" if less else "after"
+        line = f"motor      {result.motor}: limits the cut {order} chatter does"
+    else:
+        where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
+        line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
     rate = np.where(known, result.motor_removal, 0.0)
     if 0.0 < rate.max() < np.inf:
         depth = np.minimum(result.depth, result.motor_depth)

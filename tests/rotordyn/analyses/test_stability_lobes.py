@@ -1065,6 +1065,16 @@ def test_of_rates_next_to_the_highest_the_safest_is_named():
     assert lines["motor"].endswith("rate 1.00 mm at 3000 rpm (119.9 cm³/min), stable up to 6.00 mm")
 
 
+@pytest.mark.parametrize(("by_motor", "words"), [(1e-3, "before"), (3e-3, "after")])
+def test_of_one_speed_the_motor_limits_the_cut_before_chatter_or_after_it(by_motor, words):
+    one = {"cutting_speed": np.array([200.0]), "depth": np.array([2e-3]), "loss": ("hopf",)}
+    modes = {"mode_frequency": np.array([800.0]), "chatter": np.array([805.0])}
+    rates = {"motor_depth": np.array([by_motor]), "motor_removal": np.array([1e-6])}
+    none = dict.fromkeys(("least", "most", "even", "at_rest", "measured"), np.full(1, np.nan))
+    lines = spoken(**one, **modes, **rates, **none, motor="3 kW")
+    assert f"motor 3 kW: limits the cut {words} chatter does; highest" in lines["motor"]
+
+
 @pytest.mark.parametrize(
     ("depth", "loss", "first"),
     [

@@ -38,7 +38,7 @@ ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 SIZE = 3.5  # of marks
 MARKS = ((FLIP, RED, "-"), (FOLD, ORANGE, (0, (1.0, 0.7))))
-APART = 0.11  # of the axis, between marks of pockets
+APART = 0.03  # of the axis, between numbers of pockets
 ABOVE = 9.0  # [mm] of the second axis
 ROW = 3.6  # [mm] of a line below the figure
 
@@ -105,11 +105,12 @@ def _draw(
     lines: bool,
     **look: Any,
 ) -> None:
-    """Depths as a line that leaves the frame, or as ``marks``, filled where none are given; those
-    above it then as triangles at its edge."""
+    """Depths as a line that leaves the frame, which the legend says where all of it is above, or
+    as ``marks``, filled where none are given; those above it then as triangles at its edge."""
     top = axes.get_ylim()[1]
     if lines:
-        axes.plot(rpm, _clipped(depth, top), label=label, **look)
+        above = "" if (depth <= top).any() else ": deeper than drawn"
+        axes.plot(rpm, _clipped(depth, top), label=f"{label}{above}", **look)
         return
     marks = {"marker": "o", "ms": SIZE, "mfc": "none" if marks else look["color"], **marks}
     look |= {**marks, "ls": "", "clip_on": False}
@@ -133,29 +134,30 @@ def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float, *, l
 
 
 def _marked(result: StabilityLobesResult) -> list[int]:
-    """The deepest pockets, some way from one another, by their speed."""
-    span, marked = float(result.cutting_speed[-1]), list[int]()
-    speed = result.pocket_speed
-    for k in range(len(result.pocket)):
-        near = any(abs(speed[k] - speed[other]) < APART * span for other in marked)
-        if len(marked) < MARKED and not near:
-            marked.append(k)
-    return sorted(marked, key=lambda k: float(speed[k]))
+    """The deepest pockets by their speed."""
+    return sorted(range(len(result.pocket))[:MARKED], key=lambda k: float(result.pocket_speed[k]))
 
 
 def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], top: float) -> None:
-    """The ``marked`` pockets numbered, over the speeds that hold 80 % of them."""
-    for number, k in enumerate(marked, start=1):
+    """The ``marked`` pockets over the speeds that hold 80 % of them; numbered unless the number of
+    a deeper one is there."""
+    first, last = (float(result.cutting_speed[row]) for row in (0, -1))
+    span, numbered = last - axis_start(first, last), list[float]()
+    for number, k in sorted(enumerate(marked, start=1), key=lambda each: each[1]):
         depth = min(result.pocket_depth[k] * MILLIMETRE.factor, 0.97 * top)
         ends = np.array([result.pocket_from[k], result.pocket_to[k]]) * RPM.factor
         axes.plot(ends, [KEPT * depth] * 2, color=BLACK, lw=1.0, marker="|", ms=4.0)
+        speed = float(result.pocket_speed[k])
+        if any(abs(speed - other) < APART * span for other in numbered):
+            continue
+        numbered.append(speed)
         look: dict[str, Any] = {
             "boxstyle": "circle,pad=0.15",
             "fc": "white",
             "ec": BLACK,
             "lw": 0.6,
         }
-        at = result.pocket_speed[k] * RPM.factor, KEPT * depth
+        at = speed * RPM.factor, KEPT * depth
         axes.annotate(
             str(number),
             at,
