@@ -666,7 +666,8 @@ def test_without_a_cut_there_is_none_and_above_the_limit_it_is_not_stable(solved
     assert (some.cut_is_stable == (none.depth > deep)).all()
     assert 0 < some.cut_is_stable.sum() < len(RPM)
     lost = ~some.cut_is_stable
-    for name in ("surface_error_most", "tip_vibration", "cutting_force", "cutting_power"):
+    every = ("surface_error_most", "tip_vibration", "cutting_force", "cutting_power")
+    for name in (*every, "planned_removal"):
         missing = np.isnan(getattr(some, name)).reshape(len(RPM), -1).all(axis=1)
         assert (missing == lost).all(), name
     first = f"{RPM[lost.argmax()]:.0f} rpm"
@@ -687,6 +688,10 @@ def test_words_numbers_and_figure(solved):
     ends = np.abs([found.surface_error_least, found.surface_error_most])
     assert named["surface error"] == pytest.approx(ends.max() * 1e6, rel=1e-9)
     assert named["cutting power"] == pytest.approx(found.cutting_power.max() / 1e3, rel=1e-9)
+    # area of the cut by the feed rate: 0.1 mm · 40 mm · 2 · 0.15 mm · 300 /s of the fastest
+    assert named["planned removal"] == pytest.approx(0.1 * 40.0 * 0.3 * 300.0 * 60e-3, rel=1e-9)
+    assert found.planned_removal == pytest.approx(1e-9 * 1.2 * RPM / 60.0)
+    assert "removes up to 21.6 cm³/min" in told
     figure = surface_figure(found)
     words = [each.get_text() for each in figure.findobj(lambda one: hasattr(one, "get_text"))]
     assert "up-milled wall" in words
@@ -773,7 +778,7 @@ def test_unlike_stable_speeds_are_not_compared(solved):
     lost[2] = False
     some = replace(found, cut_is_stable=lost)
     named = {number.name: number for number in numbers(some, None)}  # type: ignore[arg-type]
-    for name in ("surface error", "cutting power"):
+    for name in ("surface error", "cutting power", "planned removal"):
         assert math.isnan(named[name].value)
         assert named[name].absent == "not stable"
     unsolved = replace(some, depth=np.where(lost, found.depth, np.nan))

@@ -50,10 +50,11 @@ def planned_cut(
         name: np.full((len(speed), *([len(names[dim])] if dim else [])), np.nan)
         for name, (_, dim) in VALUES.items()
     }
-    width, idle = np.full(len(speed), np.nan), 0
+    width, removal, idle = np.full(len(speed), np.nan), np.full(len(speed), np.nan), 0
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
+        removal[stable] = operation.removal(speed, spec.cut.depth)[stable]
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
         sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
@@ -70,6 +71,7 @@ def planned_cut(
         "milling_speed": speed,
         "cut_is_stable": stable,
         "resonance_width": width,
+        "planned_removal": removal,
         "idle_teeth": idle,
         **names,
         **found,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.stability_lobes.result import StabilityLobesResult, in_mm
+from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, in_mm
 from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM, number
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array, Flags
@@ -26,7 +26,11 @@ def summary(result: StabilityLobesResult) -> list[str]:
     what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} by tooth"
     if not stable.any():
         return [f"cut        {what}: stable at none of {stable.size} speeds"]
-    where = f"stable at {of_speeds(int(stable.sum()), stable.size)}"
+    most_removed = number(float(np.nanmax(result.planned_removal)) * REMOVAL.factor)
+    where = (
+        f"stable at {of_speeds(int(stable.sum()), stable.size)}, removes up to "
+        f"{unbroken(f'{most_removed} {REMOVAL.unit}')}"
+    )
     worst = _worst(result)
     error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
     if stable.sum() > 1:
@@ -51,9 +55,9 @@ def summary(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult) -> Iterator[Number]:
-    """The largest amount of the error of the surface and the highest power, absent unless the cut
-    is stable, and its vibration settled, at all speeds that are solved: over unlike speeds machines
-    could not be compared."""
+    """The largest amount of the error of the surface, the highest power and the highest removal
+    rate, absent unless the cut is stable, and its vibration settled, at all speeds that are solved:
+    over unlike speeds machines could not be compared."""
     if not result.cut_is_stable.size:
         return
     stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
@@ -63,6 +67,8 @@ def numbers(result: StabilityLobesResult) -> Iterator[Number]:
     power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
     yield Number("surface error", "µm", worst, digits=2, absent=absent)
     yield Number("cutting power", "kW", power, digits=2, absent=absent)
+    rate = float(np.nanmax(result.planned_removal)) * REMOVAL.factor if whole else np.nan
+    yield Number("planned removal", REMOVAL.unit, rate, absent=absent)
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:

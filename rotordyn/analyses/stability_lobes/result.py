@@ -216,6 +216,13 @@ class StabilityLobesResult:
         "milling_speed", unit="N·m", label="mean torque", absent=(CUT,)
     )
     cutting_power: Array = quantity("milling_speed", unit="W", label="mean power", absent=(CUT,))
+    planned_removal: Array = quantity(
+        "milling_speed",
+        unit="m³/s",
+        label="removal rate of the planned cut",
+        printed=REMOVAL,
+        absent=(CUT,),
+    )
     vibration_error: Array = quantity(
         "milling_speed", unit="1", label="error of the vibration over its size", absent=(CUT,)
     )
