@@ -129,7 +129,7 @@ def belongs(reference: Reference, known: Collection[Known]) -> bool:
     return bool(about) and (reference.subject in about or not reference.subject)
 
 
-def at_every_speed(
+def each_speed(
     result: Any, name: str, unit: str, values: Array, *, part: str = "", digits: int = 1
 ) -> Iterator[Number]:
     """A number at every speed of ``values`` (speeds,)."""

@@ -38,13 +38,13 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
 
 SLIPS = ("the balls need more friction than that of the lubricant",)
 # of a chart at few speeds, not of the case
-FEWER = "lobes are closer than the speeds", "farther apart than resonances"
+FEWER = "too far apart for the lobes", "too far apart for the resonances"
 WARNED = {  # what the case is there to show
     "preload_concepts": ("stand face to face (X)",),
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
-    "mfw2310_lobes": ("period doubling limits", "farther apart than resonances"),
-    "mfw2310_thin_wall": ("period doubling limits",),
+    "mfw2310_lobes": ("period doubling limits", "too far apart for the resonances"),
+    "mfw2310_thin_wall": ("period doubling limits", "too far apart for the resonances"),
     "mfw2310_uneven_teeth": ("period doubling limits",),
     "deep_groove_uneven_teeth": (
         "period doubling limits",

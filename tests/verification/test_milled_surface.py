@@ -666,7 +666,8 @@ def test_without_a_cut_there_is_none_and_above_the_limit_it_is_not_stable(solved
     assert (some.cut_is_stable == (none.depth > deep)).all()
     assert 0 < some.cut_is_stable.sum() < len(RPM)
     lost = ~some.cut_is_stable
-    for name in ("surface_error_most", "tip_vibration", "cutting_force", "cutting_power"):
+    every = ("surface_error_most", "tip_vibration", "cutting_force", "cutting_power")
+    for name in (*every, "planned_removal"):
         missing = np.isnan(getattr(some, name)).reshape(len(RPM), -1).all(axis=1)
         assert (missing == lost).all(), name
     first = f"{RPM[lost.argmax()]:.0f} rpm"
@@ -687,14 +688,18 @@ def test_words_numbers_and_figure(solved):
     ends = np.abs([found.surface_error_least, found.surface_error_most])
     assert named["surface error"] == pytest.approx(ends.max() * 1e6, rel=1e-9)
     assert named["cutting power"] == pytest.approx(found.cutting_power.max() / 1e3, rel=1e-9)
+    # area of the cut by the feed rate: 0.1 mm · 40 mm · 2 · 0.15 mm · 300 /s of the fastest
+    assert named["planned removal"] == pytest.approx(0.1 * 40.0 * 0.3 * 300.0 * 60e-3, rel=1e-9)
+    assert found.planned_removal == pytest.approx(1e-9 * 1.2 * RPM / 60.0)
+    assert "removes up to 21.6 cm³/min" in told
     figure = surface_figure(found)
     words = [each.get_text() for each in figure.findobj(lambda one: hasattr(one, "get_text"))]
     assert "up-milled wall" in words
     assert "vibration in normal, peak to peak" in words
-    # 2500 rpm are farther apart than the resonances of 1 to 3 percent damping
-    (told,) = (each for each in warnings(found) if "farther apart than resonances" in each)
+    # 2500 rpm are wider than the resonances of 1 to 3 percent damping
+    (told,) = (each for each in warnings(found) if "too far apart for the resonances" in each)
     width = found.resonance_width[:-1] * found.milling_speed[1:]
-    step = 0.5 * width[width > 0.0].min() * 30.0 / math.pi
+    step = width[width > 0.0].min() / 8.0 * 30.0 / math.pi
     assert float(re.findall(r"steps of ([\d.]+) rpm", told)[0]) == pytest.approx(step, rel=6e-3)
 
 
@@ -709,16 +714,36 @@ def test_resonances_are_as_wide_as_twice_a_damping_ratio(solved):
     assert math.floor(order[0]) > math.floor(order[1])
     assert (width[1:] == 0.0).all()
     assert "from 9000 rpm to 11000 rpm" in " ".join(warnings(lobes(found)))
-    for wide, told in ((0.18, True), (0.19, False)):  # 2000 rpm are 0.182 of 11 000
+    for wide, told in ((1.08, True), (1.10, False)):  # 2000 rpm are 0.182 of 11 000, 1/6 of 1.09
         as_wide = replace(lobes(found), resonance_width=np.array([wide, 0.0, 0.0]))
-        assert any("farther apart" in each for each in warnings(as_wide)) == told
+        assert any("too far apart" in each for each in warnings(as_wide)) == told
+
+
+def test_the_step_that_is_advised_finds_the_largest_error(solved):
+    """Within 2 % of that in steps a sixth as long, wherever they begin; those of a third of the
+    width, which are warned of, lose four times as much."""
+
+    def run(step):
+        speeds = [f"{rpm:.6g} rpm" for rpm in np.arange(13200.0, 13801.0, step)]
+        found = lobes(solved(cut="{depth: 0.2 mm}", speeds=f"[{', '.join(speeds)}]"))
+        ends = np.abs([found.surface_error_least, found.surface_error_most]).max(axis=(0, 2))
+        told = [each for each in warnings(found) if "too far apart for the resonances" in each]
+        return ends, [float(re.findall(r"steps of ([\d.]+) rpm", each)[0]) for each in told]
+
+    _, (advised,) = run(64.0)
+    fine, none = run(advised / 6.0)
+    assert none == []
+    largest, away = fine.max(), {}
+    for every in (6, 16):
+        away[every] = max(1.0 - fine[k::every].max() / largest for k in range(every))
+    assert away[6] < 0.02 < 0.07 < away[16]
 
 
 def test_teeth_that_pass_faster_than_any_mode_meet_none(solved):
     found = lobes(solved(cut="{depth: 1 um}", teeth=80, speeds="[3000 rpm, 6000 rpm]"))
     assert found.cut_is_stable.all()
     assert (found.resonance_width == 0.0).all()
-    assert not any("farther apart than resonances" in each for each in warnings(found))
+    assert not any("too far apart for the resonances" in each for each in warnings(found))
 
 
 def test_errors_that_cut_too_deep_count_by_their_amount(solved):
@@ -753,7 +778,7 @@ def test_unlike_stable_speeds_are_not_compared(solved):
     lost[2] = False
     some = replace(found, cut_is_stable=lost)
     named = {number.name: number for number in numbers(some, None)}  # type: ignore[arg-type]
-    for name in ("surface error", "cutting power"):
+    for name in ("surface error", "cutting power", "planned removal"):
         assert math.isnan(named[name].value)
         assert named[name].absent == "not stable"
     unsolved = replace(some, depth=np.where(lost, found.depth, np.nan))
@@ -777,6 +802,20 @@ def test_a_cut_that_the_band_does_not_hold_is_warned_of(solved):
     assert len(told) == 1
     assert "at 2 of 7 speeds, first at 3000 rpm" in told[0]
     assert not any("whole band" in each for each in warnings(found))
+
+
+def test_a_cut_that_the_measured_spindle_does_not_hold_is_warned_of(solved):
+    """Of the speeds at which the computed machine has it stable."""
+    found = lobes(solved(cut="{depth: 1 mm}"))
+    few = np.where(np.arange(len(RPM)) < 3, 1e-3, 1.001e-3)
+    stable = np.arange(len(RPM)) > 0
+    some = replace(found, measured=few, cut_is_stable=stable, depth=np.where(stable, 2e-3, 0.5e-3))
+    (told,) = (each for each in warnings(some) if "on the measured spindle" in each)
+    assert (
+        f"at 2 of the 6 speeds at which it is on the machine as computed, first at {RPM[1]:.0f}"
+        in told
+    )
+    assert not any("measured spindle" in each for each in warnings(found))
 
 
 def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said(solved):

@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS, number
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 NO_LOSS = 1e-9  # J: rounding
@@ -34,7 +34,7 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
     for name, values in zip(
         result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
     ):
-        yield from at_every_speed(result, "force", "N/µm", values, part=name)
+        yield from each_speed(result, "force", "N/µm", values, part=name)
 
 
 def warnings(result: AxialCycleResult) -> list[str]:

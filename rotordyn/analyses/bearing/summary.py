@@ -20,7 +20,7 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS, percent
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import INDENT, from_to, over_speed
 
 Array = NDArray[np.float64]
@@ -189,12 +189,12 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
     for k in _shown(result):
         for i, way in enumerate(("axial", "radial")):
             name = under(result, k)
-            yield from at_every_speed(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
+            yield from each_speed(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
         lives = result.revolutions[:, k] * 1e-6
-        yield from at_every_speed(result, f"L10r {name}", "1e6", lives, digits=0)
+        yield from each_speed(result, f"L10r {name}", "1e6", lives, digits=0)
         if np.isfinite(result.viscous_heat[:, k]).any():
             heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
-            yield from at_every_speed(result, f"heat {name}", "W", heat, digits=0)
+            yield from each_speed(result, f"heat {name}", "W", heat, digits=0)
         if np.isfinite(result.ball_temperature[:, k]).any():
             limit = float(result.speed_limit[k] * RPM.factor)
             yield Number(f"speed limit {name}", "rpm", limit, digits=0, absent="not reached")

@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import over_speed, unbroken
 
 
@@ -32,7 +32,7 @@ def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
     """Largest inner load of a ball over speed, for each bearing."""
     largest = np.nanmax(np.nan_to_num(result.ball_inner_load), axis=2)
     for k, name in enumerate(result.bearing):
-        yield from at_every_speed(result, "ball", "N", largest[:, k], part=name)
+        yield from each_speed(result, "ball", "N", largest[:, k], part=name)
 
 
 def warnings(result: BearingLoadsResult) -> Iterator[str]:

@@ -11,7 +11,7 @@ from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 
 
 def summary(result: ControlResult) -> list[str]:
@@ -50,4 +50,4 @@ def _at_speed(load: float, speed: float) -> str:
 def numbers(result: ControlResult, _: Described) -> Iterator[Number]:
     """Loads at both boundaries."""
     for name, load in zip(("inner from", "outer up to"), result.boundary_load, strict=True):
-        yield from at_every_speed(result, name, "N", load, digits=0)
+        yield from each_speed(result, name, "N", load, digits=0)

@@ -19,7 +19,7 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
@@ -156,18 +156,16 @@ def _range(values: Array, digits: int) -> str:
 def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
     """Life of the set, static safety, pressure and heat."""
     lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
-    yield from at_every_speed(result, "set L10r", "h", lives, digits=0)
+    yield from each_speed(result, "set L10r", "h", lives, digits=0)
     if np.isfinite(result.spectrum_set_life):
         yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
-    yield from at_every_speed(result, "S0", "", result.static_safety.min(axis=1))
-    yield from at_every_speed(
-        result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2
-    )
+    yield from each_speed(result, "S0", "", result.static_safety.min(axis=1))
+    yield from each_speed(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
     if math.isfinite(result.viscosity):
-        yield from at_every_speed(result, "heat", "W", result.heat.sum(axis=1), digits=0)
+        yield from each_speed(result, "heat", "W", result.heat.sum(axis=1), digits=0)
     if np.isfinite(result.ball_temperature).any():
         hottest = result.ball_temperature.max(axis=1)
-        yield from at_every_speed(result, "balls", "°C", hottest, digits=0)
+        yield from each_speed(result, "balls", "°C", hottest, digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:
@@ -194,7 +192,7 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         lost = percent(np.nanmax(result.lost_load[:, k]))
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° "
-            f"{at_every_speed(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            f"{words_of_speeds(result.speed, passing)}, with {lost} of its load; lower the load or raise "
             "the shoulder"
         )
     turning = result.speed > 0.0
@@ -212,7 +210,7 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     if slips.any():
         yield (
             "the balls need more friction than that of the lubricant "
-            f"{at_every_speed(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
+            f"{words_of_speeds(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
             "there; raise the preload"
         )
     life = result.spectrum_life[k]

@@ -11,7 +11,7 @@ from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to, over_speed, unbroken
 
@@ -59,7 +59,7 @@ def numbers(result: PreloadResult, case: Described) -> Iterator[Number]:
     """Sum of the preloads, and when stops are reached."""
     if case.spindle is None:
         return
-    yield from at_every_speed(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
+    yield from each_speed(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         at = float(speed * RPM.factor) if math.isfinite(speed) else math.nan
         yield Number(f"stop {name}", "rpm", at, digits=0, absent="not met")

@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, unbroken
 from rotordyn.scene.linearity import beyond_tangents, not_small
 
@@ -46,7 +46,7 @@ def numbers(result: SectionForcesResult, _: Described) -> Iterator[Number]:
         for name, field in fields.items():
             peaks = np.full(len(result.speed), np.nan)
             peaks[rows] = [_peak(result, int(row), field)[0] for row in rows]
-            yield from at_every_speed(result, name, unit, peaks)
+            yield from each_speed(result, name, unit, peaks)
 
 
 def _extremes(result: SectionForcesResult, row: int, fields: dict[str, str]) -> str:

@@ -29,7 +29,7 @@ ANALYSIS = in_folder(
     forced=True,
     ports=lambda spec: (spec.point,),
     tables=LAYOUTS,
-    heading="stable depth of cut, least and largest",
+    heading="stability lobes",
     over="cutting_speed",
 )
 

@@ -127,7 +127,7 @@ class Operation:
             forces = replace(self.planned, depth=depth)
         return 0.5 * self.diameter * forces.mean_torque()
 
-    def removal(self, speed: Array, depth: Array) -> Array:
+    def removal(self, speed: Array, depth: Array | float) -> Array:
         """Removal rate of a depth [m³/s]."""
         own = self.spec
         if own.turning is None:

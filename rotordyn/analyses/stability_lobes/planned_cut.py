@@ -52,11 +52,12 @@ def planned_cut(
         name: np.full((len(speed), *([len(names[dim])] if dim else [])), np.nan)
         for name, (_, dim) in VALUES.items()
     }
-    width, idle = np.full(len(speed), np.nan), 0
+    width, removal, idle = np.full(len(speed), np.nan), np.full(len(speed), np.nan), 0
     chatters = np.zeros(len(speed), dtype=bool)
     if spec.cut:
         assert isinstance(tip, Tip), "the machine as computed"
         stable[place] = depth > spec.cut.depth
+        removal[stable] = operation.removal(speed, spec.cut.depth)[stable]
         if spec.cut.tangential_edge or spec.cut.radial_edge:
             kept = stable[place]
             some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
@@ -77,6 +78,7 @@ def planned_cut(
         "milling_speed": speed,
         "cut_is_stable": stable,
         "resonance_width": width,
+        "planned_removal": removal,
         "idle_teeth": idle,
         "edges_chatter": chatters,
         **names,

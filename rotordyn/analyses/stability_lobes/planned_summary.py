@@ -6,13 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.stability_lobes.result import StabilityLobesResult, in_mm
+from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, in_mm
 from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM, number
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration
+COARSE, SEEN = 1 / 6, 1 / 8  # of the width of a resonance: steps that lose 5 % of its peak, and 3 %
 OF_MARGIN = 0.5  # to the limit of stability: contact that moves so much may cross it
 ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
 
@@ -25,7 +26,11 @@ def summary(result: StabilityLobesResult) -> list[str]:
     what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} by tooth"
     if not stable.any():
         return [f"cut        {what}: stable at none of {stable.size} speeds"]
-    where = f"stable at {of_speeds(int(stable.sum()), stable.size)}"
+    most_removed = number(float(np.nanmax(result.planned_removal)) * REMOVAL.factor)
+    where = (
+        f"stable at {of_speeds(int(stable.sum()), stable.size)}, removes up to "
+        f"{unbroken(f'{most_removed} {REMOVAL.unit}')}"
+    )
     worst = _worst(result)
     error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
     if stable.sum() > 1:
@@ -50,9 +55,9 @@ def summary(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult) -> Iterator[Number]:
-    """The largest amount of the error of the surface and the highest power, absent unless the cut
-    is stable, and its vibration settled, at all speeds that are solved: over unlike speeds machines
-    could not be compared."""
+    """The largest amount of the error of the surface, the highest power and the highest removal
+    rate, absent unless the cut is stable, and its vibration settled, at all speeds that are solved:
+    over unlike speeds machines could not be compared."""
     if not result.cut_is_stable.size:
         return
     stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
@@ -63,6 +68,8 @@ def numbers(result: StabilityLobesResult) -> Iterator[Number]:
     power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
     yield Number("surface error", "µm", worst, digits=2, absent=absent)
     yield Number("cutting power", "kW", power, digits=2, absent=absent)
+    rate = float(np.nanmax(result.planned_removal)) * REMOVAL.factor if whole else np.nan
+    yield Number("planned removal", REMOVAL.unit, rate, absent=absent)
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
@@ -77,6 +84,14 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
             "its vibration and surface are not given there"
         )
+    other = np.flatnonzero(stable & (result.measured <= result.planned_depth))
+    if other.size:
+        sentences.append(
+            f"stability_lobes: on the measured spindle the planned cut of "
+            f"{in_mm(result.planned_depth)} is not stable at {other.size} of the "
+            f"{stable.sum()} speeds at which it is on the machine as computed, first at "
+            f"{_milling_rpm(result, int(other[0]))}: choose a speed at which both are"
+        )
     weak = np.flatnonzero(stable & (result.motor_depth < result.planned_depth))
     if weak.size:
         sentences.append(
@@ -85,12 +100,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         )
     speed = result.milling_speed
     wide = result.resonance_width[:-1]
-    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > wide * speed[1:]))
+    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > COARSE * wide * speed[1:]))
     if coarse.size:
-        step = 0.5 * float((wide * speed[1:])[coarse].min()) * RPM.factor
+        step = SEEN * float((wide * speed[1:])[coarse].min()) * RPM.factor
         sentences.append(
-            "stability_lobes: speeds are farther apart than resonances of the planned cut are "
-            f"wide, from {_milling_rpm(result, int(coarse[0]))} to "
+            "stability_lobes: speeds are too far apart for the resonances of the planned cut, "
+            f"from {_milling_rpm(result, int(coarse[0]))} to "
             f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
             f"be larger: steps of {number(step, 0)} rpm show them"
         )

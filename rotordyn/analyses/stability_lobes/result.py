@@ -18,6 +18,7 @@ STABLE = Absence("where no depth is unstable", beside="loss")
 CUT = Absence("where the cut is not stable or not solved", beside="cut_is_stable")
 NO_MOTOR = Absence("where no motor is given")
 NO_TORQUE = Absence("where the force does not brake the spindle")
+NO_FLIP = Absence("where none is found between two speeds")
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 
@@ -27,6 +28,8 @@ class StabilityLobesResult:
     where no depth is unstable.
 
     ``waves``: periods of the chatter from one tooth to the next, over the longest pitch.
+    ``flip_depth``: least depth of period doubling on the way to the next speed, at ``flip_speed``,
+    by the modes of the speed next to it, where a mode passes k + ½ waves.
     ``motor_depth``: of the mean torque of the ``motor`` at the speed, and ``motor_removal`` by the
     lesser of it and the limit. ``at_rest``: what the receptance of the machine at rest gives
     instead; ``even``: what as many evenly spaced teeth give, NaN where the teeth are evenly spaced;
@@ -67,6 +70,17 @@ class StabilityLobesResult:
         "cutting_speed", unit="1", label="waves from tooth to tooth", absent=(STABLE,)
     )
     loss: Words = quantity("cutting_speed", unit="", label="loss of stability")
+    flip_depth: Array = quantity(
+        "cutting_speed",
+        unit="m",
+        label="depth of period doubling before the next speed",
+        printed=MILLIMETRE,
+        absent=(NO_FLIP,),
+        infinite=(NO_FLIP,),
+    )
+    flip_speed: Array = quantity(
+        "cutting_speed", unit="rad/s", label="speed of that", absent=(NO_FLIP,)
+    )
     mode_frequency: Array = quantity(
         "cutting_speed",
         unit="Hz",
@@ -203,6 +217,13 @@ class StabilityLobesResult:
         "milling_speed", unit="N·m", label="mean torque", absent=(CUT,)
     )
     cutting_power: Array = quantity("milling_speed", unit="W", label="mean power", absent=(CUT,))
+    planned_removal: Array = quantity(
+        "milling_speed",
+        unit="m³/s",
+        label="removal rate of the planned cut",
+        printed=REMOVAL,
+        absent=(CUT,),
+    )
     vibration_error: Array = quantity(
         "milling_speed", unit="1", label="error of the vibration over its size", absent=(CUT,)
     )

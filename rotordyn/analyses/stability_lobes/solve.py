@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.bands import band
 from rotordyn.analyses.stability_lobes.converged import ALLOWED, converged
+from rotordyn.analyses.stability_lobes.flips import flips
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal import of_workpiece
@@ -62,6 +63,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
     measured = _on_measured(scene, spec, operations[0], usable)
+    between = flips(limits, operations[0])
 
     place = np.searchsorted(speeds, usable)
     depth = _spread(place, len(speeds), _depths(own))
@@ -91,6 +93,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         loss=tuple(loss.tolist()),
         mode_frequency=modes[:, 0],
         mode_damping=modes[:, 1],
+        flip_depth=_spread(place, len(speeds), between.depth),
+        flip_speed=_spread(place, len(speeds), between.speed),
         removal=removal,
         motor="" if motor is None else motor.words,
         motor_depth=by_motor,

@@ -39,6 +39,7 @@ METHODS = (MULTI_FREQUENCY, ZERO_ORDER)
 MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
+REPEATING = {FLIP: "period doubling", FOLD: "repeats with the pattern of teeth"}
 WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
 OF_MILLING = (
     *("teeth", "pitch", "tangential", "radial", "workpiece", "helix", "cut"),

@@ -27,7 +27,10 @@ from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
-SKIPPED, SEEN = 0.5, 0.125  # waves between teeth more or less from speed to speed; 1 is a lobe
+LOWER = 0.95  # times the limits beside it: so deep a flip between speeds is said
+# waves between teeth more or less from speed to speed; δ of them off the lowest point of a lobe a
+# limit is up to 1/cos 2πδ times as high: steps may lose 24 %, and 8 %
+SKIPPED, SEEN = 0.2, 0.125
 AS_MUCH = 0.999  # of the highest removal rate
 MOVED = 1.25  # times: limits so far from those of the machine at rest are said
 
@@ -134,11 +137,14 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, deepest pocket with its speed, highest
-    removal rate within stability and motor, and those of a planned cut."""
-    known = result.depth[~np.isnan(result.depth)]
-    least = float(known.min()) if known.size else np.nan
-    yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
+    """Least limit, infinite where no depth is unstable, that on a measured spindle and that of the
+    band, deepest pocket with its speed, highest removal rate within stability and motor, and those
+    of a planned cut."""
+    yield _lowest("least", result.depth)
+    if not np.isnan(result.measured).all():
+        yield _lowest("measured least", result.measured)
+    if banded(result):
+        yield _lowest("least of the band", result.least)
     if result.pocket_depth.size:
         depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
         yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
@@ -147,6 +153,11 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         most = float(np.fmax.reduce(result.motor_removal))
         yield Number("removal", REMOVAL.unit, most * REMOVAL.factor, digits=1)
     yield from planned_summary.numbers(result)
+
+
+def _lowest(name: str, depth: Array) -> Number:
+    """The least of depths over speed."""
+    return Number(name, "mm", float(np.fmin.reduce(depth)) * MILLIMETRE.factor, digits=2)
 
 
 def lacking(_: StabilityLobesResult) -> Iterator[Number]:
@@ -161,8 +172,12 @@ def _motor(result: StabilityLobesResult) -> list[str]:
         return []
     known = ~np.isnan(result.depth)
     less = int((result.motor_depth < result.depth).sum())
-    where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
-    line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
+    if len(known) == 1:
+        order = "before" if less else "after"
+        line = f"motor      {result.motor}: limits the cut {order} chatter does"
+    else:
+        where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
+        line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
     rate = np.where(known, result.motor_removal, 0.0)
     if 0.0 < rate.max() < np.inf:
         depth = np.minimum(result.depth, result.motor_depth)
@@ -221,7 +236,8 @@ def _measured(result: StabilityLobesResult) -> list[str]:
             f"; differs most from the machine as computed at rest at {_rpm(result, most)}: "
             f"{in_mm(result.measured[most])} in place of {in_mm(result.at_rest[most])}"
         )
-    return [line]
+    others = "pockets, removal rates, bands and planned cuts"
+    return [f"{line}; {others} are those of the machine as computed"]
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
@@ -276,7 +292,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
-    sentences += _skipped(result) + planned_summary.warnings(result)
+    sentences += _skipped(result) + _flips(result) + planned_summary.warnings(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         much = percent if np.isfinite(result.error) else "from none or to none"
@@ -308,7 +324,25 @@ def _skipped(result: StabilityLobesResult) -> list[str]:
     first, last = rows[0], rows[-1] + 1
     step = (speed[first + 1] - speed[first]) * SEEN / passing[first]
     return [
-        "stability_lobes: lobes are closer than the speeds from "
+        "stability_lobes: speeds are too far apart for the lobes from "
         f"{number(speed[first] * RPM.factor, 0)} to {_rpm(result, last)}, between which limits may "
         f"be lower: steps of {number(step * RPM.factor, 0)} rpm show them from the first on"
+    ]
+
+
+def _flips(result: StabilityLobesResult) -> list[str]:
+    """That period doubling limits the cut between speeds."""
+    beside = np.fmin(result.depth[:-1], result.depth[1:])
+    rows = np.flatnonzero(result.flip_depth[:-1] < LOWER * beside)
+    if not rows.size:
+        return []
+    lowest = rows[np.argmin(result.flip_depth[rows])]
+    speed = [number(each * RPM.factor, 0) for each in result.flip_speed]
+    others = [speed[row] for row in rows if row != lowest]
+    also = f", and at about {', '.join(others[:MOST])} rpm" if others else ""
+    more = f" and {len(others) - MOST} more speeds" if len(others) > MOST else ""
+    return [
+        "stability_lobes: between speeds period doubling limits the cut, at about "
+        f"{speed[lowest]} rpm to {in_mm(result.flip_depth[lowest])} where limits beside it are "
+        f"{in_mm(beside[lowest])} and more{also}{more}: add speeds there"
     ]

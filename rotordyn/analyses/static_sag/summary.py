@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.static_sag.result import MICRORADIAN, StaticSagResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MICROMETRE, RPM, number
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import unbroken
 from rotordyn.scene.linearity import not_small
 
@@ -43,10 +43,10 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
         ("slope", result.slope, MICRORADIAN),
     ):
         down = values @ result.weight * printed.factor
-        yield from at_every_speed(result, f"{name} along the weight", printed.unit, down, digits=2)
+        yield from each_speed(result, f"{name} along the weight", printed.unit, down, digits=2)
     if result.ring:
         runout = result.runout[:, 0].max(axis=1) * MICROMETRE.factor
-        yield from at_every_speed(result, "runout", MICROMETRE.unit, runout, digits=2)
+        yield from each_speed(result, "runout", MICROMETRE.unit, runout, digits=2)
 
 
 def warnings(result: StaticSagResult) -> list[str]:

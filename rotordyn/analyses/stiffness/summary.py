@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import over_speed, unbroken
 
 
@@ -26,7 +26,7 @@ def summary(result: StiffnessResult) -> list[str]:
 def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
     """Tangent stiffness by bearing model."""
     for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True):
-        yield from at_every_speed(result, name.replace("_", " "), STIFFNESS.unit, values)
+        yield from each_speed(result, name.replace("_", " "), STIFFNESS.unit, values)
 
 
 def warnings(result: StiffnessResult) -> list[str]:

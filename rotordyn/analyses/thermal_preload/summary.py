@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
@@ -50,8 +50,8 @@ def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
     over speed."""
     largest = np.nan_to_num(result.axial_load, nan=-np.inf).max(axis=(1, 2))
     largest = np.where(np.isinf(largest), np.nan, largest)
-    yield from at_every_speed(result, "load", "N", largest, digits=0)
-    yield from at_every_speed(result, "difference without a state", "K", _lost(result))
+    yield from each_speed(result, "load", "N", largest, digits=0)
+    yield from each_speed(result, "difference without a state", "K", _lost(result))
 
 
 def warnings(result: ThermalPreloadResult) -> Iterator[str]:

@@ -11,7 +11,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
@@ -70,16 +70,12 @@ def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
     """By point the largest displacement over speed, and the largest load of any bearing."""
     for k, name in enumerate(result.point):
         largest = result.largest[:, k] * MICROMETRE.factor
-        yield from at_every_speed(result, name, MICROMETRE.unit, largest, digits=2)
+        yield from each_speed(result, name, MICROMETRE.unit, largest, digits=2)
     if result.bearing:
-        yield from at_every_speed(
-            result, "bearing load", "N", result.peak_load.max(axis=1), digits=0
-        )
+        yield from each_speed(result, "bearing load", "N", result.peak_load.max(axis=1), digits=0)
     for k, name in enumerate(result.sleeve):
         if np.isfinite(result.stop_force[:, k]).any():
-            yield from at_every_speed(
-                result, f"stop of {name}", "N", result.stop_force[:, k], digits=0
-            )
+            yield from each_speed(result, f"stop of {name}", "N", result.stop_force[:, k], digits=0)
 
 
 def accuracy(result: TimeResponseResult) -> list[str]:

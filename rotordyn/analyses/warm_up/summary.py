@@ -9,7 +9,7 @@ import numpy as np
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.headline import Number, at_every_speed
+from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
@@ -80,7 +80,7 @@ def _rpm(result: WarmUpResult, row: int) -> str:
 def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
     """Largest axial load over speed, for each bearing."""
     for k, name in enumerate(result.bearing):
-        yield from at_every_speed(result, "load", "N", result.largest_load[:, k], part=name)
+        yield from each_speed(result, "load", "N", result.largest_load[:, k], part=name)
 
 
 def accuracy(result: WarmUpResult) -> list[str]:

@@ -20,7 +20,15 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
 from rotordyn.analyses.stability_lobes.pockets import KEPT, MOST, PROMINENT, pockets
 from rotordyn.analyses.stability_lobes.spec import Interval
-from rotordyn.analyses.stability_lobes.summary import accuracy, numbers, summary, warnings
+from rotordyn.analyses.stability_lobes.summary import (
+    SEEN,
+    SKIPPED,
+    _skipped,
+    accuracy,
+    numbers,
+    summary,
+    warnings,
+)
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
@@ -568,27 +576,101 @@ def test_the_summary_tells_the_coefficients_of_a_workpiece_and_the_least_of_the_
     assert "\nband" not in plain
 
 
-def test_a_page_shows_the_band_of_one_machine():
-    rpm, depth = np.linspace(6e3, 18e3, 9), np.linspace(2e-3, 3e-3, 9)
-    result = SimpleNamespace(cutting_speed=rpm * math.pi / 30.0, depth=depth, least=0.5 * depth)
-    result.most, result.wall = 2.0 * depth, ()
-    result.motor, result.motor_depth = "4 kW", 0.7 * depth
-    one = Shown("one", result, (), None)
-    (chart,) = page(None, [one])
-    drawn = {trace["name"]: trace["y"] for trace in chart.traces if trace.get("showlegend", True)}
-    assert drawn["depth of cut"] == pytest.approx(1e3 * depth)
-    assert drawn["least of the band"] == pytest.approx(0.5e3 * depth)
-    assert drawn["largest of the band"] == pytest.approx(2e3 * depth)
-    assert drawn["limit of the motor (4 kW)"] == pytest.approx(0.7e3 * depth)
-    (both,) = page(None, [one, one._replace(title="other")])
-    assert "least of the band" not in str(both.traces)
-    result.motor = ""
-    # the error of the wall of a planned cut has a chart of its own, without the band of the limits
-    result.wall, result.surface_error_least = ("up",), np.full((len(rpm), 1), -3e-6)
-    result.surface_error_most = np.full((len(rpm), 1), 2e-6)
-    charts = [str(chart.traces) for chart in page(None, [one])]
-    assert ["least of the band" in chart for chart in charts] == [True, False]
-    assert "-3." in charts[1]
+def paged(**given):
+    """A result of nine speeds, as far as a page looks at it."""
+    depth, nothing = np.linspace(2e-3, 3e-3, 9), np.full(9, np.nan)
+    usual = {
+        "cutting_speed": np.linspace(6e3, 18e3, 9) * math.pi / 30.0,
+        "depth": depth,
+        "least": 0.5 * depth,
+        "most": 2.0 * depth,
+        "at_rest": 1.5 * depth,
+        "measured": nothing,
+        "even": nothing,
+        "loss": ("hopf",) * 9,
+        "chatter": np.full(9, 900.0),
+        "mode_frequency": np.full(9, 880.0),
+        "wall": (),
+        "milling_speed": np.zeros(0),
+        "cut_is_stable": np.zeros(0, bool),
+        "motor": "",
+        **dict.fromkeys(("pocket_speed", "pocket_from", "pocket_to"), np.zeros(0)),
+        **dict.fromkeys(("pocket_depth", "pocket_removal"), np.zeros(0)),
+    }
+    return Shown("one", SimpleNamespace(**usual | given), (), None)
+
+
+def drawn(chart):
+    """What a chart shows by its names."""
+    return {each["name"]: each["y"] for each in chart.traces if each.get("showlegend", True)}
+
+
+def test_a_page_shows_all_limits_of_one_machine():
+    depth = np.linspace(2e-3, 3e-3, 9)
+    flips = np.arange(9) == 4
+    one = paged(
+        measured=0.9 * depth,
+        even=1.1 * depth,
+        loss=tuple(np.where(flips, "flip", "hopf").tolist()),
+        motor="4 kW",
+        motor_depth=0.7 * depth,
+    )
+    limits, chatter = page(None, [one])
+    assert drawn(limits) == {
+        "depth of cut": pytest.approx(1e3 * depth),
+        "on the measured spindle": pytest.approx(0.9e3 * depth),
+        "limit of the motor (4 kW)": pytest.approx(0.7e3 * depth),
+        "by the receptance at rest": pytest.approx(1.5e3 * depth),
+        "with evenly spaced teeth": pytest.approx(1.1e3 * depth),
+        "least of the band": pytest.approx(0.5e3 * depth),
+        "largest of the band": pytest.approx(2e3 * depth),
+        "period doubling": pytest.approx(np.where(flips, 1e3 * depth, np.nan), nan_ok=True),
+    }
+    assert drawn(chatter) == {
+        "chatter": pytest.approx(np.full(9, 900.0)),
+        "nearest mode": pytest.approx(np.full(9, 880.0)),
+    }
+
+
+def test_a_page_of_several_machines_has_the_limits_of_their_motors_and_measured_spindles():
+    depth = np.linspace(2e-3, 3e-3, 9)
+    one = paged(motor="4 kW", motor_depth=0.7 * depth, measured=0.9 * depth)
+    (both,) = page(None, [one, paged()._replace(title="other")])
+    names = {each["name"] for each in both.traces}
+    measured, motor = "on the measured spindle", "limit of the motor (4 kW)"
+    assert names == {"one", "other", f"one, {measured}", f"one, {motor}"}
+
+
+def test_a_page_shows_a_planned_cut_and_the_pockets():
+    rpm, wall = np.linspace(6e3, 18e3, 9), np.full((9, 1), 2e-6)
+    least, swing = -1.5 * wall, np.stack([np.arange(9.0), np.arange(9.0) + 1.0], axis=1)
+    one = paged(
+        wall=("up",),
+        direction=("feed", "normal"),
+        milling_speed=rpm * math.pi / 30.0,
+        cut_is_stable=np.ones(9, bool),
+        surface_error_least=least,
+        surface_error_most=wall,
+        tip_vibration=1e-6 * swing,
+        cutting_force=np.full(9, 40.0),
+        pocket_speed=np.array([700.0 * math.pi, 500.0 * math.pi]),
+        pocket_from=np.array([600.0 * math.pi, 450.0 * math.pi]),
+        pocket_to=np.array([800.0 * math.pi, 550.0 * math.pi]),
+        pocket_depth=np.array([4e-3, 3.5e-3]),
+        pocket_removal=np.array([2e-6, 1e-6]),
+    )
+    charts = {block.title: block for block in page(None, [one])}
+    assert [*charts["up: error of the up-milled wall"].traces[0]["y"]] == pytest.approx([-3.0] * 9)
+    vibration = drawn(charts["vibration of the tip from peak to peak"])
+    assert vibration == {
+        way: pytest.approx(swing[:, k]) for k, way in enumerate(one.result.direction)
+    }
+    (force,) = charts["largest cutting force"].traces
+    assert [*force["y"]] == [40.0] * 9
+    assert [*charts["Pockets"].rows] == [
+        ("21000", "4.00", "120.0", "18000", "24000"),
+        ("15000", "3.50", "60.0", "13500", "16500"),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -723,7 +805,7 @@ def test_lobes_between_speeds_are_told() -> None:
         return rotordyn.run(replace(case, variants={}, analyses={"stability_lobes": own}))
 
     sparse, dense = solved(4000.0, 5000.0, 9000.0), solved(4000.0, 4010.0, 4020.0)
-    told = [each for each in sparse.warnings if "lobes are closer" in each]
+    told = [each for each in sparse.warnings if "too far apart for the lobes" in each]
     assert len(told) == 1
     result = sparse["stability_lobes"]
     between = result.chatter.values / (2.0 * np.array([4000.0, 5000.0, 9000.0]) / 60.0)
@@ -732,8 +814,70 @@ def test_lobes_between_speeds_are_told() -> None:
     most = max(result.chatter.values[:2]) * 30.0  # waves times speed
     step = 1000.0 * 0.125 / (most * (1.0 / 4000.0 - 1.0 / 5000.0))
     assert f"steps of {step:.1f} rpm" in told[0]
-    assert not [each for each in dense.warnings if "lobes are closer" in each]
+    assert not [each for each in dense.warnings if "too far apart for the lobes" in each]
     assert "at all 3 speeds" in sparse.summary
+
+
+def test_steps_that_are_not_told_lose_a_quarter_of_a_lobe_at_most():
+    """Turning on one mode of 1 %: least limits of samples, wherever they begin, over the lowest
+    point of the lobe."""
+    natural, each = 2.0 * math.pi * 600.0, 80
+
+    def one_mode(omega):
+        return 1e-7 / (1.0 - (omega / natural) ** 2 + 0.02j * omega / natural)
+
+    waves = 3.0 + np.arange(each + 1) / each
+    depth = np.array([turning_limit(one_mode, 2e9, natural / w).depth for w in waves])
+    lost = {}
+    for share in (SKIPPED, SEEN):
+        step = round(share * each)
+        lost[share] = max(depth[k::step].min() for k in range(step)) / depth.min()
+    for share, most in lost.items():  # the frequency of the chatter moves along the lobe, too
+        assert 1.0 < most < 1.0 / math.cos(math.pi * share)
+    assert lost[SEEN] < 1.06 < lost[SKIPPED] < 1.2
+    for step, told in ((0.99 * SKIPPED, 0), (1.01 * SKIPPED, 1)):
+        speed = 600.0 / np.array([3.0, 3.0 - step])  # revolutions a second
+        result = SimpleNamespace(
+            cutting_speed=2.0 * math.pi * speed,
+            chatter=np.full(2, 600.0),
+            waves=600.0 / speed,
+            loss=("hopf", "hopf"),
+        )
+        assert len(_skipped(result)) == told
+
+
+CUTTER = """
+spindle: deep_groove_rear
+conditions: {{kinematics: hybrid, moment_sharing: equal}}
+speeds: [0 rpm, 9000 rpm]
+analyses:
+  stability_lobes: {{point: nose, teeth: 2, diameter: 40 mm, tangential: 600 MPa, radial: 200 MPa,
+    milling: down, immersion: {immersion}, max_frequency: 2500 Hz, speeds: {speeds}}}
+"""
+
+
+@pytest.mark.parametrize("immersion", ["30 %", "5 %"])
+def test_period_doubling_between_speeds_is_told(tmp_path, immersion):
+    """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 4 rpm find it;
+    these have it among their limits, and nothing is told."""
+    found = []
+    for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 20}"):
+        path = tmp_path / "milling.yaml"
+        text = CUTTER.format(immersion=immersion, speeds=speeds)
+        path.write_text(text, encoding="utf-8")
+        found.append(rotordyn.run(rotordyn.load(path)))
+    coarse, fine = (each["stability_lobes"] for each in found)
+    row = int(fine.depth.values.argmin())
+    assert fine.loss.values[row] == "flip"
+    assert fine.depth.values[row] < 0.95 * coarse.depth.values.min()
+    assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
+    rpm = coarse.flip_speed.values[0] * 30.0 / math.pi
+    assert rpm == pytest.approx(float(fine.cutting_speed[row]) * 30.0 / math.pi, abs=8.0)
+    told = [[w for w in each.warnings if "between speeds period" in w] for each in found]
+    assert [len(each) for each in told] == [1, 0]
+    depth, beside = (1e3 * float(each) for each in (coarse.flip_depth[0], coarse.depth.min()))
+    assert f"at about {rpm:.0f} rpm to {depth:.2f} mm where limits beside it are" in told[0][0]
+    assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
 
 
 def test_the_cutter_of_a_tool_has_its_diameter() -> None:
@@ -789,14 +933,30 @@ def test_coefficients_off_on_helical_edges_are_solved() -> None:
     assert (turned.tangential, turned.radial) == pytest.approx((2.8, 4.2))
 
 
+def counted(depth, **given):
+    """Headline numbers of limits (s,) by name."""
+    depth = np.array(depth)
+    nothing = {"pocket_depth": np.zeros(0), "cut_is_stable": np.zeros(0), "motor": ""}
+    usual = {"depth": depth, "measured": np.full(len(depth), np.nan), "least": depth, "most": depth}
+    result = SimpleNamespace(**nothing | usual | given)
+    return {each.name: each.value for each in numbers(result, None)}
+
+
 def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
     """Among headline numbers; of speeds without a solution there is none."""
     for depth, least in (([np.inf, np.nan], np.inf), ([np.inf, 2e-3], 2.0), ([np.nan], np.nan)):
-        result = SimpleNamespace(
-            depth=np.array(depth), pocket_depth=np.zeros(0), cut_is_stable=np.zeros(0), motor=""
-        )
-        (number,) = numbers(result, None)
-        assert number.value == pytest.approx(least, nan_ok=True)
+        assert counted(depth) == {"least": pytest.approx(least, nan_ok=True)}
+
+
+def test_least_limits_of_a_measured_spindle_and_of_a_band_are_headline_numbers() -> None:
+    """Where one was measured, and where a band is asked for."""
+    depth = np.array([4e-3, 3e-3])
+    measured = counted(depth, measured=np.array([np.nan, 2e-3]))
+    assert measured == {"least": 3.0, "measured least": 2.0}
+    endless = counted(depth, measured=np.array([np.inf, np.inf]))
+    assert endless == {"least": 3.0, "measured least": np.inf}
+    banded = counted(depth, least=np.array([1e-3, 2e-3]), most=2.0 * depth)
+    assert banded == {"least": 3.0, "least of the band": 1.0}
 
 
 GROWING = MACHINE.replace("600 N s/m", "20 N s/m").replace(
@@ -861,6 +1021,8 @@ def spoken(**given):
         "pocket_depth": np.zeros(0),
         "pocket_removal": np.zeros(0),
         "source": np.zeros(0),
+        "workpiece_frequency": np.zeros(0),
+        "workpiece_mode": np.zeros(0),
         "least": nothing,
         "most": nothing,
         "even": nothing,
@@ -887,6 +1049,10 @@ def test_lines_of_limits_leave_speeds_out_that_are_unstable_without_a_cut():
     assert "stable up to 1.00 mm, limited at 2000 rpm" in lines["band"]
     assert "would be stable up to 1.50 mm" in lines["even"]
     assert "misleads most at 1000 rpm: 5.00 mm in place of 0.00 mm" in lines["at"]
+    assert "measured" not in lines
+    lines = spoken(measured=np.array([0.8e-3, 1e-3, np.inf]))
+    assert "on the measured spindle is stable up to 0.800 mm, limited at 1000" in lines["measured"]
+    assert lines["measured"].endswith("planned cuts are those of the machine as computed")
 
 
 def test_of_rates_next_to_the_highest_the_safest_is_named():
@@ -899,6 +1065,16 @@ def test_of_rates_next_to_the_highest_the_safest_is_named():
     )
     assert "3 kW: limits the cut before chatter does at 2 of 3 speeds" in lines["motor"]
     assert lines["motor"].endswith("rate 1.00 mm at 3000 rpm (119.9 cm³/min), stable up to 6.00 mm")
+
+
+@pytest.mark.parametrize(("by_motor", "words"), [(1e-3, "before"), (3e-3, "after")])
+def test_of_one_speed_the_motor_limits_the_cut_before_chatter_or_after_it(by_motor, words):
+    one = {"cutting_speed": np.array([200.0]), "depth": np.array([2e-3]), "loss": ("hopf",)}
+    modes = {"mode_frequency": np.array([800.0]), "chatter": np.array([805.0])}
+    rates = {"motor_depth": np.array([by_motor]), "motor_removal": np.array([1e-6])}
+    none = dict.fromkeys(("least", "most", "even", "at_rest", "measured"), np.full(1, np.nan))
+    lines = spoken(**one, **modes, **rates, **none, motor="3 kW")
+    assert f"motor 3 kW: limits the cut {words} chatter does; highest" in lines["motor"]
 
 
 @pytest.mark.parametrize(
@@ -927,6 +1103,7 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
         chatter=np.array([500.0]),
         waves=np.array([1.0]),
         cutting_speed=np.array([500.0]),
+        flip_depth=np.full(1, np.nan),
         cut_is_stable=np.zeros(0),
     )
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]

@@ -14,7 +14,7 @@ import rotordyn
 from rotordyn.case.varied import usual_unit, varied
 from rotordyn.job.side_by_side import scale_of, write_comparison
 from rotordyn.quantity import Quantity
-from rotordyn.results.headline import Number, at_every_speed, cells, changes
+from rotordyn.results.headline import Number, cells, changes, each_speed
 from rotordyn.results.text import over_speed
 
 
@@ -86,7 +86,7 @@ def test_what_lies_beyond_both_ends_of_the_speeds_is_said() -> None:
 
     def words(values: list[float]) -> str:
         result = SimpleNamespace(speed=speed)
-        return cells(at_every_speed(result, "full", "N/µm", np.array(values)))["full [N/µm]"]
+        return cells(each_speed(result, "full", "N/µm", np.array(values)))["full [N/µm]"]
 
     assert words([94.1, 9.8, 7.71, 13.7]) == "94.1 → 13.7 (least 7.71)"
     assert words([94.1, 50.0, 120.0, 13.7]) == "94.1 → 13.7 (most 120.0)"

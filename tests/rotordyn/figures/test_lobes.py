@@ -62,6 +62,21 @@ def test_pockets_are_numbered_at_their_speeds_and_listed_below_the_panels(count)
     assert all(box.y0 >= 0.0 and box.x1 <= figure.bbox.x1 for box in boxes)
 
 
+def test_the_deepest_pockets_are_listed_however_near_they_are():
+    """The number of one that is beside a deeper one's is in the list alone."""
+    result, rpm = _result(161), np.array([30000.0, 30400.0, 33000.0, 31500.0, 50000.0])
+    result.pocket, result.pocket_speed = np.arange(5), rpm * math.pi / 30.0
+    result.pocket_from = result.pocket_to = result.pocket_speed
+    result.pocket_depth = 3e-3 - 1e-4 * np.arange(5)
+    result.pocket_removal = np.full(5, 1e-6)
+    figure = lobes_figure(result, SPEC)
+    listed = [t.get_text().split(",")[0] for t in figure.texts if t.get_text()[1:2] == ":"]
+    assert listed == ["1: 30000 rpm", "2: 30400 rpm", "3: 31500 rpm", "4: 33000 rpm"]
+    numbers = {t.get_text(): t.xy[0] for t in figure.axes[0].texts}
+    assert numbers == pytest.approx({"1": 30000.0, "3": 31500.0, "4": 33000.0})
+    assert sum(line.get_marker() == "|" for line in figure.axes[0].get_lines()) == 4
+
+
 def test_of_few_speeds_depths_above_the_frame_are_triangles_at_its_edge():
     """Unbounded ones too; a speed without a depth has no mark."""
     result = _result(41)
@@ -97,6 +112,16 @@ def test_the_band_is_drawn_at_few_speeds_and_at_many(count):
     assert reach.min() == pytest.approx(1e3 * result.least.min())
     assert reach.max() == pytest.approx(1e3 * result.most.max())
     assert count > 100 or len(band.get_paths()) == count
+
+
+def test_a_limit_of_the_motor_above_the_frame_is_said_to_be_there():
+    """That of a motor which limits some speeds is a line of its own."""
+    result, top = _result(161), lobes_figure(_result(161), SPEC).axes[0].get_ylim()[1]
+    result.motor = "9 kW"
+    for least, words in ((1.01, ": deeper than drawn"), (0.99, "")):
+        result.motor_depth = 1e-3 * top * np.linspace(least, 3.0, 161)
+        told = [t.get_text() for t in lobes_figure(result, SPEC).legends[0].get_texts()]
+        assert f"limit of the motor (9 kW){words}" in told
 
 
 def test_lines_leave_the_frame():

@@ -17,6 +17,7 @@ from rotordyn.results.headline import Curve
 
 LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
 LIMITS = "stability_lobes"  # the figure of the limits
+MEASURED = "on the measured spindle"
 HIGH = 4.0  # times the median limit: pockets are cut off there
 
 code = partial(Code, __name__)
@@ -33,17 +34,20 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Depth of cut over speed, beyond the axis in deep pockets and where every depth is stable; of
-    a planned cut the error of each wall, of the largest amount."""
+    """Depth of cut over speed, beyond the axis in deep pockets and where every depth is stable,
+    and that on a measured spindle; of a planned cut the error of each wall, of the largest
+    amount."""
     result = variant.result
     if len(result.cutting_speed) < 2:
         return
-    depth = result.depth * MILLIMETRE.factor
+    depth, measured = (each * MILLIMETRE.factor for each in (result.depth, result.measured))
     known = depth[np.isfinite(depth)]
     top = HIGH * float(np.median(known)) if known.size else 1.0
     rpm = result.cutting_speed * RPM.factor
     how: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS, "ceiling": top}
     yield Curve(LIMITS, "depth of cut", "mm", rpm, depth, **how)
+    if not np.isnan(measured).all():
+        yield Curve(LIMITS, "depth of cut", "mm", rpm, measured, MEASURED, **how)
     for k, wall in enumerate(result.wall):
         ends = np.stack([result.surface_error_least[:, k], result.surface_error_most[:, k]])
         error = np.where(np.abs(ends[1]) >= np.abs(ends[0]), ends[1], ends[0])

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS
+from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS, MEASURED
 from rotordyn.analyses.stability_lobes.pockets import KEPT
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
-from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, REPEATING, StabilityLobesSpec
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -37,11 +37,8 @@ Array = NDArray[np.float64]
 ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 SIZE = 3.5  # of marks
-REPEATING = (
-    (FLIP, RED, "-", "period doubling"),
-    (FOLD, ORANGE, (0, (1.0, 0.7)), "repeats with the pattern of teeth"),
-)
-APART = 0.11  # of the axis, between marks of pockets
+MARKS = ((FLIP, RED, "-"), (FOLD, ORANGE, (0, (1.0, 0.7))))
+APART = 0.03  # of the axis, between numbers of pockets
 ABOVE = 9.0  # [mm] of the second axis
 ROW = 3.6  # [mm] of a line below the figure
 
@@ -70,7 +67,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     draw(rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
-        draw(tested, "on the measured spindle", marks, color=BLACK, lw=1.0, ls=":")
+        draw(tested, MEASURED, marks, color=BLACK, lw=1.0, ls=":")
     if result.motor:
         marks = {"marker": "v", "ms": 3.0}
         by_motor = result.motor_depth * MILLIMETRE.factor
@@ -78,10 +75,10 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     if np.isfinite(even).any():
         marks = {"marker": "s", "ms": 3.0}
         draw(even, "with evenly spaced teeth", marks, color=BLACK, lw=0.8, ls="-.")
-    for kind, colour, line, words in REPEATING:
+    for kind, colour, line in MARKS:
         shown = np.where(np.array(result.loss) == kind, depth, np.nan)
         if not np.isnan(shown).all():
-            draw(shown, words, {}, color=colour, lw=2.0, ls=line)
+            draw(shown, REPEATING[kind], {}, color=colour, lw=2.0, ls=line)
     if not lines and any((each > top).any() for each in (depth, rest, tested, even)):
         upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
@@ -108,11 +105,12 @@ def _draw(
     lines: bool,
     **look: Any,
 ) -> None:
-    """Depths as a line that leaves the frame, or as ``marks``, filled where none are given; those
-    above it then as triangles at its edge."""
+    """Depths as a line that leaves the frame, which the legend says where all of it is above, or
+    as ``marks``, filled where none are given; those above it then as triangles at its edge."""
     top = axes.get_ylim()[1]
     if lines:
-        axes.plot(rpm, _clipped(depth, top), label=label, **look)
+        above = "" if (depth <= top).any() else ": deeper than drawn"
+        axes.plot(rpm, _clipped(depth, top), label=f"{label}{above}", **look)
         return
     marks = {"marker": "o", "ms": SIZE, "mfc": "none" if marks else look["color"], **marks}
     look |= {**marks, "ls": "", "clip_on": False}
@@ -136,29 +134,30 @@ def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float, *, l
 
 
 def _marked(result: StabilityLobesResult) -> list[int]:
-    """The deepest pockets, some way from one another, by their speed."""
-    span, marked = float(result.cutting_speed[-1]), list[int]()
-    speed = result.pocket_speed
-    for k in range(len(result.pocket)):
-        near = any(abs(speed[k] - speed[other]) < APART * span for other in marked)
-        if len(marked) < MARKED and not near:
-            marked.append(k)
-    return sorted(marked, key=lambda k: float(speed[k]))
+    """The deepest pockets by their speed."""
+    return sorted(range(len(result.pocket))[:MARKED], key=lambda k: float(result.pocket_speed[k]))
 
 
 def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], top: float) -> None:
-    """The ``marked`` pockets numbered, over the speeds that hold 80 % of them."""
-    for number, k in enumerate(marked, start=1):
+    """The ``marked`` pockets over the speeds that hold 80 % of them; numbered unless the number of
+    a deeper one is there."""
+    first, last = (float(result.cutting_speed[row]) for row in (0, -1))
+    span, numbered = last - axis_start(first, last), list[float]()
+    for number, k in sorted(enumerate(marked, start=1), key=lambda each: each[1]):
         depth = min(result.pocket_depth[k] * MILLIMETRE.factor, 0.97 * top)
         ends = np.array([result.pocket_from[k], result.pocket_to[k]]) * RPM.factor
         axes.plot(ends, [KEPT * depth] * 2, color=BLACK, lw=1.0, marker="|", ms=4.0)
+        speed = float(result.pocket_speed[k])
+        if any(abs(speed - other) < APART * span for other in numbered):
+            continue
+        numbered.append(speed)
         look: dict[str, Any] = {
             "boxstyle": "circle,pad=0.15",
             "fc": "white",
             "ec": BLACK,
             "lw": 0.6,
         }
-        at = result.pocket_speed[k] * RPM.factor, KEPT * depth
+        at = speed * RPM.factor, KEPT * depth
         axes.annotate(
             str(number),
             at,
