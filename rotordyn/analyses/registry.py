@@ -1,11 +1,12 @@
 """The analyses by name: those built in are folders beside this file, others are entry points.
 
 A record is imported when its name is asked for; packages outside are looked up only for a name that
-is not built in, or where all names are listed.
+is not built in, or where all names are listed. What they offer may fail in any way.
 """
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
@@ -23,30 +24,41 @@ PACKAGE = "rotordyn.analyses"
 GROUP = "rotordyn.analyses"  # of entry points
 
 
+class Unusable(InvalidInput):
+    """A package outside offers an analysis that cannot be loaded."""
+
+
 @cache
 def analysis(name: str) -> Analysis:
     """The analysis of a name.
 
     Raises
     ------
-    InvalidInput : there is none, or a package outside offers something else under that name
+    InvalidInput : there is none
+    Unusable : what a package outside offers under that name is none
     """
     if name in built_in():
-        record = import_module(f"{PACKAGE}.{name}").ANALYSIS
-    elif name in _outside():
-        record = _outside()[name].load()
-    else:
-        known = names()
-        hint = suggestion(name, known)
-        raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(known)}{hint}")
-    if not isinstance(record, Analysis) or record.name != name:
-        raise InvalidInput(f"entry point {name} of {GROUP} is not an Analysis of that name")
-    return record
+        record: Analysis = import_module(f"{PACKAGE}.{name}").ANALYSIS
+        return record
+    if name in _outside():
+        return _loaded(_outside()[name])
+    known = names()
+    hint = suggestion(name, known)
+    raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(known)}{hint}")
 
 
+@cache
 def names() -> tuple[str, ...]:
-    """All analyses, by their place."""
-    return tuple(in_order(built_in(), _outside()))
+    """All analyses, by their place; warns of those outside that cannot be used, and omits them."""
+    usable = []
+    for name in _outside():
+        try:
+            analysis(name)
+        except Unusable as error:
+            warnings.warn(str(error), RuntimeWarning, stacklevel=2)
+        else:
+            usable.append(name)
+    return tuple(in_order(built_in(), usable))
 
 
 def in_order(*among: Iterable[str]) -> list[str]:
@@ -71,3 +83,19 @@ def _outside() -> dict[str, EntryPoint]:
     from importlib.metadata import entry_points
 
     return {e.name: e for e in entry_points(group=GROUP) if e.name not in built_in()}
+
+
+def _loaded(entry: EntryPoint) -> Analysis:
+    package = entry.dist.name if entry.dist else entry.module
+    try:
+        record = entry.load()
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - code of others
+        why = f"{type(error).__name__}: {error}"
+    else:
+        if isinstance(record, Analysis) and record.name == entry.name:
+            return record
+        why = f"{entry.value} is not an Analysis of that name"
+    raise Unusable(
+        f"the analysis {entry.name} of the package {package} cannot be loaded ({why}): "
+        "repair or uninstall that package"
+    )

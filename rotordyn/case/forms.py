@@ -17,7 +17,7 @@ from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Pair, Port
 from rotordyn.analyses.measured_spindle import MeasuredSpindle
-from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.registry import Unusable, analysis, names
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
 from rotordyn.case.expand import Reader, asked
@@ -203,6 +203,9 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     for name, child in node.value.items():
         try:
             specs[name] = analysis(name).spec
+        except Unusable as error:
+            reading.faults.at_key(child, str(error))
+            continue
         except InvalidInput:
             reading.faults.at_key(child, unknown_key(name, [*names()]))
             continue

@@ -90,4 +90,4 @@ def _near(home: Path, text: str) -> str:
 def _placed(beside: Path, text: str) -> str:
     """The name of a file beside the old file, from anywhere."""
     file = beside / text
-    return str(file.resolve()) if file.suffix and file.is_file() else text
+    return str(file.resolve()) if file.suffix and os.path.isfile(file) else text

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from bearings.errors import BearingError
 from rotordyn.cli.arguments import parser
 from rotordyn.cli.signals import interruption
-from rotordyn.cli.streams import complain, say, speak_plainly
+from rotordyn.cli.streams import complain, say, speak_plainly, warned_plainly
 from rotordyn.errors import RotordynError, exit_code, not_installed
 
 
@@ -17,7 +17,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     speak_plainly()
     try:
         arguments = _parsed(argv)
-        code: int = arguments.command(arguments)
+        with warned_plainly():
+            code: int = arguments.command(arguments)
     except (RotordynError, BearingError) as error:
         complain(error)
         return exit_code(error)

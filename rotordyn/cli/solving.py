@@ -99,10 +99,9 @@ def _told(arguments: argparse.Namespace, target: Path, delivery: Delivery) -> in
         say(on_screen(delivery.summary, delivery.folder / "summary.txt"))
         say(f"results in {delivery.folder}")
     if delivery.moved:
-        complain(
-            f"{target} cannot be replaced (is a file of it open in another program?): "
-            f"the results are in {delivery.folder}"
-        )
+        why = "cannot be replaced (is a file of it open in another program?)"
+        why = "keeps its earlier results, which are complete" if delivery.kept else why
+        complain(f"{target} {why}: the results are in {delivery.folder}")
     if arguments.explain:
         say(delivery.plan)
     for sentence in grouped(delivery.unsolved):

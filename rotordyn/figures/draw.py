@@ -7,6 +7,7 @@ import logging
 import os
 import signal
 import sys
+import threading
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
+_OF_THE_BAR = "rich.live"  # whose thread locks nothing that drawing needs
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +89,7 @@ class Drawing:
         self._queue = os.fdopen(queue, "rb", buffering=0)
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
-        count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
+        count = min(workers, _processors(), len(self._jobs)) - 1 if _may_fork() else 0
         load(self._formats)
         self._workers = [self._start() for _ in range(max(count, 0))]
 
@@ -209,6 +211,12 @@ def _quiet(name: str) -> Iterator[None]:
         yield
     finally:
         logger.setLevel(level)
+
+
+def _may_fork() -> bool:
+    """Whether a process forked now would not wait for ever for locks that other threads hold."""
+    others = [each for each in threading.enumerate() if each is not threading.current_thread()]
+    return hasattr(os, "fork") and all(type(t).__module__ == _OF_THE_BAR for t in others)
 
 
 def _processors() -> int:

@@ -28,14 +28,15 @@ ENDED = "figures left out: the run was ended before; rotordyn.open and plot draw
 @dataclass(frozen=True, slots=True)
 class Delivery:
     """What a run left behind: the folder, its summary, how it was solved, speeds without
-    a solution. ``moved``: the folder is not the one asked for, which is in use; ``stop``: what
-    ended the run before all was solved."""
+    a solution. ``moved``: the folder is not the one asked for, which is in use, or ``kept``, since
+    it holds complete results; ``stop``: what ended the run before all was solved."""
 
     folder: Path
     summary: str
     plan: str
     unsolved: tuple[str, ...]
     moved: bool = False
+    kept: bool = False
     stop: Stop | None = None
 
 
@@ -84,8 +85,8 @@ def write(
     from rotordyn.case.archive import archived
     from rotordyn.report.folder import CASE, results_folder
 
-    seconds = dict(results.solution.seconds)
-    with results_folder(target) as place:
+    seconds, stop = dict(results.solution.seconds), results.solution.stop
+    with results_folder(target, ended=stop is not None) as place:
         progress("figures" if figures else "files")
         undrawn = _undrawn(results.solution, figures)
         if undrawn.figures:
@@ -103,8 +104,8 @@ def write(
                 results.report(place.folder / REPORT)
         _write_record(results, place.folder, seconds, drawn, omitted)
     plan = _plan(results.solution, seconds, omitted)
-    stop, moved = results.solution.stop, place.moved
-    return Delivery(place.target, text, plan, results.unsolved, moved=moved, stop=stop)
+    moved = {"moved": place.moved, "kept": place.kept}
+    return Delivery(place.target, text, plan, results.unsolved, **moved, stop=stop)
 
 
 def _undrawn(solution: Solution, figures: bool) -> Omitted:
@@ -245,6 +246,7 @@ def _write_record(
         warnings=results.warnings,
         notes=(*results.notes, *omitted.sentences),
         unsolved=results.unsolved,
+        ended=solution.stop is not None,
     )
     write_record(folder, record)
 

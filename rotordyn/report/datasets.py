@@ -22,14 +22,20 @@ if TYPE_CHECKING:
 def dataset(result: Any) -> xr.Dataset:
     """``result`` with its coordinates (``speed`` [rad/s] beside ``speed_rpm``) and quantities.
 
-    The values are those of the result, not copies.
+    The values are those of the result, not copies, and may only be read.
     """
     import xarray as xr
 
     parts = variables(result)
-    arrays = {v.name: (v.dims, v.values, v.attrs) for v in parts}
+    arrays = {v.name: (v.dims, _to_read(v.values), v.attrs) for v in parts}
     coords = {v.name: arrays.pop(v.name) for v in parts if v.role != "quantity"}
     return xr.Dataset(arrays, coords, {"result": type(result).__name__})
+
+
+def _to_read(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    seen = values.view()
+    seen.flags.writeable = False
+    return seen
 
 
 def result_of(of: str, data: xr.Dataset) -> Any:

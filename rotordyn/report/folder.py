@@ -47,20 +47,23 @@ _DISK = (
 class Place:
     """``folder``: where to write results; ``target``: where they stand once they are complete.
 
-    ``moved``: that is not the folder asked for, but a sibling.
+    ``moved``: that is not the folder asked for, but a sibling; ``kept``: since that holds complete
+    results.
     """
 
     folder: Path
     target: Path
     moved: bool = False
+    kept: bool = False
 
 
 @contextmanager
-def results_folder(target: Path) -> Iterator[Place]:
+def results_folder(target: Path, *, ended: bool = False) -> Iterator[Place]:
     """A folder that takes the place of ``target`` when the block ends without error.
 
     Where ``target`` cannot be moved away, since a file of it is open in another program (Windows),
-    the results go to a folder beside it, ``target_2`` or further, which ``Place.target`` names.
+    or holds complete results and those of a run that was ``ended`` are fewer, the results go to a
+    folder beside it, ``target_2`` or further, which ``Place.target`` names.
 
     Raises
     ------
@@ -80,7 +83,8 @@ def results_folder(target: Path) -> Iterator[Place]:
             if error.errno not in _DISK:
                 raise
             raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
-        taken = _take_place(workshop, target)
+        place.kept = ended and _holds_all(target)
+        taken = _take_place(workshop, _sibling(target) if place.kept else target)
         if taken != target:
             place.target, place.moved = taken, True
         _recover(target)  # what a killed run still held at the beginning
@@ -155,6 +159,12 @@ def record_in(folder: Path) -> dict[str, Any] | None:
     except (OSError, ValueError, RecursionError):
         return None
     return record if isinstance(record, dict) and MARKER in record else None
+
+
+def _holds_all(target: Path) -> bool:
+    """Whether ``target`` holds results of a run that was not ended before its end."""
+    record = record_in(target)
+    return record is not None and not record.get("ended")
 
 
 def _make_parents(parent: Path) -> list[Path]:

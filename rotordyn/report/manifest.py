@@ -36,6 +36,7 @@ class RunRecord:
     ``digest``: hash of all ``inputs`` read. ``outcomes``: analysis -> outcome word -> speeds [rpm]
     with it. ``tolerances``: name -> the residual reached. ``stages`` and ``figures``: seconds.
     ``skipped``: what was not made -> why. ``warnings``, ``notes``, ``unsolved``: sentences.
+    ``ended``: the run was ended before all was solved.
     """
 
     case: str
@@ -51,6 +52,7 @@ class RunRecord:
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     unsolved: tuple[str, ...] = ()
+    ended: bool = False
 
 
 def versions() -> dict[str, str]:

@@ -45,7 +45,8 @@ def write_results(
     import h5py
 
     # In memory first: HDF5 itself, on a full disk, ends the process instead of saying so.
-    with h5py.File("results", "w", driver="core", backing_store=False, track_order=True) as file:
+    # Under its own name: of two in memory at once, HDF5 refuses the second of the same name.
+    with h5py.File(path, "w", driver="core", backing_store=False, track_order=True) as file:
         written_by = f"version=2,h5py={h5py.__version__},hdf5={h5py.version.hdf5_version}"
         file.attrs["_NCProperties"] = np.bytes_(written_by)
         file.attrs.update(attributes or {})

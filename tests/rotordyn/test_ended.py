@@ -124,6 +124,26 @@ def test_nothing_is_written_where_nothing_is_finished(
     assert not (tmp_path / "out").exists()
 
 
+def test_complete_results_are_not_replaced_by_fewer(
+    tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They stay as they are; what was finished stands beside them, and gives way to all of it."""
+    assert ended(FRF, tmp_path, "--no-figures") == 0
+    with monkeypatch.context() as patch:
+        patch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+        assert ended(FRF, tmp_path) == 130
+        said = capsys.readouterr().err
+        assert f"{tmp_path / 'out'} keeps its earlier results, which are complete: " in said
+        assert f"the results are in {tmp_path / 'out_2'}" in said
+        (tmp_path / "out").rename(tmp_path / "earlier")
+        (tmp_path / "out_2").rename(tmp_path / "out")
+        assert ended(FRF, tmp_path) == 130
+    held = {path.name: list(rotordyn.open(path)) for path in tmp_path.iterdir() if path.is_dir()}
+    assert held == {"earlier": ["campbell", "frf"], "out": ["campbell"]}
+    assert ended(FRF, tmp_path, "--no-figures") == 0
+    assert list(rotordyn.open(tmp_path / "out")) == ["campbell", "frf"]
+
+
 @pytest.mark.parametrize(("stop", "code"), [(interrupted, 130), (too_late, 2)])
 def test_variants_before_the_end_are_kept(
     stop: Callable[..., None],

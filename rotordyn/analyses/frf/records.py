@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import os
 import re
 import warnings
 from collections.abc import Sequence
@@ -59,7 +60,7 @@ def read_record(path: Path, pair: str, number: int | None) -> Record:
     ------
     InvalidInput : the file cannot be read, or holds something else; one sentence
     """
-    if not path.is_file():
+    if not os.path.isfile(path):  # also of a name that is none
         raise InvalidInput("no such file")
     if path.suffix.lower() != ".csv":
         return _from_uff(path, pair, number)

@@ -170,12 +170,16 @@ def _values(reading: Reading, case: Case, path: str, node: Node) -> Any:
 
 
 def _phase(reading: Reading, case: Case, name: str, node: Node) -> Phase | None:
+    if not isinstance(node.value, dict):
+        reading.wrong_shape(PhaseEntry, node, "a mapping: {unknowns: […], values: {path: value}}")
+        return None
     given = reading.fields(PhaseEntry, node, annotations={"values": Any})
-    held = node.child("values")
-    values = {}
-    for path, child in (held.value if held is not None else {}).items():
-        values[path] = value_at(reading, case, path, child)
-    unknowns = given["unknowns"]
+    held, unknowns = node.child("values"), given["unknowns"]
+    if held is not None and not isinstance(held.value, dict):
+        reading.wrong_shape(dict, held, "a mapping (path: value)")
+    values = {
+        path: value_at(reading, case, path, child) for path, child in node.entries("values").items()
+    }
     return Phase(None if unknowns is None else tuple(unknowns), values)
 
 
@@ -183,9 +187,11 @@ def _predicted(reading: Reading, root: Node) -> tuple[Predicted, ...]:
     node = root.child("predict")
     if node is not None and not isinstance(node.value, list):
         reading.wrong_shape(list, node, "a list of numbers: [{of: …}]")
-        return ()
     found = []
-    for item in node.value if node is not None else ():
+    for item in root.listed("predict"):
+        if not isinstance(item.value, dict):
+            reading.wrong_shape(PredictedEntry, item, "a mapping: {of: …}")
+            continue
         before = reading.faults.count
         given = reading.fields(PredictedEntry, item)
         if reading.faults.count == before:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 import tomllib
+import warnings
 from dataclasses import fields, replace
 from importlib import import_module
 from pathlib import Path
@@ -14,21 +16,56 @@ from rotordyn import analyses
 from rotordyn.analyses import registry
 from rotordyn.analyses.contract import Code
 from rotordyn.case.schema import json_schema
+from rotordyn.cli import main
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver
 
 ROOT = Path(__file__).resolve().parents[3]
 OUTSIDE = Path(__file__).with_name("outside")
+METADATA = "Metadata-Version: 2.1\nName: torn-package\nVersion: 1.0\n"
+ENTRY = "[rotordyn.analyses]\ntorn = torn_module:ANALYSIS\n"
+TORN = {
+    "raise RuntimeError('boom')": "RuntimeError: boom",
+    "raise SystemExit(3)": "SystemExit: 3",
+    "": "AttributeError",
+    "ANALYSIS = 3": "torn_module:ANALYSIS is not an Analysis of that name",
+    "import no_such_module": "No module named 'no_such_module'",
+    None: "No module named 'torn_module'",
+}
 
 
 @pytest.fixture
 def outside(monkeypatch: pytest.MonkeyPatch):
     """A distribution beside this file with an analysis of its own."""
     monkeypatch.syspath_prepend(OUTSIDE)
-    registry._outside.cache_clear()
+    forget_those_outside()
     yield import_module("nose_sag")
-    registry._outside.cache_clear()
-    registry.analysis.cache_clear()
+    forget_those_outside()
+
+
+@pytest.fixture
+def offered(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    """Writes a distribution with an entry point to a module of that text, or to none."""
+
+    def offer(text: str | None) -> None:
+        folder = tmp_path / "site"
+        (folder / "torn-1.0.dist-info").mkdir(parents=True)
+        words = {"METADATA": METADATA, "entry_points.txt": ENTRY}
+        for name, content in words.items():
+            (folder / "torn-1.0.dist-info" / name).write_text(content)
+        if text is not None:
+            (folder / "torn_module.py").write_text(text)
+        monkeypatch.syspath_prepend(folder)
+        forget_those_outside()
+
+    yield offer
+    sys.modules.pop("torn_module", None)
+    forget_those_outside()
+
+
+def forget_those_outside() -> None:
+    for each in (registry._outside, registry.names, registry.analysis):
+        each.cache_clear()
 
 
 @pytest.mark.parametrize("name", registry.built_in())
@@ -82,3 +119,35 @@ def test_a_package_outside_has_an_analysis_of_its_own(outside, tmp_path: Path) -
     assert "nose sag   a rotor of" in found.summary
     made = {path.name for path in found.folder.iterdir()}
     assert {"nose_sag.csv", "nose_sag.png", "results.nc"} <= made
+
+
+@pytest.mark.parametrize(("text", "why"), TORN.items(), ids=str)
+def test_what_a_package_outside_offers_may_be_torn(
+    text: str | None, why: str, offered, tmp_path: Path
+) -> None:
+    """A run that does not ask for it has its results; one that does names the package."""
+    offered(text)
+    file = tmp_path / "case.yaml"
+    file.write_text("spindle: lalanne_ferraris\nspeeds: [0 rpm]\nanalyses: {campbell: }\n")
+    case = rotordyn.load(file)
+    with pytest.warns(RuntimeWarning, match="torn of the package torn-package cannot") as warned:
+        found = deliver(case, tmp_path / "out", figures=False)
+    assert len(warned) == 1
+    assert why in str(warned[0].message)
+    assert rotordyn.open(found.folder)
+    assert "torn" not in registry.names()
+    file.write_text("spindle: lalanne_ferraris\nspeeds: [0 rpm]\nanalyses: {torn: }\n")
+    with pytest.raises(InvalidInput, match="package torn-package cannot be loaded") as caught:
+        rotordyn.load(file)
+    assert why in str(caught.value)
+
+
+def test_a_torn_package_outside_is_one_line_of_the_command_line(
+    offered, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    offered("raise RuntimeError('boom')")
+    with warnings.catch_warnings():
+        warnings.simplefilter("default")
+        assert main(["schema"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("warning: the analysis torn of the package torn-package cannot be")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import subprocess
 import sys
+import threading
 import time
 import xml.etree.ElementTree as ET
 from dataclasses import replace
@@ -17,9 +19,10 @@ from PIL import Image
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.summary import summary
+from rotordyn.cli.streams import bar
 from rotordyn.figures.draw import Drawing
 from rotordyn.figures.png import write_png
-from rotordyn.figures.style import FORMATS, HEAD_COLOUR
+from rotordyn.figures.style import FORMATS, HEAD_COLOUR, new_figure
 from rotordyn.job.figures import figures
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM
@@ -37,6 +40,11 @@ NAMES = {
 
 
 WRITTEN = {"campbell", "frf_map", "frf_surface", "machine"}
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
 
 
 @pytest.fixture(scope="module")
@@ -295,6 +303,43 @@ def test_nobody_draws_any_more_after_an_interruption(tmp_path, case, results, mo
     ((process, _),) = drawing._workers
     with pytest.raises(ProcessLookupError):
         os.kill(process, 0)
+
+
+def test_nothing_is_forked_beside_threads_that_may_hold_locks(tmp_path, monkeypatch):
+    """Of a lock that another thread holds a forked process would never see the end."""
+    lock, held, done = threading.Lock(), threading.Event(), threading.Event()
+
+    def other():
+        with lock:
+            held.set()
+            done.wait(0.2)
+
+    def draw():
+        with lock:
+            return new_figure(60.0, 40.0)
+
+    monkeypatch.setattr("rotordyn.figures.draw._processors", lambda: 2)
+    thread = threading.Thread(target=other)
+    thread.start()
+    held.wait()
+    with Drawing([("one", draw), ("two", draw)], tmp_path) as drawing:
+        forked = len(drawing._workers)
+        if not forked:
+            drawing.finish()
+    thread.join()
+    assert forked == 0
+    with Drawing([("one", draw), ("two", draw)], tmp_path) as drawing:
+        assert len(drawing._workers) == 1
+
+
+def test_the_bar_of_a_terminal_leaves_the_second_process(tmp_path, monkeypatch):
+    monkeypatch.setattr("rotordyn.figures.draw._processors", lambda: 2)
+    monkeypatch.setattr("sys.stderr", Terminal())
+    jobs = [("one", lambda: new_figure(60.0, 40.0))] * 2
+    with bar("reading", 2, quiet=False):
+        assert threading.active_count() == 2
+        with Drawing(jobs, tmp_path) as drawing:
+            assert len(drawing._workers) == 1
 
 
 def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkeypatch):

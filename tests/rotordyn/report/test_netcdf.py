@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +13,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from rotordyn.report import netcdf
 from rotordyn.report.datasets import dataset
 from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.report.variables import as_array
@@ -24,6 +28,41 @@ def path(tmp_path_factory, results) -> Path:
     file = tmp_path_factory.mktemp("nc") / "results.nc"
     write_results(file, results, {"case": "sample"})
     return file
+
+
+def test_threads_write_files_at_the_same_time(tmp_path, results, monkeypatch):
+    """Both are in memory before either is complete."""
+    both = threading.Barrier(2, timeout=5.0)
+
+    def late(*given, write=netcdf._write_group):
+        if len(given[0].file) == 1:
+            both.wait()
+        write(*given)
+
+    monkeypatch.setattr(netcdf, "_write_group", late)
+    few = {name: results[name] for name in ("preload", "stiffness")}
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(lambda name: write_results(tmp_path / name, few), ("a.nc", "b.nc")))
+    assert [list(read_results(tmp_path / name)) for name in ("a.nc", "b.nc")] == [list(few)] * 2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_datasets_are_read_alone(results, name):
+    """What is written into one would be in the result as well; xarray makes new ones of it."""
+    held = dataset(results[name])
+    kept = held.copy(deep=True)
+    for variable in held.variables.values():
+        with suppress(ValueError):
+            variable.values[...] = 0
+    xr.testing.assert_identical(held, kept)
+    xr.testing.assert_identical(dataset(results[name]), kept)
+    speeds = kept.speed.values
+    twice = 2.0 * held[[key for key in held if held[key].dtype.kind in "fc"]]
+    twice.sel(speed=speeds[0]).load()
+    twice.interp(speed=0.5 * (speeds[0] + speeds[-1])).load()
+    for variable in held.copy(deep=True).data_vars.values():
+        variable.values[...] = 0
+    xr.testing.assert_identical(held, kept)
 
 
 @pytest.mark.parametrize("name", NAMES)
