@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
-from rotordyn.results.text import words_of_speeds
+from rotordyn.results.text import which_of
 
 GRIP = 0.1  # friction coefficient
 LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
@@ -33,7 +33,7 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
         return ""
     return (
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
-        f"{WARNING_PRESSURE / 1e9:g} GPa, {words_of_speeds(speed, over)}: lower the preload or the loads"
+        f"{WARNING_PRESSURE / 1e9:g} GPa, {which_of(speed, over)}: lower the preload or the loads"
     )
 
 
@@ -67,7 +67,7 @@ def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
         return ""
     return (
         f"static safety {np.nanmin(safety):.2g} is below {LEAST_SAFETY:g} "
-        f"{words_of_speeds(speed, low)}, and life is shorter than computed; lower the load or take a "
+        f"{which_of(speed, low)}, and life is shorter than computed; lower the load or take a "
         "larger bearing"
     )
 
@@ -81,7 +81,7 @@ def overloaded(
     if not high.any():
         return ""
     return (
-        f"equivalent load above half the dynamic rating {words_of_speeds(speed, high)}: life is shorter "
+        f"equivalent load above half the dynamic rating {which_of(speed, high)}: life is shorter "
         "than computed; lower the load"
     )
 
@@ -91,7 +91,7 @@ def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
     if not gone.any():
         return ""
     return (
-        f"films count as 0 {words_of_speeds(speed, gone)}, where the formula of inlet heating ends for "
+        f"films count as 0 {which_of(speed, gone)}, where the formula of inlet heating ends for "
         "an oil this thick; take a thinner or a warmer one"
     )
 
@@ -102,7 +102,7 @@ def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     if not hot.any():
         return ""
     return (
-        f"hotter than 150 °C {words_of_speeds(speed, hot)}: the dynamic rating is down to "
+        f"hotter than 150 °C {which_of(speed, hot)}: the dynamic rating is down to "
         f"{100.0 * np.nanmin(factor):.0f} % there; cool it"
     )
 
@@ -114,7 +114,7 @@ def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> 
         return ""
     names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
     race = names[str(races[slips.argmax()])]
-    return f"{what}: the balls slip on {race} {words_of_speeds(speed, slips)} (friction as given)"
+    return f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given)"
 
 
 def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
@@ -129,5 +129,5 @@ def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -
     return (
         f"{what}: its balls roll without gyroscopic slip only if friction is above "
         f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts "
-        f"{words_of_speeds(speed, much)}; raise its preload, or set friction to see it slip"
+        f"{which_of(speed, much)}; raise its preload, or set friction to see it slip"
     )

@@ -96,10 +96,10 @@ def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
     ]
 
 
-def words_of_speeds(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
+def which_of(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
     """At which of the speeds [rad/s] something ``holds`` (speeds, ...), at one of them at least.
 
-    >>> words_of_speeds(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
+    >>> which_of(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
     'at 955 rpm'
     """
     rows = np.flatnonzero(holds.reshape(len(speed), -1).any(axis=1))

@@ -24,7 +24,7 @@ from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.preload.unshortened import shortening_load
 from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
-from rotordyn.results.text import words_of_speeds
+from rotordyn.results.text import which_of
 from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
@@ -329,4 +329,4 @@ def _rows_when(speed: Array, rows: Indices) -> str:
     """At which of the speeds [rad/s] something holds; of the last one alone, at that."""
     if rows.size == 1:
         return f"at {speed[rows[0]] * RPM.factor:.0f} rpm"
-    return words_of_speeds(speed, np.isin(np.arange(len(speed)), rows))
+    return which_of(speed, np.isin(np.arange(len(speed)), rows))

@@ -20,7 +20,7 @@ from rotordyn.results.balls import (
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, each_speed
-from rotordyn.results.text import from_to, unbroken
+from rotordyn.results.text import from_to, unbroken, which_of
 
 Array = NDArray[np.float64]
 LONG = 1e6  # h, more than anybody waits for
@@ -192,7 +192,7 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         lost = percent(np.nanmax(result.lost_load[:, k]))
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° "
-            f"{words_of_speeds(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            f"{which_of(result.speed, passing)}, with {lost} of its load; lower the load or raise "
             "the shoulder"
         )
     turning = result.speed > 0.0
@@ -210,7 +210,7 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     if slips.any():
         yield (
             "the balls need more friction than that of the lubricant "
-            f"{words_of_speeds(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
+            f"{which_of(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
             "there; raise the preload"
         )
     life = result.spectrum_life[k]
