@@ -1030,8 +1030,6 @@ def spoken(**given):
         "measured": nothing,
         "cut_is_stable": np.zeros(0),
         "motor": "",
-        "workpiece_mode": np.zeros(0),
-        "workpiece_frequency": np.zeros(0),
     }
     lines = summary(SimpleNamespace(**usual | given))
     return {line.split()[0]: " ".join(line.split()) for line in lines}
