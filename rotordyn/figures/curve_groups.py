@@ -14,6 +14,7 @@ from rotordyn.results.kinds import Array
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+BEYOND = "beyond the axis"  # of triangles at its edge
 ALIKE = 1e-9  # of the largest value: no difference
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rotordyn.figures.curve_groups import limit_ordinate
+from rotordyn.figures.curve_groups import BEYOND, limit_ordinate
 from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened, top_legend
@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     GREY,
     RED,
     add_axes,
+    axis_start,
     grid_boxes,
     line_of,
     new_figure,
@@ -156,6 +157,8 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
         if np.isfinite(first.ceiling):  # the axis does not grow for what lies beyond
             axes.set_ylim(within)
         _finish(axes, first)
+        for key, curve in shown:
+            _beyond(axes, held, held.curve.index(key), curve)
         if named:
             name_ends(axes, _ends(held, shown, series), box[3])
     top_legend(figure, *figure.axes)
@@ -187,6 +190,19 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
             axes.fill_between(x, low, high, lw=0.0, **look)
 
 
+def _beyond(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
+    """Triangles at the edge where bars, or points of the case, lie beyond an axis that does not
+    grow for them."""
+    rows, top = held.rows_of(place), axes.get_ylim()[1]
+    if not curve.dotted or np.isinf(curve.ceiling):
+        return
+    values = [held.curve_nominal, *held.curve_hypotheses.T, *held.curve_tolerances.T]
+    off = (np.array(values)[:, rows] > top).any(axis=0)
+    if off.any():
+        look: dict[str, Any] = {"color": GREY, "ms": 4.0, "ls": "", "clip_on": False}
+        axes.plot(held.x[rows][off], np.full(off.sum(), top), "^", label=BEYOND, **look)
+
+
 def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[str]) -> list[End]:
     """Names of the nominal curves that reach the right edge."""
     last = [(c, held.curve_nominal[held.rows_of(held.curve.index(key))][-1]) for key, c in shown]
@@ -198,7 +214,7 @@ def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[s
 
 
 def _finish(axes: Axes, curve: Curve) -> None:
-    low, high = min(float(curve.x[0]), 0.0), max(float(curve.x[-1]), 1.0)
+    low, high = axis_start(float(curve.x[0]), float(curve.x[-1])), max(float(curve.x[-1]), 1.0)
     if curve.places:
         low, high = float(curve.x[0]), float(curve.x[-1])
     axes.set_xlim(low, high)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rotordyn.figures import stations
-from rotordyn.figures.curve_groups import Group, Layer, groups_of, limit_ordinate
+from rotordyn.figures.curve_groups import BEYOND, Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
 from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.legends import shortened, top_legend
@@ -48,7 +48,6 @@ STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
 NAMED_STRIP = 48.0  # the same where curves bear names at their ends
 BAR = 16.0  # room of a bar of colours [mm]
 MOST_STRIPS = 4
-BEYOND = "beyond the axis"
 
 Curves = Callable[[Shown], Iterable[Curve]]
 

@@ -13,6 +13,7 @@ from rotordyn.report.datasets import restored_as
 from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.display import number, rounded_up
+from rotordyn.results.headline import NONE as ABSENT
 from rotordyn.results.interval import NARROW, Interval
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import aligned, wrapped
@@ -22,6 +23,7 @@ MOST = 12  # numbers in the summary
 LONGEST, LONGEST_SOURCE = 44, 17  # of their names, and of those of sources
 FAR = 0.02  # of the range: tolerances act on one another, ranges may be off by more than 5 %
 NONE = "*"
+UNKNOWN = "a bearing unloaded, no critical speed up to the top speed"
 AT = re.compile(r"( at \d+) rpm$")
 HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
 
@@ -84,7 +86,8 @@ def _source(path: str) -> str:
 def interval_doubts(held: Interval) -> Iterator[str]:
     """What these ranges do not hold, a sentence each below a word."""
     lacking = np.flatnonzero(held.without + held.without_within)
-    unmet = "a stop not met, a bearing unloaded, no critical speed up to the top speed"
+    words = dict.fromkeys(held.absent[k] for k in lacking)
+    unmet = ", ".join(UNKNOWN if word == ABSENT else word for word in words)
     if np.isin(lacking, _shown(held)).any():
         yield (
             f"{NONE}          some of these machines have no such number: {unmet}; ranges over "

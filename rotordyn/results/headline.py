@@ -19,6 +19,7 @@ from rotordyn.results.text import outside
 
 LEAST_POINTS = 4  # for a line; fewer are marks
 FAR = 4.0  # times a ceiling: as far as a line is drawn beyond an axis
+NONE = "none"  # said of a number that there is not, where nothing else is known of it
 CHANGE = 6  # decimals of a change [%]: less is rounding
 Known = tuple[str, str]  # quantity and subject of a reference
 Place = tuple[float, str]
@@ -39,7 +40,7 @@ class Number(NamedTuple):
     part: str = ""
     speed: float | None = None
     digits: int = 1
-    absent: str = "none"
+    absent: str = NONE
     inner: bool = False
 
     @property

@@ -31,8 +31,8 @@ class Interval:
     stand one after the other (``point``).
 
     ``without``: how many combinations have no such number, a stop that is not met, a bearing that
-    is unloaded; ``without_within``: how many of the machines solved within tolerances, one more
-    where a load would vanish within the range.
+    is unloaded, of which ``absent`` is said; ``without_within``: how many of the machines solved
+    within tolerances, one more where a load would vanish within the range.
     """
 
     number: tuple[str, ...] = coordinate("number", unit="", label="number")
@@ -42,6 +42,7 @@ class Interval:
     path: tuple[str, ...] = coordinate("path", unit="", label="number of the case")
     curve: tuple[str, ...] = coordinate("curve", unit="", label="curve")
     unit: tuple[str, ...] = quantity("number", unit="", label="unit")
+    absent: tuple[str, ...] = quantity("number", unit="", label="said where there is none")
     nominal: Array = quantity("number", unit="", label="nominal")
     by_combination: Array = quantity("number", "combination", unit="", label="value")
     hypotheses: Array = quantity("number", "end", unit="", label="over hypotheses")

@@ -247,6 +247,7 @@ def _joined(
         path=asked.paths,
         curve=tuple(curves),
         unit=tuple(each.unit for each in numbers.values()),
+        absent=tuple(machines.absent(key) for key in numbers),
         nominal=value,
         by_combination=by_combination,
         hypotheses=_limits(np.column_stack([value, by_combination])),

@@ -21,6 +21,7 @@ from rotordyn.case.varied import found_at
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.values import Values, values_of
+from rotordyn.results.headline import NONE
 from rotordyn.study.neighbours import Neighbours
 
 EVENLY = 9  # speeds, beside those that an analysis needs
@@ -77,6 +78,12 @@ class Machines:
         except (InvalidInput, BearingError, NoSolution) as error:
             self.lost.append(str(error))
             return Values(sentence=str(error))
+
+    def absent(self, number: str) -> str:
+        """What is said of a headline number that some of the machines solved lack, such as `not
+        stable`."""
+        held = (each.numbers[number] for each in self._known.values() if number in each.numbers)
+        return next((each.absent for each in held if np.isnan(each.value)), NONE)
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
         """The same of many; preload states of those that come next are solved together."""

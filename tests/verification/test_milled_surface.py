@@ -396,6 +396,30 @@ def test_slow_milling_leaves_what_the_force_bends():
     assert curved.most[0] == pytest.approx(error.max(), abs=1e-3 * abs(error.min()))
 
 
+def test_process_damping_rubs_by_the_cutting_speed():
+    cut = Cut(2, KT, KR, 2.0, math.pi)
+    given = DEPTH, FEED, 2, KT, KR, 2.0, math.pi, SPEED, DIAMETER
+    found = milled(tip, *given, highest=3000.0, process_damping=3e4)
+    rubbing, top = 3e4 / (0.5 * DIAMETER * SPEED), 2.0 * math.pi * 3000.0
+    known = Forced(Forces(cut, DEPTH, FEED), DIAMETER, SPEED, top, rubbing).solve(tip, ["down"])
+    assert found.swing == pytest.approx(known.swing)
+    assert found.most == pytest.approx(known.most)
+    without = milled(tip, *given, highest=3000.0)
+    assert np.abs(found.swing / without.swing - 1.0).max() > 1e-3
+    with pytest.raises(InvalidInput, match="process_damping: given -1 N/m; allowed: from 0"):
+        milled(tip, *given, process_damping=-1.0)
+
+
+def test_walls_are_left_where_a_cut_ends_nearly_at_them():
+    """π as it is written by hand."""
+    known = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, math.pi, SPEED, DIAMETER)
+    for exit in (3.14159, 3.1416):
+        found = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, exit, SPEED, DIAMETER)
+        assert found.most == pytest.approx(known.most)
+    inside = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, 3.13, SPEED, DIAMETER)
+    assert inside.most.size == 0
+
+
 def test_largest_force_is_that_of_a_straight_edge_at_its_end():
     """Down-milling: the chip is thickest where the tooth enters."""
     found = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, math.pi, SPEED, DIAMETER)

@@ -121,6 +121,9 @@ def test_process_damping(speed, lag):
     tip = as_modes(MACHINE.receptance, omega)
     found, without = (modal_limit(tip, top, p) for p in (process, process._replace(ploughing=None)))
     assert abs(found.depth / without.depth - 1.0) > 0.01
+    given = {"helix": math.atan(0.008 * lag), "diameter": 0.016, "process_damping": 2e5}
+    public = limit_depth(MACHINE.receptance, *CUT, speed, **given)
+    assert public.depth == pytest.approx(found.depth, rel=1e-9)
 
     def radius(share):
         depth = share * found.depth
@@ -192,6 +195,11 @@ def test_process_damping_at_zero_order():
         period,
         along(omega, top, process.period)[None],
     )
+    slot = {"teeth": 4, "tangential": 9e8, "radial": 3e8, "speed": speed, "diameter": 0.01}
+    quick = limit_depth(
+        MACHINE.receptance, **slot, method="zero-order", process_damping=rate * 0.005 * speed
+    )
+    assert quick.depth == pytest.approx(depth[0], rel=1e-9)
     assert depth[0] == pytest.approx(many.depth, rel=1e-6)
     assert at[0] / 2.0 / math.pi == pytest.approx(many.frequency, rel=1e-5)
 
@@ -391,7 +399,10 @@ def test_receptances_that_end_before_the_chatter_band():
         ({"tangential": -1.0}, "cutting coefficients"),
         ({"teeth": 0}, "teeth"),
         ({"helix": math.pi / 2.0, "diameter": 0.01}, "90°"),
-        ({"helix": 0.5}, "diameter"),
+        ({"helix": 0.5}, "helix: it needs the diameter"),
+        ({"process_damping": 1e4}, "process_damping: it needs the diameter"),
+        ({"process_damping": -1.0}, "process_damping: given -1 N/m; allowed: from 0"),
+        ({"exit": 3.144}, "entry before exit"),
         ({"method": "first"}, "allowed: multi-frequency, zero-order"),
         ({"speed": 0.0}, "speed"),
     ],
@@ -399,6 +410,25 @@ def test_receptances_that_end_before_the_chatter_band():
 def test_refusals(given, sentence):
     with pytest.raises(InvalidInput, match=sentence):
         limit_depth(MACHINE.receptance, **given)
+
+
+def test_process_damping_is_not_known_of_a_loss_factor():
+    """Nor left out: only zero order takes it."""
+
+    def hysteretic(omega):
+        one = 1e-7 / (1.0 - (omega / 4000.0) ** 2 + 0.05j)
+        return one[:, None, None] * np.eye(2)
+
+    given = {"speed": 900.0, "diameter": 0.02, "process_damping": 1e5}
+    with pytest.raises(InvalidInput, match="no sum of modes"):
+        limit_depth(hysteretic, **given)
+    assert math.isfinite(limit_depth(hysteretic, **given, method="zero-order").depth)
+
+
+@pytest.mark.parametrize("exit", [3.1416, 3.1415, 3.141])
+def test_ends_of_a_cut_may_be_rounded(exit):
+    known = limit_depth(MACHINE.receptance, 2, 9e8, 3e8, 2.0, math.pi, 900.0)
+    assert limit_depth(MACHINE.receptance, 2, 9e8, 3e8, 2.0, exit, 900.0) == known
 
 
 def undamped(omega):

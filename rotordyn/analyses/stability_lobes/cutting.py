@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
+ROUNDED = 1e-3  # rad: so near to 0 or π a cut ends there, as where π is given as 3.1416
 LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and exit are rounding
 LEAST = math.radians(0.999)  # of a pitch
 FULL = 1e-6  # rad, by which all pitches may miss a full turn
@@ -205,7 +206,7 @@ def _pattern(*values: tuple[float, ...]) -> int:
 
 
 def checked(cut: Cut) -> Cut:
-    """The cut unchanged, if it is one that can be solved.
+    """The cut, if it is one that can be solved, with ends that are 0 and π as rounded exactly so.
 
     Raises
     ------
@@ -222,7 +223,11 @@ def checked(cut: Cut) -> Cut:
                 f"{math.degrees(whole):.6g}° together; allowed: one to each of {cut.teeth} teeth, "
                 f"from {math.degrees(LEAST):g}°, 360° together"
             )
-    if not 0.0 <= cut.entry < cut.exit <= math.pi + 1e-12:
+    if abs(cut.entry) < ROUNDED:
+        cut = replace(cut, entry=0.0)
+    if abs(cut.exit - math.pi) < ROUNDED:
+        cut = replace(cut, exit=math.pi)
+    if not 0.0 <= cut.entry < cut.exit <= math.pi:
         raise InvalidInput(
             f"entry and exit: given {cut.entry:.6g} and {cut.exit:.6g} rad; allowed: entry before "
             "exit, both from 0 to π, from the normal towards the feed"

@@ -286,6 +286,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
     radial_edge: float = 0.0,
     highest: float = 10_000.0,
     runout: Sequence[float] = (),
+    process_damping: float = 0.0,
 ) -> Milled:
     """Forced vibration, surface and forces of a stable cut.
 
@@ -298,6 +299,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
     pitch : angles from each tooth to the one that cut before it [rad], as of ``limit_depth``
     highest : frequency up to which the receptance is taken [Hz]
     runout : how far each tooth stands out [m], in the order in which they cut
+    process_damping : as of ``limit_depth`` [N/m]
 
     Walls are those that the cut leaves: "up" where entry is 0, "down" where exit is π. Whether the
     cut is stable is not asked: ``limit_depth`` says so.
@@ -318,11 +320,15 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
             raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
     if not 0.0 <= helix < 0.5 * math.pi * (1.0 - 1e-9):
         raise InvalidInput(f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°")
+    if not process_damping >= 0.0:
+        raise InvalidInput(f"process_damping: given {process_damping:.6g} N/m; allowed: from 0")
     if len(runout) not in (0, teeth):
         raise InvalidInput(f"runout: given {runout}; allowed: one to each of {teeth} teeth [m]")
     lag = 2.0 * depth * math.tan(helix) / diameter
     cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch), tuple(runout)))
     forces = Forces(cut, depth, feed_per_tooth, tangential_edge, radial_edge)
-    ends = {"up": entry < 1e-9, "down": exit > math.pi - 1e-9}
+    ends = {"up": cut.entry == 0.0, "down": cut.exit == math.pi}
     walls = [wall for wall, left in ends.items() if left]
-    return Forced(forces, diameter, speed, 2.0 * math.pi * highest).solve(receptance, walls)
+    rubbing = process_damping / (0.5 * diameter * speed)
+    forced = Forced(forces, diameter, speed, 2.0 * math.pi * highest, rubbing)
+    return forced.solve(receptance, walls)

@@ -55,6 +55,7 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     helix: float = 0.0,
     diameter: float = 0.0,
     pitch: Sequence[float] = (),
+    process_damping: float = 0.0,
 ) -> Limit:
     """Depth of cut up to which milling is stable.
 
@@ -67,27 +68,39 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     helix : angle of the edges [rad], which needs the ``diameter`` [m]
     pitch : angles from each tooth to the one that cut before it [rad], in the order in which they
         cut, 2π together
+    process_damping : force normal to the cut surface by velocity there, times cutting speed, per
+        depth [N/m], which needs the ``diameter``
 
     Raises
     ------
-    InvalidInput : a cut that there is not, an unknown method, a helix of 90° or without diameter;
+    InvalidInput : a cut that there is not, an unknown method, a helix of 90°; a helix or process
+        damping without diameter, or process damping with a receptance that is no sum of modes;
         a receptance of another shape or size, without damping, that does not reach over the band;
         so slow a cut that a tooth sees more waves than can be resolved
 
     Sources: Altintas and Budak (1995), Budak and Altintas (1998), Merdol and Altintas (2004).
     """
     cut = checked(Cut(teeth, tangential, radial, entry, exit, pitches=tuple(pitch)))
-    _refuse(speed, method, helix, diameter)
+    _refuse(speed, method, helix, diameter, process_damping)
     receptance = shaped(receptance, (2, 2))
     omega, top = resolving(receptance)
     period = cut.turn / speed
     lag = 2.0 * math.tan(helix) / diameter if helix > 0.0 else 0.0
-    process = Process(cut, period, lag)
+    ploughing = None
+    if process_damping > 0.0:
+        rate = process_damping / (0.5 * diameter * speed)
+        ploughing = replace(cut, tangential=0.0, radial=rate)
+    process = Process(cut, period, lag, ploughing)
     if method == METHODS[1]:
         return _by_mean(receptance, process, omega, top)
     tip = as_modes(receptance, omega)
     if tip is not None:
         return modal_limit(tip, top, process)
+    if ploughing is not None:
+        raise InvalidInput(
+            "process_damping: the receptance is no sum of modes, of which alone it is known: leave "
+            "process_damping out, take method zero-order, or give a modal fit"
+        )
     return sampled_limit(receptance, peaks(omega, top), top, process)
 
 
@@ -95,7 +108,8 @@ def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float)
     gaps = np.array(process.cut.gaps)
     delays = process.period * gaps / process.cut.turn
     samples = along(omega, top, float(delays.max()))[None]
-    mean = Mean(process.cut.mean()[None], np.zeros((1, 2, 2)))
+    rubbing = process.ploughing.mean() if process.ploughing else np.zeros((2, 2))
+    mean = Mean(process.cut.mean()[None], rubbing[None])
     depth, at = zero_order(lambda rows: receptance(rows[0])[None], mean, delays[None], samples)
     kind = HOPF if math.isfinite(depth[0]) else NONE
     return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)
@@ -175,7 +189,9 @@ def with_helix(process: Process, top: float, receptance: Receptance, angle: Arra
     return limit._replace(depth=0.5 * (low + high))
 
 
-def _refuse(speed: float, method: str, helix: float, diameter: float) -> None:
+def _refuse(
+    speed: float, method: str, helix: float, diameter: float, process_damping: float
+) -> None:
     if method not in METHODS:
         raise InvalidInput(f"method: given '{method}'; allowed: {', '.join(METHODS)}")
     if not speed > 0.0:
@@ -185,5 +201,8 @@ def _refuse(speed: float, method: str, helix: float, diameter: float) -> None:
             f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°, at which an "
             "edge does not cut"
         )
-    if helix > 0.0 and not diameter > 0.0:
-        raise InvalidInput("helix: it needs the diameter of the cutter, which is not given")
+    if not process_damping >= 0.0:
+        raise InvalidInput(f"process_damping: given {process_damping:.6g} N/m; allowed: from 0")
+    for name, value in (("helix", helix), ("process_damping", process_damping)):
+        if value > 0.0 and not diameter > 0.0:
+            raise InvalidInput(f"{name}: it needs the diameter of the cutter, which is not given")

@@ -18,7 +18,7 @@ STABLE = Absence("where no depth is unstable", beside="loss")
 CUT = Absence("where the cut is not stable or not solved", beside="cut_is_stable")
 NO_MOTOR = Absence("where no motor is given")
 NO_TORQUE = Absence("where the force does not brake the spindle")
-NO_FLIP = Absence("where none is found between two speeds")
+NO_FLIP = Absence("where none is found before the next speed", by=("cutting_speed",))
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 

@@ -65,12 +65,14 @@ def _over_choices(found: Optimum) -> Figure:
         else:
             _points(axes, found, number, np.array(cost), good)
             axes.set_xlabel("trial", fontsize=FONT_SIZE - 1.0)
+            if none := int((~np.isfinite(cost)).sum()):
+                axes.plot([], [], " ", label=f"without a goal: {none} of {len(cost)}")
             handles, words = axes.get_legend_handles_labels()
             figure.legend(
                 handles,
                 words,
                 loc="lower center",
-                ncols=3,
+                ncols=4,
                 frameon=False,
                 fontsize=FONT_SIZE - 1.0,
             )

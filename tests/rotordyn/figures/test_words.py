@@ -88,7 +88,7 @@ def test_modes_in_their_bands_bear_their_names():
 
 @pytest.mark.parametrize("least", [3, 8])
 def test_a_band_leaves_the_frame_where_depths_do(least):
-    rpm, depth = np.linspace(1000.0, 5000.0, 5), np.array([2.0, 3.0, math.inf, 3.0, 50.0])
+    rpm, depth = np.linspace(4000.0, 9000.0, 5), np.array([1.5, 3.0, math.inf, 3.0, 50.0])
     look = {"limits": (0.0, None), "ceiling": 10.0, "least": least}
     curve = Curve("stability_lobes", "depth of cut", "mm", rpm, depth, **look)
     held = SimpleNamespace(
@@ -98,8 +98,11 @@ def test_a_band_leaves_the_frame_where_depths_do(least):
     )  # fmt: skip
     (axes,) = bands_figure(held, {"depth": curve}).axes
     assert 3.0 < axes.get_ylim()[1] < 4.0
-    (line,) = axes.lines
-    assert line.get_ydata() == pytest.approx([2.0, 3.0, 40.0, 3.0, 40.0])
+    assert axes.get_xlim() == (4000.0, 9000.0)
+    line, *off = axes.lines
+    assert line.get_ydata() == pytest.approx([1.5, 3.0, 40.0, 3.0, 40.0])
+    beyond = [(each.get_label(), each.get_marker(), each.get_xdata().tolist()) for each in off]
+    assert beyond == [("beyond the axis", "^", rpm[1:].tolist())] * (least > 5)
     assert (line.get_linestyle() == "None") == (least > 5)
     for band in axes.collections:
         assert band.get_datalim(axes.transData).y1 == pytest.approx(40.0)

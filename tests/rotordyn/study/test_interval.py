@@ -167,11 +167,26 @@ def test_what_some_machines_lack_is_told_where_it_stands() -> None:
     last = next(line for line in interval_lines(held) if line.startswith("…"))
     assert last.endswith("more numbers: interval.csv")
     few = [k for k in range(count) if k in varying[:1] or k == hidden]
-    named = {"number": tuple(held.number[k] for k in few), "unit": tuple(held.unit[k] for k in few)}
+    texts = ("number", "unit", "absent")
+    named = {name: tuple(getattr(held, name)[k] for k in few) for name in texts}
     arrays = ("nominal", "hypotheses", "tolerances", "effect", "without", "without_within")
     arrays += ("numerical_error", "interaction")
     two = replace(held, **named, **{name: getattr(held, name)[few] for name in arrays})
     assert "… and 1 more number: interval.csv" in interval_lines(two)
+
+
+def test_why_some_machines_lack_a_number_is_what_is_said_of_it() -> None:
+    """Of a stop that some do not meet, and of a bearing of which nothing is said."""
+    case = _case(
+        ("preload",), (0.0, 24000.0), tolerances={"spindle.sleeves.front.stop_travel": "± 90 %"}
+    )
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    stop = [name for name, word in zip(held.number, held.absent, strict=True) if word == "not met"]
+    assert "preload: stop front" in stop
+    told = " ".join(interval_doubts(held))
+    assert "no such number: not met; ranges" in told
+    unknown = replace(held, absent=("none",) * len(held.number))
+    assert "no such number: a bearing unloaded" in " ".join(interval_doubts(unknown))
 
 
 def test_numbers_without_a_limit_are_lacking_in_no_machine(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum import criterion, search, trials
 from rotordyn.study.optimum.criterion import Criterion, Reading, _alike, _places, amount
 from rotordyn.study.optimum.deliver import _write_best
+from rotordyn.study.optimum.figures import figures
 from rotordyn.study.optimum.problem import Problem, Trial, as_it_stands
 from rotordyn.study.optimum.solve import UNSETTLED, Optimum, problem_of
 from rotordyn.study.optimum.summary import summary
@@ -634,6 +635,16 @@ def test_trials_without_solution_are_counted_with_their_reasons(case: Case) -> N
     trials = (Trial((), (1.0,), units=("N",)), *[Trial((), sentence="no state")] * 2)
     found = Optimum(problem, trials[0], trials, trials[0])
     assert "not solved (2 trials): no state" in summary(found)
+
+
+@pytest.mark.parametrize("lost", [0, 2])
+def test_the_figure_of_the_trials_says_how_many_have_no_goal(case: Case, lost: int) -> None:
+    problem = Problem(case, (), (Goal(lowest="preload: sum"),))
+    none = (Trial((), (math.nan,), units=("N",)), Trial((), sentence="no state"))
+    found = (Trial((), (1.0,), units=("N",)), *none[:lost])
+    ((_, draw),) = figures(Optimum(problem, found[0], found, found[0]))
+    words = [each.get_text() for each in draw().legends[0].get_texts()]
+    assert words[3:] == ["without a goal: 2 of 3"] * (lost > 0)
 
 
 def test_a_goal_that_no_trial_has_is_said(case: Case) -> None:
