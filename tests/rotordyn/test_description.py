@@ -239,6 +239,9 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"ControlSpec: max_load: not above min_load, 10 N: given 10 N": lambda: ControlSpec(10.0),
     "ControlSpec: min_load: force out of range": lambda: ControlSpec(10.0, 1e-9),
     r"ControlSpec: radial: number out of range: given -0.1": lambda: ControlSpec(20.0, radial=-0.1),
+    r"Conditions: loads\.cut\.name: name given twice: 'cut'": lambda: Conditions(
+        loads=(PointLoad("tip", "cut", Fy=1.0), PointLoad("tip", "cut", Fy=2.0))
+    ),
     r"loads\.2: not in ascending order: given 1 N after 2 N": lambda: BearingMapSpec((2.0, 1.0)),
     r"Case c: speeds\.1: speed out of range: given -1 rad/s": lambda: case(speeds=(-1.0,)),
     r"Case c: speeds\.2: not in ascending order: given 0 rad/s after 5 rad/s": lambda: case(
