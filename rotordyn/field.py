@@ -233,6 +233,7 @@ def _mapping(key: Check, entry: Check) -> Check:
 def _number(value: Any) -> float:
     if type(value) is float and value == value:
         return value
+    value = _alone(value)
     if isinstance(value, bool) or not isinstance(value, Real):
         raise Refused(_kind_wanted(value, "a number in SI units"))
     if value != value:
@@ -241,6 +242,11 @@ def _number(value: Any) -> float:
         return float(value)
     except OverflowError:
         raise Refused(f"too large: given {shown(value)}; allowed: up to 1e308") from None
+
+
+def _alone(value: Any) -> Any:
+    """The one value of an array without axes, of numpy or xarray."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
 def _finite(value: Any) -> float:
@@ -253,6 +259,7 @@ def _finite(value: Any) -> float:
 def _whole(value: Any) -> int:
     if type(value) is int:
         return value
+    value = _alone(value)
     if isinstance(value, bool) or not isinstance(value, Integral):
         raise Refused(_kind_wanted(value, "a whole number"))
     return int(value)
