@@ -230,7 +230,7 @@ def pattern(kind: str) -> str:
 def _spellings(unit: str) -> str:
     if unit in _WHOLE:
         whole = "|".join(_WHOLE).replace("/", r"\s*/\s*")
-        return whole.replace("^-1", _power("-1"))
+        return whole.replace("^-1", r"(?:\^-1|⁻¹)")
     if unit.startswith("1/"):  # one minute would be a speed
         return rf"1\s*/\s*{unit[2:]}|{unit[2:]}{_power('-1')}"
     spellings = []
