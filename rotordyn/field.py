@@ -18,6 +18,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from bearings import errors
 from rotordyn.errors import InvalidInput
+from rotordyn.frozen import FrozenMapping
 from rotordyn.measures import meaning_of, measured_fields
 from rotordyn.quantity import Choice, Key, Quantity, Words
 
@@ -222,10 +223,10 @@ def _item(check: Check, value: object, place: str) -> Any:
 
 
 def _mapping(key: Check, entry: Check) -> Check:
-    def mapping(value: Any) -> dict[Any, Any]:
+    def mapping(value: Any) -> FrozenMapping:
         if not isinstance(value, Mapping):
             raise Refused(_kind_wanted(value, "a mapping"))
-        return {key(k): _item(entry, v, f"[{k}]") for k, v in value.items()}
+        return FrozenMapping((key(k), _item(entry, v, f"[{k}]")) for k, v in value.items())
 
     return mapping
 
