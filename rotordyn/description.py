@@ -19,7 +19,8 @@ from itertools import pairwise
 from typing import Any, get_args
 
 from rotordyn.errors import InvalidInput, printable
-from rotordyn.field import Check, Refused, bare, check_of, declared, found_in, shown
+from rotordyn.field import Check, Refused, bare, check_of, declared, found_in, parts_of, shown
+from rotordyn.frozen import frozen
 from rotordyn.quantity import Quantity
 
 Path = tuple[str | int, ...]
@@ -54,9 +55,11 @@ class Description:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        if not _checked.get():
-            return
         kind: Any = type(self)
+        if not _checked.get():
+            for name in _mappings(kind):
+                object.__setattr__(self, name, frozen(getattr(self, name)))
+            return
         for name, check in _checks(kind):
             given = getattr(self, name)
             try:
@@ -93,6 +96,11 @@ def require(description: Description, faults: Faults) -> None:
 @cache
 def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
     return tuple((field.name, check_of(field.annotation)) for field in declared(kind))
+
+
+@cache
+def _mappings(kind: Any) -> tuple[str, ...]:
+    return tuple(f.name for f in declared(kind) if parts_of(f.annotation, Mapping))
 
 
 def filled(sentence: str, path: Path, written: Callable[[Path], str]) -> str:

@@ -18,6 +18,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from bearings import errors
 from rotordyn.errors import InvalidInput
+from rotordyn.frozen import FrozenMapping
 from rotordyn.measures import meaning_of, measured_fields
 from rotordyn.quantity import Choice, Key, Quantity, Words
 
@@ -222,10 +223,10 @@ def _item(check: Check, value: object, place: str) -> Any:
 
 
 def _mapping(key: Check, entry: Check) -> Check:
-    def mapping(value: Any) -> dict[Any, Any]:
+    def mapping(value: Any) -> FrozenMapping:
         if not isinstance(value, Mapping):
             raise Refused(_kind_wanted(value, "a mapping"))
-        return {key(k): _item(entry, v, f"[{k}]") for k, v in value.items()}
+        return FrozenMapping((key(k), _item(entry, v, f"[{k}]")) for k, v in value.items())
 
     return mapping
 
@@ -233,6 +234,7 @@ def _mapping(key: Check, entry: Check) -> Check:
 def _number(value: Any) -> float:
     if type(value) is float and value == value:
         return value
+    value = _alone(value)
     if isinstance(value, bool) or not isinstance(value, Real):
         raise Refused(_kind_wanted(value, "a number in SI units"))
     if value != value:
@@ -241,6 +243,11 @@ def _number(value: Any) -> float:
         return float(value)
     except OverflowError:
         raise Refused(f"too large: given {shown(value)}; allowed: up to 1e308") from None
+
+
+def _alone(value: Any) -> Any:
+    """The one value of an array without axes, of numpy or xarray."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
 def _finite(value: Any) -> float:
@@ -253,6 +260,7 @@ def _finite(value: Any) -> float:
 def _whole(value: Any) -> int:
     if type(value) is int:
         return value
+    value = _alone(value)
     if isinstance(value, bool) or not isinstance(value, Integral):
         raise Refused(_kind_wanted(value, "a whole number"))
     return int(value)

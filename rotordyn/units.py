@@ -106,14 +106,20 @@ KINDS: dict[str, tuple[str, ...]] = {
     "tilt damping": ("N m s/rad",),
 }
 
-_ALSO = {"pressure": ("N/m^2",), "kinematic viscosity": ("cSt",)}  # spelt so as well
+_ALSO = {  # spelt so as well
+    "pressure": ("N/m^2",),
+    "kinematic viscosity": ("cSt",),
+    "speed": ("rad s^-1",),
+}
 DIFFERENCE = {"temperature": "temperature difference"}  # kinds whose differences are of another
 _ZERO_IN_FAHRENHEIT = {"temperature": 32.0, "temperature difference": 0.0}
 _MEANT = {"C": ("degC", "K"), "c": ("degC", "K"), "Celsius": ("degC", "K")}
 
 _NUMBER = re.compile(
-    r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S
+    r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eExX_'’])\s*(.*)", re.S
 )
+_MARKED = re.compile(r"\s*[+-]?\d+[,_'’]\d")
+_DASHED = re.compile(r"\s*([‐-―−])\s*[\d.]")
 _GROUPED = re.compile(r"(\s*[+-]?\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)")
 _FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z]+|%)(?:(?:\^|\*\*)([+-]?\d{1,2}))?")
 
@@ -130,13 +136,23 @@ def parse(given: object, kind: str) -> float:
         raise InvalidInput(f"expected {kind}: given {shown(given)}; {_allowed(kind)}")
     match = _NUMBER.fullmatch(_ungrouped(written(given)))
     if match is None:
-        raise InvalidInput(f"not a finite number: given {shown(given)}; {_allowed(kind)}")
+        why = f"not a finite number{_not_plain(written(given))}"
+        raise InvalidInput(f"{why}: given {shown(given)}; {_allowed(kind)}")
     mantissa, exponent, text = match.groups()
     unit = _unit_for(kind, text.strip(), given)
     value = float(f"{mantissa}e{int(exponent or 0) + unit.exponent}") * unit.factor
     if not math.isfinite(value):
         raise InvalidInput(f"too large a number: given {shown(given)}")
     return value
+
+
+def _not_plain(text: str) -> str:
+    """What keeps a number from being read, where it is one on paper."""
+    if dashed := _DASHED.match(text):
+        return f" (write the minus as '-', which '{dashed[1]}' is not, U+{ord(dashed[1]):04X})"
+    if _MARKED.match(text):
+        return " (write a decimal point, and spaces or nothing between groups of three digits)"
+    return ""
 
 
 def unit_of(given: object) -> str:
@@ -213,15 +229,20 @@ def pattern(kind: str) -> str:
 
 def _spellings(unit: str) -> str:
     if unit in _WHOLE:
-        return "|".join(whole.replace("^", r"\^").replace("/", r"\s*/\s*") for whole in _WHOLE)
+        whole = "|".join(_WHOLE).replace("/", r"\s*/\s*")
+        return whole.replace("^-1", r"(?:\^-1|⁻¹)")
     if unit.startswith("1/"):  # one minute would be a speed
-        return r"1\s*/\s*" + re.escape(unit[2:])
+        return rf"1\s*/\s*{unit[2:]}|{unit[2:]}{_power('-1')}"
     spellings = []
     for position, (join, name, power) in enumerate(_FACTOR.findall(unit)):
         between = r"\s*/\s*" if join == "/" else r"(?:\s*[*·⋅×]\s*|\s+)"
-        powers = f"(?:(?:\\^|\\*\\*){power}|{'²' if power == '2' else '³'})" if power else ""
-        spellings.append((between if position else "") + _alike(name) + powers)
+        spellings.append((between if position else "") + _alike(name) + _power(power))
     return "".join(spellings)
+
+
+def _power(power: str) -> str:
+    raised = power.translate({plain: sign for sign, plain in _POWERS.items()})
+    return rf"(?:(?:\^|\*\*){power}|{raised})" if power else ""
 
 
 def _alike(name: str) -> str:
@@ -229,7 +250,8 @@ def _alike(name: str) -> str:
     dimension = _named(name, name).dimension
     stems = [stem for stem, unit in _NAMED.items() if unit.dimension == dimension]
     words = [f"[GMkcmuµμn]?{stem}" if stem in _PREFIXED else stem for stem in stems]
-    return f"(?:{'|'.join([*words, *(['°'] if 'deg' in stems else [])])})"
+    signs = [stem.replace("deg", "°") for stem in stems if stem.startswith("deg")]
+    return f"(?:{'|'.join(words + signs)})"
 
 
 def in_unit(value: float, unit: str) -> float:

@@ -35,7 +35,8 @@ class Case(Description):
 
     Exactly one of ``spindle`` and ``bearing`` is given. Nothing that ``analyses`` does not name is
     computed. ``files``: every file read; ``digest``: their hash, with the changes that ``vary``
-    made to them; ``sources``: of each that says so, its title and where its values come from.
+    made to them; ``sources``: of each that says so, its title and where its values come from: cases
+    that differ in these alone are equal.
     ``variants``: other cases with the same speeds and analyses, by name; where there
     are any, they are answered side by side, and the case itself is not. ``tool``: what of
     ``spindle`` is the tool in its nose.
@@ -67,8 +68,8 @@ class Case(Description):
         "what is not known for certain, of which `--interval` gives the range of every result; "
         "or `as usual` ([how](howto/intervals.md))",
     ] = None
-    files: Annotated[tuple[Path, ...], HIDDEN] = ()
-    digest: Annotated[str, HIDDEN] = ""
+    files: Annotated[tuple[Path, ...], HIDDEN] = field(default=(), compare=False)
+    digest: Annotated[str, HIDDEN] = field(default="", compare=False)
     sources: Annotated[Mapping[str, tuple[str, ...]], HIDDEN] = field(
         default_factory=dict, repr=False, compare=False
     )

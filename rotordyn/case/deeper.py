@@ -12,6 +12,7 @@ from rotordyn.field import kinds_of
 def deeper(kind: Any, name: str) -> str:
     """Where a key that ``kind`` lacks stands one level down; empty where it does not.
 
+    >>> from rotordyn.machine import BearingSeat
     >>> deeper(BearingSeat, "contact_angle")
     'model.contact_angle'
     """
@@ -26,6 +27,7 @@ def deeper(kind: Any, name: str) -> str:
 def leads(kind: Any, way: tuple[str, ...]) -> bool:
     """Whether mappings in one another lead along these keys of ``kind`` to a field or a group.
 
+    >>> from rotordyn.machine import Spindle
     >>> leads(Spindle, ("damping", "rotor")), leads(Spindle, ("damping", "roter"))
     (True, False)
     """

@@ -7,6 +7,7 @@ and anything that is not text are faults.
 
 from __future__ import annotations
 
+import codecs
 import difflib
 import os
 import re
@@ -25,6 +26,7 @@ from rotordyn.errors import Fault
 T = TypeVar("T")
 MAX_BYTES = 4_000_000
 MAX_DEPTH = 40
+MERGE = "<<"
 MAX_VALUES = 100_000
 _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
@@ -117,6 +119,8 @@ def _neighbour(path: Path) -> str:
 
 
 def _text(raw: bytes) -> str:
+    if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        raise _Refused("is text in UTF-16: save it as UTF-8")
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -213,7 +217,9 @@ class _Composer:
             key = self._key(event, depth)
             child = self._node(next(self.events), depth + 1)
             child.key = _position(event)
-            if key in entries:
+            if key == MERGE:
+                self._fault(f"merge keys ({MERGE}) are not read: write the keys themselves", event)
+            elif key in entries:
                 self.duplicates.append((node, key, event))
             else:
                 entries[key] = child

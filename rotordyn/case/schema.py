@@ -260,7 +260,8 @@ def _single(annotation: Any) -> Shape:
 def quantity(limits: Quantity) -> Shape:
     """Text with a unit; a plain number where the kind has none; or the word for infinite.
 
-    The range is in the description; of the text only the sign can be checked.
+    The range is in the description; of the text only the sign, and that it is not zero, can be
+    checked.
     """
     forms = [_text(limits)]
     if "" in units.KINDS[limits.kind]:
@@ -275,7 +276,8 @@ def quantity(limits: Quantity) -> Shape:
 
 def _text(limits: Quantity) -> Shape:
     sign = r"\+?" if limits.low >= 0.0 else "[+-]?"
-    grouped = "[0-9]{1,3}([ \u00a0\u2009\u202f][0-9]{3})+"
+    sign = rf"(?=[+0-9.]*[1-9]){sign}" if limits.low == 0.0 and limits.above else sign
+    grouped = "[0-9]{1,3}([ \u00a0\u2009\u202f][0-9]{3})+(?![0-9])"
     number = rf"{sign}(({grouped}|[0-9]+)\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{{1,4}})?"
     return {
         "type": "string",

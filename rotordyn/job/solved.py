@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from bearings.arguments import typed
 from bearings.errors import shown
 from rotordyn.allowance import Stop
 from rotordyn.analyses.solving import Answers, Progress
@@ -136,6 +137,7 @@ class SolvedResults(Results):
         """Why speeds have no solution."""
         return self.solution.sentences(lambda answers: unsolved(answers.results))
 
+    @typed(InvalidInput, besides=["formats"])
     def save(
         self,
         folder: str | Path,

@@ -51,7 +51,7 @@ class StoredResults(Results):
             for name in ("results.nc", "summary.txt", CASE):
                 if not (folder / name).is_file():
                     raise FileNotFoundError(f"no file {name}")
-            self._datasets = read_results(folder / "results.nc")
+            self._datasets = read_results(self._folder / "results.nc")
             self._summary = (folder / "summary.txt").read_text(encoding="utf-8").rstrip("\n")
             self._case_text = (folder / CASE).read_text(encoding="utf-8")
         except (OSError, ValueError) as error:
@@ -106,6 +106,7 @@ class StoredResults(Results):
     def unsolved(self) -> tuple[str, ...]:
         return tuple(self._record["unsolved"])
 
+    @typed(InvalidInput)
     def save(self, folder: str | Path) -> Path:
         """Copy the folder, whole or not at all; see ``Results.save``.
 

@@ -28,7 +28,7 @@ def above_zero(x: Array, y: Array) -> Array:
     """First and last (r, 2) x of the ranges in which y(x) is above zero, up to the last finite
     sample beside others.
 
-    >>> above_zero(np.arange(5.0), np.array([-1.0, 1.0, 3.0, 5.0, np.nan])).tolist()
+    >>> above_zero(np.arange(5.0), np.array([-1.0, 1.0, 3.0, 5.0, np.nan])).round(9).tolist()
     [[0.5, 3.0]]
     """
     ends = []

@@ -152,10 +152,17 @@ def _held_by(target: Path) -> str:
 
 
 def record_in(folder: Path) -> dict[str, Any] | None:
-    """The record of a run in ``folder``; None where there is none."""
+    """The record of a run in ``folder``; None where there is none.
+
+    Raises
+    ------
+    InvalidInput : this user may not read it
+    """
     path = folder / RECORD
     try:
         record = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    except PermissionError as error:
+        raise InvalidInput(f"{path} cannot be read: {error.strerror}") from error
     except (OSError, ValueError, RecursionError):
         return None
     return record if isinstance(record, dict) and MARKER in record else None

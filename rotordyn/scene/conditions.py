@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from bearings.ball.law import DYNAMICS, KINEMATICS, MOMENT_SHARING, Law
-from rotordyn.description import Description, Faults
+from rotordyn.description import Description, Faults, named_twice
 from rotordyn.machine.history import HistoryStep, history_faults
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
@@ -117,6 +117,7 @@ class Conditions(Description):
     ] = True
 
     def _faults(self) -> Faults:
+        yield from named_twice("loads", self.loads)
         for path, sentence in history_faults(self.history):
             yield ("history", *path), sentence
         if self.temperatures is None and self.heat_flow is None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import importlib
 import math
+import pickle
 from collections.abc import Callable
 from dataclasses import fields, replace
 from typing import Any
@@ -239,6 +241,9 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"ControlSpec: max_load: not above min_load, 10 N: given 10 N": lambda: ControlSpec(10.0),
     "ControlSpec: min_load: force out of range": lambda: ControlSpec(10.0, 1e-9),
     r"ControlSpec: radial: number out of range: given -0.1": lambda: ControlSpec(20.0, radial=-0.1),
+    r"Conditions: loads\.cut\.name: name given twice: 'cut'": lambda: Conditions(
+        loads=(PointLoad("tip", "cut", Fy=1.0), PointLoad("tip", "cut", Fy=2.0))
+    ),
     r"loads\.2: not in ascending order: given 1 N after 2 N": lambda: BearingMapSpec((2.0, 1.0)),
     r"Case c: speeds\.1: speed out of range: given -1 rad/s": lambda: case(speeds=(-1.0,)),
     r"Case c: speeds\.2: not in ascending order: given 0 rad/s after 5 rad/s": lambda: case(
@@ -397,3 +402,33 @@ def test_files_have_every_field_of_a_material() -> None:
     """``bearings`` keeps them without units, ``case.keys`` writes them again with these."""
     named = [key.name for key in keys_of(Material) if key.name]  # not of the notes beside them
     assert sorted(named) == sorted(field.name for field in fields(Material))
+
+
+@pytest.mark.parametrize("name", ["grinding_spindle", "mfw2310_computed", "friswell_coaxial"])
+def test_mappings_of_a_description_are_read_alone(name: str) -> None:
+    """Of a file as of Python; what holds the same has the same hash, and travels unchanged."""
+    case = rotordyn.load(name)
+    spindle = case.spindle
+    assert spindle is not None
+    changes: list[Callable[[Any], object]] = [
+        lambda held: held.update(nose=-5.0),
+        lambda held: held.clear(),
+        lambda held: held.pop("nose"),
+        lambda held: held.setdefault("nose", -5.0),
+        lambda held: held.__setitem__("nose", -5.0),
+        lambda held: held.__delitem__("nose"),
+        lambda held: held.__ior__({"nose": -5.0}),
+    ]
+    for held in (spindle.points, replace(spindle, points={"nose": 0.0}).points):
+        before = dict(held)
+        for change in changes:
+            with pytest.raises(TypeError, match="a description is not changed"):
+                change(held)
+        assert held == before
+    again = replace(spindle, points=dict(reversed(spindle.points.items())))
+    assert hash(again) == hash(spindle)
+    for same in (pickle.loads(pickle.dumps(case)), copy.deepcopy(case)):
+        assert same == case
+        assert hash(same) == hash(case)
+        with pytest.raises(TypeError, match="a description is not changed"):
+            same.spindle.points["nose"] = -5.0

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -212,6 +213,29 @@ def test_variants_are_opened_compared(tmp_path: Path) -> None:
     assert opened.figures == results.figures
     assert opened.plot("campbell")._repr_png_() == results.plot("campbell")._repr_png_()
     assert opened.warnings == results.warnings != ()
+
+
+def test_an_opened_folder_stays_open_in_another_directory(
+    folder: Path, results: rotordyn.Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder.parent)
+    opened = rotordyn.open(folder.name)
+    monkeypatch.chdir(tmp_path)
+    xr.testing.assert_identical(opened["preload"], results["preload"])
+
+
+def test_the_case_of_an_opened_folder_is_that_of_the_run(opened: rotordyn.Results) -> None:
+    assert opened.case == small()
+    assert opened.case != small().vary({"conditions.axial_force": 1.0})
+
+
+@pytest.mark.parametrize("given", [None, b"x", 3])
+def test_a_folder_to_save_in_is_named(
+    given: Any, results: rotordyn.Results, opened: rotordyn.Results
+) -> None:
+    for each in (results, opened):
+        with pytest.raises(InvalidInput, match="save: folder must be text or a Path, got"):
+            each.save(given)
 
 
 def test_copy_of_an_opened_folder(folder: Path, tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from bearings.ball.kinematics import (
     tan_beta,
 )
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
-from bearings.ring.compiled import states
+from bearings.ring.compiled import jit, states
 from bearings.ring.compiled.jit import _callee
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
@@ -176,6 +176,29 @@ def test_compiled_functions_are_kept_by_their_sources(tmp_path: Path) -> None:
     folder = Path(done.stdout.strip())
     assert folder.is_relative_to(tmp_path)
     assert re.fullmatch(r"bearings-[0-9a-f]{16}", folder.name)
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="this system has other users")
+def test_without_a_cache_one_folder_among_temporary_files_serves_every_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It must be of this user alone: what is kept in it is run."""
+    none = tmp_path / "file"
+    none.write_text("")
+    for variable in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA", "HOME"):
+        monkeypatch.setenv(variable, str(none))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    found = {jit._folder.__wrapped__() for _ in range(2)}
+    own = tmp_path / f"rotordyn-{os.getuid()}"
+    assert [each.parent for each in found] == [own]
+    assert own.stat().st_mode & 0o777 == 0o700
+    own.chmod(0o777)
+    assert jit._folder.__wrapped__() is None
+    own.rename(tmp_path / "mine")
+    own.symlink_to(tmp_path / "mine")
+    (tmp_path / "mine").chmod(0o700)
+    assert jit._folder.__wrapped__() is None
+    assert sorted(os.listdir(tmp_path)) == ["file", "mine", own.name]
 
 
 def test_follower_of_nothing() -> None:

@@ -10,8 +10,10 @@ from __future__ import annotations
 import hashlib
 import os
 import shutil
+import stat
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from types import FunctionType
@@ -113,18 +115,29 @@ def _folder() -> Path | None:
             continue
         if os.access(root / name, os.W_OK) and shutil.disk_usage(root).free > LEAST_DISK:
             return root / name
-    try:
-        return Path(tempfile.mkdtemp(prefix=PACKAGE))
-    except OSError:
-        return None
+    return None
 
 
 def _roots() -> Iterator[Path]:
-    """Where caches belong: as numba's user has it, else as this user's system has it."""
+    """Where caches belong: as numba's user has it, else as this user's system has it; where none
+    of these can be written, among temporary files."""
     for variable in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         if given := os.environ.get(variable):
             yield Path(given) / "rotordyn"
-    try:
+    with suppress(RuntimeError):  # a user without a home
         yield Path.home() / ".cache" / "rotordyn"
-    except RuntimeError:  # a user without a home
-        return
+    if hasattr(os, "getuid") and (own := _own_temporary(os.getuid())) is not None:
+        yield own
+
+
+def _own_temporary(user: int) -> Path | None:
+    """A folder among temporary files into which this user alone may write: what is in it is run."""
+    try:
+        folder = Path(tempfile.gettempdir()) / f"rotordyn-{user}"
+        with suppress(FileExistsError):
+            folder.mkdir(mode=0o700)
+        held = folder.lstat()
+    except OSError:
+        return None
+    ours = stat.S_ISDIR(held.st_mode) and held.st_uid == user and not held.st_mode & 0o077
+    return folder if ours else None

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arguments import typed
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
@@ -261,6 +262,7 @@ class Identification:
 
         return dataset(self)
 
+    @typed(InvalidInput)
     def save(self, folder: str | Path, *, draw: bool = True) -> None:
         """Write summary, dataset, tables, figures and the identified machine into a folder."""
         from rotordyn.study.identification.deliver import write

@@ -119,6 +119,23 @@ def test_not_utf8(tmp_path: Path, content: bytes) -> None:
     assert "not text in UTF-8" in fault.message
 
 
+@pytest.mark.parametrize("code", ["utf-16", "utf-16-be"])
+def test_utf16_is_called_so(tmp_path: Path, code: str) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_bytes("\ufeff".encode("utf-16-be") * (code != "utf-16") + "title: a\n".encode(code))
+    (fault,) = faults_of(path)
+    assert fault.message == "is text in UTF-16: save it as UTF-8"
+
+
+def test_merge_keys_are_called_so(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    given = "spindle: grinding_spindle\nspeeds: [0 rpm]\nanalyses: {preload: {<<: {}}}\n"
+    path.write_text(given, encoding="utf-8")
+    (fault,) = faults_of(path)
+    assert (fault.line, fault.column) == (3, 22)
+    assert fault.message == "merge keys (<<) are not read: write the keys themselves"
+
+
 def test_binary(tmp_path: Path) -> None:
     path = tmp_path / "case.yaml"
     path.write_bytes(b"title: a\0b\n")

@@ -135,7 +135,12 @@ def test_every_key_has_its_meaning_and_no_default_in_bare_si() -> None:
         ({"speeds": ["0 rpm", 24000]}, False),
         ({"speeds": ["-1 rpm"]}, False),
         ({"speeds": ["0 rpm", "2513 rad/s", "4 1/min", "5 min^-1"]}, True),
+        ({"speeds": ["2513 rad s⁻¹", "2513 rad s^-1", "5 min⁻¹", "1 000 rpm"]}, True),
+        ({"speeds": ["1 0000 rpm"]}, False),
         ({"conditions": {"element_length": "5 µm"}}, True),
+        ({"conditions": {"element_length": "0.0 µm"}}, False),
+        ({"conditions": {"element_length": "0.05 mm"}}, True),
+        ({"speeds": ["0 1/min"]}, True),
         ({"conditions": {"element_length": "5 Hz"}}, False),
         ({"conditions": {"rotor": "stiff"}}, False),
         ({"analyses": {"preload": None}}, True),
@@ -172,3 +177,4 @@ def test_every_unit_that_a_message_offers_passes_the_editor(kind: str) -> None:
     for unit in units.KINDS[kind]:
         assert re.fullmatch(units.pattern(kind), unit)
         assert re.fullmatch(units.pattern(kind), units.pretty_unit(unit))
+        assert re.fullmatch(units.pattern(kind), units.pretty_unit(unit).replace("deg", "°"))

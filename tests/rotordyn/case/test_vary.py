@@ -10,13 +10,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL
 from rotordyn import Span
-from rotordyn.analyses import CampbellSpec, PreloadSpec
+from rotordyn.analyses import CampbellSpec, PreloadSpec, StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import RingGrowth, Spring
 from rotordyn.study.parameter import parameters
@@ -37,6 +38,26 @@ def test_a_field_is_what_replacing_it_by_hand_gives() -> None:
     by_path = changed(sleeves__front__spring__stiffness=8e6)
     assert by_path == with_sleeve(mfw2310(), "front", spring=spring)
     assert rotordyn.vary(mfw2310(), {"sleeves.front.spring": spring}) == by_path
+
+
+def test_no_change_is_the_same_case() -> None:
+    """What it was read from and how it came about do not tell one case from another."""
+    shipped = rotordyn.load("grinding_spindle")
+    assert shipped.vary({}) == shipped
+    assert shipped.vary({"conditions.axial_force": 1.0}) != shipped
+    back = {"conditions.axial_force": shipped.conditions.axial_force}
+    assert shipped.vary({"conditions.axial_force": 1.0}).vary(back) == shipped
+
+
+@pytest.mark.parametrize("one", [np.array(500.0), np.float32(500.0), xr.DataArray(500.0)])
+def test_arrays_without_axes_are_their_value(one: Any) -> None:
+    force = case().vary({"conditions.axial_force": one}).conditions.axial_force
+    assert (type(force), force) == (float, 500.0)
+    asked = replace(case(), analyses={"stiffness": StiffnessSpec("Oc2")})
+    steps = asked.vary({"analyses.stiffness.steps": one.astype(int) // 5})
+    assert steps.analyses["stiffness"].steps == 100
+    with pytest.raises(InvalidInput, match="wrong type"):
+        case().vary({"conditions.axial_force": np.array([500.0])})
 
 
 def test_a_star_is_every_item_or_entry() -> None:
@@ -155,8 +176,8 @@ AS_IN_FILES: dict[str, tuple[str, dict[str, Any], tuple[str, str]]] = {
     ),
     "damping of all bearings": (
         GRINDING,
-        {"spindle.damping.bearings.radial": 500.0},
-        ("override:", "override:\n  damping.bearings.radial: 500 N*s/m"),
+        {"spindle.damping.bearings.radial": 600.0},
+        ("override:", "override:\n  damping.bearings.radial: 600 N*s/m"),
     ),
     "another tool": (
         END_MILL,

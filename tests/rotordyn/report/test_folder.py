@@ -7,12 +7,14 @@ import json
 import os
 import stat
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 
 from rotordyn.errors import InvalidInput, OutputRefused
 from rotordyn.report import folder
 from rotordyn.report.folder import MARKER, RECORD, results_folder
+from rotordyn.report.manifest import read_record
 
 
 def _fill(into, word="new"):
@@ -106,6 +108,21 @@ def test_read_only_file_system_is_a_sentence(tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.mkdtemp", refuse)
     with pytest.raises(InvalidInput, match=r"cannot be written to: Permission denied; give"):
         _write(tmp_path / "out")
+
+
+def test_a_record_that_may_not_be_read_is_called_so(tmp_path, monkeypatch):
+    """It is not another's folder; what stands in it stays."""
+    _write(tmp_path / "out", "old")
+
+    def refuse(path, *_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "read_text", refuse)
+        for attempt in (_write, read_record):
+            with pytest.raises(InvalidInput, match=r"run\.json cannot be read: Permission denied"):
+                attempt(tmp_path / "out")
+    assert (tmp_path / "out" / "data.txt").read_text() == "old"
 
 
 def test_a_link_keeps_pointing(tmp_path):
