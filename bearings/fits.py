@@ -37,7 +37,8 @@ _BELOW = {
 _J = (3, 4, 5, 7, 9, 11, 13)  # below the zero line, j5 and j6
 _WORD = re.compile(r"([a-z]{1,2}|[A-Z]{1,2})(\d+)")
 _SHAFTS = ("f", "g", "h", "j", "js", "k", "m", "n", "p")
-_HOLES = ("F", "G", "H", "JS", "K")
+_HOLES = ("F", "G", "H", "JS", "K", "M", "N", "P")
+_TIGHT = ("K", "M", "N", "P")  # holes with the deviations of shafts, turned round
 # Rings of bearings below their nominal diameter [µm], ISO 492: by class and size.
 _BORE = {
     "normal": (8, 10, 12, 15, 20, 25, 30),
@@ -73,7 +74,7 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
     """Lower and upper deviation [m] of a class such as ``"k5"`` (shaft) or ``"H6"`` (hole).
 
     ``diameter`` [m]: above 10 mm up to 250 mm. Grades 3 to 7 of f, g, h, j (5 and 6), js, k
-    (4 to 7), m, n, p, of F, G, H, JS and K (4 to 7).
+    (4 to 7), m, n, p, of F, G, H, JS, and of K, M, N, P (4 to 7).
 
     >>> [round(1e6 * each, 1) for each in limits("k5", 0.070)]
     [2.0, 15.0]
@@ -90,8 +91,8 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
             f"(shafts) or {', '.join(_HOLES)} (holes) and a grade from 3 to 7, such as k5 or H6"
         )
     row = _size(diameter)
-    if letter in ("k", "K") and grade < 4:
-        raise InvalidBearing(f"{tolerance} is not tabled: k and K from grade 4 up")
+    if letter in ("k", *_TIGHT) and grade < 4:
+        raise InvalidBearing(f"{tolerance} is not tabled: {letter} is from grade 4 up")
     if letter == "j" and grade not in (5, 6):
         raise InvalidBearing(f"{tolerance} is not tabled: j5 and j6 are")
     low, high = _deviations(letter, grade, row)
@@ -105,8 +106,8 @@ def _deviations(letter: str, grade: int, row: int) -> tuple[float, float]:
         return -width / 2.0, width / 2.0
     if letter == "j":
         return -_J[row], width - _J[row]
-    if letter == "K":
-        high = -_ABOVE["k"][row] + width - _IT[grade - 1][row]  # with Δ of ISO 286
+    if letter in _TIGHT:
+        high = -_ABOVE[letter.lower()][row] + width - _IT[grade - 1][row]  # with Δ of ISO 286
         return high - width, high
     if letter in _ABOVE:
         return _ABOVE[letter][row], _ABOVE[letter][row] + width

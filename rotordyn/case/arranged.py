@@ -62,7 +62,7 @@ def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     if "class" not in preload:
         return
     asked = preload.pop("class")
-    printed = [_printed(seat) for seat in seats]
+    printed = [printed_preloads(seat) for seat in seats]
     why = _unclear(asked, seats, printed)
     if not why and "class_force" in preload:
         why = "a class gives a class_force: given both; leave one of both out"
@@ -93,7 +93,7 @@ def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> 
     )
 
 
-def _printed(seat: Node) -> dict[str, Node]:
+def printed_preloads(seat: Node) -> dict[str, Node]:
     """Forces of the classes that the model of a bearing prints."""
     own = seat.child("model", "preloads") is not None
     forces = seat.listed("model", *(() if own else ("estimate",)), "preloads")

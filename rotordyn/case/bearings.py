@@ -8,6 +8,7 @@ from typing import Any
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn import units
+from rotordyn.case.arranged import printed_preloads
 from rotordyn.case.estimated import estimated
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of
@@ -26,7 +27,7 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     """A bearing on the shaft, called by the name that its model has."""
     given = {key: node.child(key) for key in SHARED}
     own = tuple(key for key, child in given.items() if child is not None and not child.shared)
-    read = {key: _size(node.child("model", key)) for key in SIZES}
+    read = {key: _measured(node.child("model", key), "length") for key in SIZES}
     sizes = {key: size for key, size in read.items() if size is not None}
     named = node.child("model", "name")
     model = named.value if named is not None and isinstance(named.value, str) else ""
@@ -34,13 +35,16 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
         model += " (estimate)"
     thrust = node.child("thrust")
     by_set = thrust is not None and thrust.shared
-    return reading.description(BearingSeat, node, model=model, own=own, sizes=sizes, by_set=by_set)
+    forces = [_measured(each, "force") for each in printed_preloads(node).values()]
+    preloads = tuple(each for each in forces if each is not None)
+    hidden: dict[str, Any] = dict(own=own, sizes=sizes, by_set=by_set, preloads=preloads)
+    return reading.description(BearingSeat, node, model=model, **hidden)
 
 
-def _size(node: Node | None) -> float | None:
-    """A diameter or width; None where there is none, or a faulty one."""
+def _measured(node: Node | None, kind: str) -> float | None:
+    """A number with a unit of this kind; None where there is none, or a faulty one."""
     try:
-        return None if node is None else units.parse(node.value, "length")
+        return None if node is None else units.parse(node.value, kind)
     except InvalidInput:
         return None
 
@@ -90,7 +94,7 @@ def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[s
 
 def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
     """Bore and outside leave a ring beside the balls."""
-    sizes = (_size(node.child(key)) for key in ("bore_diameter", "outside_diameter"))
+    sizes = (_measured(node.child(key), "length") for key in ("bore_diameter", "outside_diameter"))
     for which, _, allowed in no_ring_left(made, *sizes):
         key = f"{which}_diameter"
         given = f"given '{node.at(key).raw}'; allowed: {allowed}"

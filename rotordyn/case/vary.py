@@ -12,6 +12,7 @@ from typing import Annotated, Any, TypeVar, get_args, get_origin
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
+from rotordyn.case.arranged import CLASSES
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import fields_of
@@ -40,6 +41,7 @@ from rotordyn.quantity import Choice, suggestion
 D = TypeVar("D")
 LONGEST = 1000  # characters of a path
 MODELS = (Spindle, BallBearing, Tool)  # which are given whole
+OF_CLASS = ("arrangement", "preload", "class")
 NO_KEYS = ("tool", "variants")  # what paths name of a case that is no key of its file
 
 
@@ -149,7 +151,7 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     fields = {field.name: field for field in fields_of(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
-    ways = [way for each in changes for way in _ways(old, each)]
+    ways = [way for each in changes for way in _ways(old, _of_class(old, each))]
     groups = _by_field([*fields.values()], ways, old.__class__)
     if isinstance(old, BearingSeat):
         for name in ("fits", "flexible_rings"):
@@ -164,7 +166,7 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     if isinstance(old, BearingSeat):
         whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
         if any(each != old.bearing for each in whole):
-            new["model"] = ""  # the name of the one that was there
+            new |= {"model": "", "preloads": ()}  # of the one that was there
     if isinstance(own := new.get("arrangement"), BearingSet):
         turned = own.turned(old.seats)
         new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
@@ -174,6 +176,23 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
         if there is not value and there != value:
             _require_kept(fields[name].annotation, there, groups[name])
     return made
+
+
+def _of_class(old: Any, change: _Change) -> _Change:
+    """A maker's class of the preload of a set as the force that its bearings print for it."""
+    own = old.arrangement if isinstance(old, Spindle) else None
+    if own is None or change.steps != OF_CLASS:
+        return change
+    held = [seat for seat in old.seats if seat.name in own.bearings]
+    printed = [dict(zip(CLASSES, seat.preloads, strict=False)) for seat in held]
+    forces = {each.get(str(change.value)) for each in printed}
+    force = forces.pop() if len(forces) == 1 else None
+    if force is None:
+        raise change.refused(
+            f"the bearings of the set have no one force of a class {shown(change.value)}; allowed: "
+            f"{', '.join(CLASSES)}, of models that print preloads, or change class_force"
+        )
+    return replace(change, value=force, steps=(*OF_CLASS[:-1], "class_force"))
 
 
 def _require_kept(annotation: Any, there: Any, changes: Sequence[_Change]) -> None:

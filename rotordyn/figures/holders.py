@@ -6,7 +6,15 @@ import math
 
 from rotordyn.figures.sketch import Sketch
 from rotordyn.figures.style import BLUE, SKY
-from rotordyn.figures.symbols import RING, SLEEVE, draw_ground, outside_of, sleeve_top, spring
+from rotordyn.figures.symbols import (
+    GROUND_DEPTH,
+    RING,
+    SLEEVE,
+    draw_ground,
+    outside_of,
+    sleeve_top,
+    spring,
+)
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -91,6 +99,21 @@ def gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
     return low - 2.0, low + 2.0  # side by side, or one on the other
 
 
+def lower_end(spindle: Spindle, support: LinearSupport) -> float:
+    """Lowest edge of what stands under a support on ground, or of the block of its housing."""
+    unit = 0.1 * foot(spindle)
+    for housing in spindle.housings:
+        if support.name in housing.carries:
+            return _block(spindle, housing)
+    return _ground(spindle, support) - GROUND_DEPTH * unit
+
+
+def _block(spindle: Spindle, housing: Housing) -> float:
+    """Lower edge of the block of a housing under the supports that it carries."""
+    feet = [_ground(spindle, s) for s in spindle.supports if s.name in housing.carries]
+    return min(feet) - 0.3 * foot(spindle)
+
+
 def _span(spindle: Spindle, seat: BearingSeat) -> tuple[float, float]:
     half = bearing_width(seat, spindle.seats) / 2.0
     return (seat.x - half) * 1e3, (seat.x + half) * 1e3
@@ -164,7 +187,7 @@ def _housing_below(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
     feet = [(s.x * 1e3, _ground(spindle, s)) for s in spindle.supports if s.name in housing.carries]
     if feet:
         left, right = min(x for x, _ in feet) - 4.0 * unit, max(x for x, _ in feet) + 4.0 * unit
-        low = min(y for _, y in feet) - 3.0 * unit
+        low = _block(spindle, housing)
         sketch.box(left, right, low, low + 3.0 * unit, SLEEVE, z=4)
         for x, y in feet:
             sketch.line([(x, y), (x, low + 3.0 * unit)], BLUE, 1.0)

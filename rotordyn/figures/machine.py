@@ -7,7 +7,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.figures.holders import draw_holders, foot, gap, held_radius, housed, housings_above
+from rotordyn.figures.holders import (
+    draw_holders,
+    foot,
+    gap,
+    held_radius,
+    housed,
+    housings_above,
+    lower_end,
+)
 from rotordyn.figures.labels import spread
 from rotordyn.figures.legends import rows_of
 from rotordyn.figures.sketch import Sketch
@@ -22,6 +30,7 @@ from rotordyn.figures.style import (
     add_axes,
     new_figure,
     round_ticks,
+    text_width,
 )
 from rotordyn.figures.symbols import (
     draw_bearing,
@@ -45,6 +54,7 @@ if TYPE_CHECKING:
 
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
+APART = 4.0  # [mm of paper] of words in a row
 _LINE, _LEGEND_LINE = 2.8, 4.2  # [mm of paper] of the words below, of the legend
 Mark = tuple[float, float, str]  # start of a leader [mm], and its words
 OUTSIDE = 2  # zorder of what is seen from outside, thicker rotors in front
@@ -185,7 +195,8 @@ def _words_in_a_row(
     **look: Any,
 ) -> None:
     """Words, each over its place or beside it, above ``y``."""
-    places = spread([x for x, _ in words], [_text(each, scale) for _, each in words], *limits)
+    sizes = [_text(each, FONT_SIZE, scale, APART) for _, each in words]
+    places = spread([x for x, _ in words], sizes, *limits)
     for x, (_, each) in zip(places, words, strict=True):
         axes.text(x, y, each, ha="center", va="bottom", fontsize=FONT_SIZE, **look)
 
@@ -231,7 +242,8 @@ def _name_below(
     limits: tuple[float, float],
 ) -> None:
     """Masses, supports, points, loads, discs and the drawbar under the shaft, joined by leaders."""
-    sizes = [max(_text(line, scale) for line in text.split("\n")) for _, _, text in marks]
+    size = FONT_SIZE - 1.5
+    sizes = [max(_text(line, size, scale) for line in text.split("\n")) for _, _, text in marks]
     places = spread([x for x, _, _ in marks], sizes, *limits)
     upper, lower = -reach - 2.0 / scale, -reach - 8.5 / scale
     for at, (x, y, text) in zip(places, marks, strict=True):
@@ -242,7 +254,7 @@ def _name_below(
             text,
             ha="center",
             va="top",
-            fontsize=FONT_SIZE - 1.5,
+            fontsize=size,
             linespacing=1.05,
         )
 
@@ -261,18 +273,19 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
         height = _height(spindle.part(rotor), x, rotor)
         sketch.circle(x * 1e3, height, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, height, f"{name}\n{x * 1e3:.1f}"))
-    lowest = -_reach(spindle)
     for support in spindle.supports:
-        low = lowest if support.against == GROUND else gap(spindle, support)[0]
+        grounded = support.against == GROUND
+        low = lower_end(spindle, support) if grounded else gap(spindle, support)[0]
         marks.append((support.x * 1e3, low, support.name))
     for housing in spindle.housings:
-        carried = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
+        carried = [s for s in spindle.supports if s.name in housing.carries]
         if carried:  # named at its centre of gravity, as far as its block reaches there
-            ends = min(carried), max(carried)
+            ends = min(s.x for s in carried) * 1e3, max(s.x for s in carried) * 1e3
             at = housing.x * 1e3 if isinstance(housing, RigidHousing) else sum(ends) / 2.0
-            marks.append((min(max(at, ends[0]), ends[1]), lowest - 3.0, housing.name))
+            low = lower_end(spindle, carried[0])
+            marks.append((min(max(at, ends[0]), ends[1]), low, housing.name))
     discs = [disc for part in spindle.parts.values() for disc in part.discs]
-    marks += [(disc.x * 1e3, lowest, disc.name) for disc in discs]
+    marks += [(disc.x * 1e3, -disc.outer_diameter * 500.0, disc.name) for disc in discs]
     marks += [(film.x * 1e3, -film.radius * 1e3, film.name) for film in spindle.dampers]
     if bar := spindle.drawbar:
         marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
@@ -306,9 +319,10 @@ def _mass_symbol(sketch: Sketch, mass: PointMass, height: float, size: float) ->
         sketch.polygon([(x, height), *arc], BLACK, edge=BLACK, width=0.3, z=7)
 
 
-def _text(words: str, scale: float) -> float:
-    """Width of a line of text in axis units [mm of machine], with room to its neighbour."""
-    return (len(words) * 0.56 * (FONT_SIZE - 1.0) * 25.4 / 72.0 + 2.5) / scale
+def _text(words: str, size: float, scale: float, apart: float = 2.5) -> float:
+    """Width of a line of text in axis units [mm of machine], ``apart`` from its neighbour [mm of
+    paper]."""
+    return (text_width(words, size) + apart) / scale
 
 
 def _legend_rows(spindle: Spindle, loads: Sequence[PointLoad]) -> list[list[Any]]:

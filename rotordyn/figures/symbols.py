@@ -19,6 +19,7 @@ FLATTEST = math.radians(60.0)  # contact lines leaning further do not reach the 
 ON_AXIS = 1e-9  # m
 MISFIT = 0.02  # of the shaft's diameter: a bore that differs more does not belong on it
 SLEEVE_WALL = 9.0
+GROUND_DEPTH = 1.8  # units of its hatching
 
 
 def contact_lines(seat: BearingSeat) -> list[Line]:
@@ -94,7 +95,7 @@ def draw_ground(
     unit: float = 1.0,
 ) -> None:
     """A hatched wall through (x, y), its hatching, in ``unit`` mm, towards ``side`` (+1 or −1)."""
-    count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), 1.8 * unit, 1.2 * unit
+    count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), GROUND_DEPTH * unit, 1.2 * unit
 
     def at(along: float, into: float) -> tuple[float, float]:
         return (x + into, y + along) if upright else (x + along, y + into)

@@ -15,7 +15,18 @@ from rotordyn.machine.fits import Fits
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.misalignment import Misalignment
-from rotordyn.quantity import HIDDEN, Choice, Damping, Friction, Key, Length, Name, Station, Words
+from rotordyn.quantity import (
+    HIDDEN,
+    Choice,
+    Damping,
+    Friction,
+    Key,
+    Length,
+    Load,
+    Name,
+    Station,
+    Words,
+)
 from rotordyn.units import format_quantity
 
 THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
@@ -30,7 +41,8 @@ class BearingSeat(Description):
     of its balls is that of the conditions of the case unless given here; friction ``none`` or
     infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
     ``own``: keys that it gives itself of those a spindle gives for all bearings; ``sizes``: of its
-    rings, as its model gives them, for fits [m]; ``by_set``: its thrust is that which its set says.
+    rings, as its model gives them, for fits [m]; ``by_set``: its thrust is that which its set says;
+    ``preloads``: of a pair by the classes of its maker, light, medium, heavy [N].
     """
 
     name: Annotated[Name, "of this bearing"]
@@ -72,6 +84,7 @@ class BearingSeat(Description):
         default_factory=dict, repr=False, compare=False
     )
     by_set: Annotated[bool, HIDDEN] = field(default=False, repr=False, compare=False)
+    preloads: Annotated[tuple[Load, ...], HIDDEN] = field(default=(), repr=False, compare=False)
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self.known_bearing

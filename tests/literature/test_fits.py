@@ -33,6 +33,26 @@ def test_limits_of_a_catalogue(tolerance: str, size: float, known: tuple[float, 
     assert found == pytest.approx([1e-6 * value for value in known], abs=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("tolerance", "known"),
+    [
+        ("M6", [(-17, -4), (-20, -4), (-24, -5), (-28, -6), (-33, -8), (-37, -8)]),
+        ("M7", [(-21, 0), (-25, 0), (-30, 0), (-35, 0), (-40, 0), (-46, 0)]),
+        ("N6", [(-24, -11), (-28, -12), (-33, -14), (-38, -16), (-45, -20), (-51, -22)]),
+        ("N7", [(-28, -7), (-33, -8), (-39, -9), (-45, -10), (-52, -12), (-60, -14)]),
+        ("P6", [(-31, -18), (-37, -21), (-45, -26), (-52, -30), (-61, -36), (-70, -41)]),
+        ("P7", [(-35, -14), (-42, -17), (-51, -21), (-59, -24), (-68, -28), (-79, -33)]),
+    ],
+)
+def test_holes_that_hold_outer_rings_tightly(
+    tolerance: str, known: list[tuple[float, float]]
+) -> None:
+    """ISO 286-2, as in tables of housings: 18 to 30 mm, to 50, 80, 120, 180 and 250 mm."""
+    for size, limits in zip((25, 40, 70, 110, 150, 200), known, strict=True):
+        found = fits.limits(tolerance, size * 1e-3)
+        assert found == pytest.approx([1e-6 * value for value in limits], abs=1e-12)
+
+
 def test_fit_of_a_catalogue() -> None:
     """SKF, 70 k5 in a bore 0/−15: +30/+2, probable +26/+6 µm."""
     found = fits.interference(fits.limits("k5", 0.070), fits.bearing_bore(0.070))
@@ -103,7 +123,24 @@ def test_bearing_rings() -> None:
 def test_every_class_holds_its_grade() -> None:
     """Upper less lower deviation is the grade, in every size; grades and sizes widen it."""
     sizes = np.array([15, 25, 40, 60, 100, 150, 200]) * 1e-3
-    for letter in ("f", "g", "h", "js", "k", "m", "n", "p", "F", "G", "H", "JS", "K"):
+    for letter in (
+        "f",
+        "g",
+        "h",
+        "js",
+        "k",
+        "m",
+        "n",
+        "p",
+        "F",
+        "G",
+        "H",
+        "JS",
+        "K",
+        "M",
+        "N",
+        "P",
+    ):
         width = [
             [high - low for low, high in (fits.limits(f"{letter}{it}", d) for d in sizes)]
             for it in (4, 5, 6, 7)

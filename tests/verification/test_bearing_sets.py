@@ -34,6 +34,7 @@ from rotordyn.preload.mounting import (
 from rotordyn.preload.together import dynamic_preload
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from rotordyn.study.solve import study_of
 from tests.oracles.spindles import RPM
 
 BEARING = AngularContactBallBearing(9.525e-3, 90e-3, 24, contact_angle=math.radians(25.0))
@@ -355,6 +356,26 @@ def test_another_set_turns_the_bearings_whose_thrusts_follow_from_it() -> None:
     given = spindle("DB", SetPreload(force=600.0))
     with pytest.raises(InvalidInput, match="do not make a set DF"):
         rotordyn.vary(given, {"arrangement.set": "DF"})
+
+
+@pytest.mark.parametrize("word", ["light", "heavy"])
+def test_another_class_is_that_of_a_file_that_names_it(word: str, tmp_path: Path) -> None:
+    text = (Path(rotordyn.__file__).parents[1] / "cases" / "preload_concepts.yaml").read_text()
+    text = text[: text.index("compare:")]
+    (tmp_path / "medium.yaml").write_text(text)
+    (tmp_path / "other.yaml").write_text(text.replace("class: medium", f"class: {word}"))
+    medium, other = (rotordyn.load(tmp_path / f"{name}.yaml") for name in ("medium", "other"))
+    path = "spindle.arrangement.preload.class"
+    wanted = other.spindle.arrangement
+    assert wanted.preload.class_force != medium.spindle.arrangement.preload.class_force
+    varied = rotordyn.vary(medium, {path: word}).spindle
+    assert (varied.arrangement, varied.sleeves) == (wanted, other.spindle.sleeves)
+    assert study_of(medium, {path: ["medium", word]}).design.point(1) == {path: word}
+    with pytest.raises(InvalidInput, match="no one force of a class 'extra'; allowed: light"):
+        rotordyn.vary(medium, {path: "extra"})
+    unlike = rotordyn.vary(medium, {"spindle.bearings.rear.model": BEARING})
+    with pytest.raises(InvalidInput, match=f"no one force of a class '{word}'"):
+        rotordyn.vary(unlike, {path: word})
 
 
 def test_a_constant_force_is_no_mistaken_spring() -> None:

@@ -29,12 +29,13 @@ from rotordyn.figures.symbols import (
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
+from rotordyn.machine.lumped import Disc
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.scene.loads import PointLoad
-from tests.oracles.rotors import STEPPED, support
+from tests.oracles.rotors import STEEL, STEPPED, support
 from tests.rotordyn.figures import samples
 
 
@@ -94,6 +95,33 @@ def test_labels_do_not_overlap_each_other():
     assert clashes == []
     inside = figure.bbox
     assert all(inside.x0 <= b.x0 and b.x1 <= inside.x1 for _, b in boxes)
+
+
+def test_captions_of_sleeves_side_by_side_stand_apart():
+    """By 3 mm at least, as wide as they are."""
+    plain = samples.spindle()
+    springs = (("wash", "d", 1500.0, math.inf), ("cup", "e", 350.0, 1e6))
+    sleeves = tuple(Sleeve(name, (on,), Spring(f, k)) for name, on, f, k in springs)
+    figure = machine_figure(replace(plain, sleeves=sleeves))
+    boxes = {t.get_text(): t.get_window_extent() for t in figure.axes[0].texts}
+    first, second = boxes["wash: 1500 N, rigid"], boxes["cup: 350 N, 1 N/µm"]
+    assert second.x0 - first.x1 > 3.0 * figure.dpi / 25.4
+
+
+def test_leaders_begin_where_supports_and_discs_end():
+    stiffness = {("y", "y"): 1e8, ("z", "z"): 1e8}
+    box = RigidHousing("box", ("low",), 0.1, 9.0, stiffness)
+    held = replace(STEPPED, supports=(support("low", 0.1, (1e8, 1e8)),))
+    held = replace(held, discs=(Disc("wheel", 0.16, 0.18, 0.1, 0.02, STEEL),))
+    for housings in ((), (box,)):
+        machine = replace(held, housings=housings)
+        sketch = Sketch()
+        draw_holders(sketch, machine)
+        strokes = [*sketch.lines.values(), *sketch.polygons.values()]
+        lowest = min(y for each in strokes for points in each for _, y in points)
+        starts = {words: y for _, y, words in _marks(Sketch(), machine, 1.0)}
+        assert starts["low"] == pytest.approx(lowest)
+        assert starts["wheel"] == pytest.approx(-90.0)
 
 
 def test_everything_is_named():
