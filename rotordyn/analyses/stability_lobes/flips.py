@@ -23,6 +23,7 @@ from rotordyn.analyses.stability_lobes.tip import Tip
 Array = NDArray[np.float64]
 BESIDE = np.arange(-1.5, 0.5 + 1e-9, 0.125)  # damping ratios by which the period may be off k + ½
 FINE = 0.25  # of the damping ratio: shorter steps do not pass it over
+LOBE = 0.5  # waves from one speed to the next: of more, lobes themselves are passed over
 SAME = 0.05  # of its frequency: by which a mode changes from one speed to the next
 
 
@@ -51,6 +52,7 @@ def flips(limits: Limits, operation: Operation) -> Flips:
     with np.errstate(invalid="ignore"):
         passed = np.floor(waves[:-1] - 0.5) > np.floor(waves[1:] - 0.5)
         passed &= np.diff(speed)[:, None] > FINE * ratio[:-1] * speed[:-1, None]
+        passed &= waves[:-1] - waves[1:] < LOBE
         passed &= np.abs(np.diff(hertz, axis=0)) < SAME * hertz[:-1]
     for k, mode in np.argwhere(passed).tolist():
         order = math.floor(waves[k, mode] - 0.5) + 0.5

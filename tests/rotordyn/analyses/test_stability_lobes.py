@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import find_peaks
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import converged, limit_depth, solve, turning_limit
+from rotordyn.analyses.stability_lobes import converged, flips, limit_depth, solve, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.page import page
@@ -857,11 +857,12 @@ analyses:
 
 
 @pytest.mark.parametrize("immersion", ["30 %", "5 %"])
-def test_period_doubling_between_speeds_is_told(tmp_path, immersion):
-    """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 4 rpm find it;
+def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion):
+    """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 6 rpm find it;
     these have it among their limits, and nothing is told."""
+    monkeypatch.setattr(converged, "_change", unchecked)
     found = []
-    for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 20}"):
+    for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 13}"):
         path = tmp_path / "milling.yaml"
         text = CUTTER.format(immersion=immersion, speeds=speeds)
         path.write_text(text, encoding="utf-8")
@@ -878,6 +879,22 @@ def test_period_doubling_between_speeds_is_told(tmp_path, immersion):
     depth, beside = (1e3 * float(each) for each in (coarse.flip_depth[0], coarse.depth.min()))
     assert f"at about {rpm:.0f} rpm to {depth:.2f} mm where limits beside it are" in told[0][0]
     assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
+
+
+def test_period_doubling_is_not_looked_for_where_lobes_are_passed_over(case, monkeypatch):
+    """Steps over most of a lobe, at low speeds, where each depth takes long."""
+    asked = []
+
+    def doubling(*given):
+        asked.append(given)
+        return math.inf
+
+    monkeypatch.setattr(flips, "_doubling", doubling)
+    monkeypatch.setattr(converged, "_change", unchecked)
+    for speeds, some in (("[3000 rpm, 4500 rpm]", False), ("[16000 rpm, 18000 rpm]", True)):
+        asked.clear()
+        lobes(case(speeds=speeds))
+        assert bool(asked) == some
 
 
 def test_the_cutter_of_a_tool_has_its_diameter() -> None:
