@@ -62,7 +62,7 @@ def test_balanced_or_named(
     for row, word in enumerate(state.outcome):
         if word:
             assert f"{rpm[row]:.0f} rpm" in word
-            assert "preload" in word
+            assert "preload" in word or "has no equilibrium" in word
             continue
         assert np.isfinite(state.net.position[row]).all()
         assert np.isfinite(state.seat_stiffness()[row]).all()
