@@ -549,6 +549,23 @@ def test_contact_loss_is_named_and_is_where_the_ball_is_free() -> None:
     assert len(list(numbers(result, None))) > 0  # type: ignore[arg-type]
 
 
+def test_a_speed_without_a_state_has_no_ball_load() -> None:
+    """It was 0 there, and so the least of all speeds."""
+    found = answer(loaded([0.0, 8000.0, 16000.0]), BearingLoadsSpec())
+    lost = {
+        name: np.where(np.arange(3).reshape(3, *[1] * (values.ndim - 1)) == 1, np.nan, values)
+        for name in ("axial_load", "radial_load", "ball_inner_load")
+        for values in (getattr(found, name),)
+    }
+    some = replace(found, **lost)
+    assert not [line for line in summary(some) if "least" in line]
+    known = {(each.part, each.speed): each.value for each in numbers(found, case())}
+    for each in numbers(some, case()):
+        assert each.value == pytest.approx(
+            math.nan if each.inner else known[each.part, each.speed], nan_ok=True
+        )
+
+
 def test_a_radial_force_takes_the_ball_off_that_loads_do() -> None:
     """Two ways to the same place: rings and balls step by step, every load solved from nothing."""
     plain = scene(mfw2310(), [0.0, 12000.0])

@@ -16,7 +16,7 @@ from rotordyn.results.text import over_speed, unbroken
 
 def summary(result: BearingLoadsResult) -> list[str]:
     """Axial and radial load, and the largest ball load, over speed."""
-    largest = np.nanmax(np.nan_to_num(result.ball_inner_load), axis=2)
+    largest = np.fmax.reduce(result.ball_inner_load, axis=2)
     lines = []
     for k, name in enumerate(result.bearing):
         words = (
@@ -30,7 +30,7 @@ def summary(result: BearingLoadsResult) -> list[str]:
 
 def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
     """Largest inner load of a ball over speed, for each bearing."""
-    largest = np.nanmax(np.nan_to_num(result.ball_inner_load), axis=2)
+    largest = np.fmax.reduce(result.ball_inner_load, axis=2)
     for k, name in enumerate(result.bearing):
         yield from each_speed(result, "ball", "N", largest[:, k], part=name)
 

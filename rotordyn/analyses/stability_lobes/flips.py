@@ -21,7 +21,9 @@ from rotordyn.analyses.stability_lobes.spec import ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
-BESIDE = np.arange(-1.5, 0.5 + 1e-9, 0.125)  # damping ratios by which the period may be off k + ½
+# damping ratios by which waves may be off k + ½: along the normal in down-milling there are fewer
+# where the limit is least, along the feed more
+BESIDE = np.arange(-2.0, 2.0 + 1e-9, 0.125)
 FINE = 0.25  # of the damping ratio: shorter steps do not pass it over
 LOBE = 0.5  # waves from one speed to the next: of more, lobes themselves are passed over
 SAME = 0.05  # of its frequency: by which a mode changes from one speed to the next
@@ -58,16 +60,16 @@ def flips(limits: Limits, operation: Operation) -> Flips:
         order = math.floor(waves[k, mode] - 0.5) + 0.5
         row = k if waves[k, mode] - order < order - waves[k + 1, mode] else k + 1
         own = order * (1.0 + ratio[row, mode] * BESIDE)  # waves in a period
-        depth = [
-            _doubling(tip, int(limits.rows[row]), operation, hertz[row, mode] * turn / each)
-            for each in own
-        ]
-        best = int(np.argmin(depth))
         slope = (hertz[k + 1, mode] - hertz[k, mode]) / (speed[k + 1] - speed[k])
-        at = (hertz[k, mode] - slope * speed[k]) / (own[best] / turn - slope)
-        place = int(np.searchsorted(speed, at)) - 1
-        if 0 <= place < len(speed) - 1 and not depth[best] >= found.depth[place]:
-            found.depth[place], found.speed[place] = depth[best], at
+        at = (hertz[k, mode] - slope * speed[k]) / (own / turn - slope)
+        places = np.searchsorted(speed, at) - 1
+        for each, where, place in zip(own, at, places.tolist(), strict=True):
+            if not 0 <= place < len(speed) - 1:
+                continue
+            waving = hertz[row, mode] * turn / each  # speed at which the nearest one makes as many
+            depth = _doubling(tip, int(limits.rows[row]), operation, waving)
+            if not depth >= found.depth[place]:
+                found.depth[place], found.speed[place] = depth, where
     return found
 
 

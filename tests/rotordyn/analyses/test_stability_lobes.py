@@ -881,6 +881,26 @@ def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion
     assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
 
 
+def test_period_doubling_along_the_feed_lies_above_the_waves_of_a_period(tmp_path, monkeypatch):
+    """In down-milling more than 2.5 waves of 640 Hz, which are those of 7680 rpm, are least stable
+    there: in the step before that of this speed."""
+    monkeypatch.setattr(converged, "_change", unchecked)
+    mode = "frequency: 640 Hz, damping: 1.5 %, stiffness: 2 N/um, direction: 0 deg"
+    wall = f"workpiece_modes: [{{{mode}}}]"
+    found = []
+    for speeds in ("[7200 rpm, 7600 rpm, 8000 rpm]", "{from: 7440 rpm, to: 7520 rpm, count: 17}"):
+        path = tmp_path / "milling.yaml"
+        text = CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}")
+        path.write_text(text, encoding="utf-8")
+        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
+    coarse, fine = found
+    row = int(fine.depth.values.argmin())
+    assert fine.loss.values[row] == "flip"
+    assert fine.depth.values[row] < 0.8 * coarse.depth.values[:2].min()
+    assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
+    assert coarse.flip_speed.values[0] == pytest.approx(float(fine.cutting_speed[row]), rel=1e-3)
+
+
 def test_period_doubling_is_not_looked_for_where_lobes_are_passed_over(case, monkeypatch):
     """Steps over most of a lobe, at low speeds, where each depth takes long."""
     asked = []
