@@ -893,12 +893,14 @@ def test_run_out_of_a_case(solved):
 LOSSY = "  points:", "  damping: {loss_factor: 0.02}\n  points:"
 
 
-@pytest.mark.parametrize("changed", [("", ""), pytest.param(LOSSY, marks=pytest.mark.long)])
-def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed):
-    """Blunt edges next to the limit, sharp ones within a tenth of it alone; a machine whose
-    receptance is no sum of modes, too; then there are no headline numbers."""
+@pytest.mark.parametrize(
+    ("changed", "dull"), [(("", ""), 50.0), pytest.param(LOSSY, 100.0, marks=pytest.mark.long)]
+)
+def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed, dull):
+    """Blunt edges next to the limit, not sharp ones; a machine whose receptance is no sum of modes,
+    too; then there are no headline numbers."""
     least = lobes(solved(changed=changed)).depth.min()
-    for share, edge, told in ((0.95, 0.1, 1), (0.8, 0.1, 0), (0.8, 150.0, 1)):
+    for share, edge, told in ((0.85, dull, 1), (0.8, 0.1, 0), (0.8, 150.0, 1)):
         depth = 1e3 * share * least
         cut = f"{{depth: {depth:.6g} mm, radial_edge: {edge} N/mm}}"
         found = lobes(solved(changed=changed, cut=cut))
