@@ -104,8 +104,7 @@ def write(
                 results.report(place.folder / REPORT)
         _write_record(results, place.folder, seconds, drawn, omitted)
     plan = _plan(results.solution, seconds, omitted)
-    moved = {"moved": place.moved, "kept": place.kept}
-    return Delivery(place.target, text, plan, results.unsolved, **moved, stop=stop)
+    return Delivery(place.target, text, plan, results.unsolved, place.moved, place.kept, stop)
 
 
 def _undrawn(solution: Solution, figures: bool) -> Omitted:

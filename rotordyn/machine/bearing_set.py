@@ -166,7 +166,7 @@ class BearingSet(Description):
             )
 
     def turned(self, seats: tuple[BearingSeat, ...]) -> tuple[BearingSeat, ...]:
-        """``seats``, of which those whose thrust follows from the set have that of this one."""
+        """``seats`` as this set turns those whose files give no thrust of their own."""
         held = {seat.name: seat for seat in seats}
         there = [held[name] for name in self.bearings if name in held]
         given = ["" if seat.by_set else "+" if seat.thrust > 0 else "-" for seat in there]

@@ -58,6 +58,10 @@ def axial_tables(
 
     The way from where one is loaded to the largest deflection is doubled until it has that load
     there, has no state, or exceeds ``FARTHEST``.
+
+    Raises
+    ------
+    NoSolution : a bearing without any state
     """
     asked: list[_Asked] = []
     for one, speed in zip(bearings, speeds, strict=True):
@@ -84,12 +88,7 @@ def axial_tables(
 
 
 def solved(asked: Sequence[_Asked]) -> list[_Found]:
-    """The tables, of alike bearings some together; of the last ones each is made once.
-
-    Raises
-    ------
-    NoSolution : a bearing without any state
-    """
+    """The tables, of alike bearings some together; of the last ones each is made once."""
     found = {one: table for one in asked if (table := _kept.pop(one, None)) is not None}
     alike: dict[tuple[BallBearing, Law], list[_Asked]] = {}
     for one in dict.fromkeys(asked):
@@ -132,13 +131,15 @@ def _made(asked: Sequence[_Asked]) -> list[_Found]:
         slope = stiffness(state, "complete")[:, 0, 0]
         new = np.stack([displacement[:, 0], state.load[:, 0], slope])
         for k, own in enumerate(np.split(new, np.cumsum(sizes)[:-1], axis=1)):
+            if not own.size:
+                continue
             points[k] = np.concatenate([points[k], own], axis=1)
             points[k] = points[k][:, np.argsort(points[k][0])]
             known = np.asarray(np.isfinite(points[k]).all(axis=0))
             if known.sum() < 2:
                 which = "a bearing of the spindle"
                 raise without_state(which, asked[k].speed, asked[k].growth[1])
-            more[k] = missed(*points[k][:, known]) if own.size else own[0]
+            more[k] = missed(*points[k][:, known])
     return [_table(model, each) for each in points]
 
 

@@ -356,6 +356,10 @@ def test_another_set_turns_the_bearings_whose_thrusts_follow_from_it() -> None:
     given = spindle("DB", SetPreload(force=600.0))
     with pytest.raises(InvalidInput, match="do not make a set DF"):
         rotordyn.vary(given, {"arrangement.set": "DF"})
+    four = spindle("QFT", SetPreload(force=600.0))
+    seats = [replace(seat, by_set=k != 1) for k, seat in enumerate(four.seats)]
+    other = rotordyn.vary(replace(four, seats=tuple(seats)), {"arrangement.set": "QBT"})
+    assert [seat.thrust for seat in other.seats] == [1, -1, -1, -1], "mirrored, as the given one"
 
 
 @pytest.mark.parametrize("word", ["light", "heavy"])

@@ -25,6 +25,7 @@ from rotordyn.errors import InvalidInput, NoSolution, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
+from rotordyn.preload import axial_tables as axial_tables_module
 from rotordyn.preload.arrangement import arrangement
 from rotordyn.preload.axial_tables import _Asked, axial_tables, solved
 from rotordyn.preload.friction import Rubbing, operating_state
@@ -394,6 +395,22 @@ def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     slope = np.array([law(d)[1] for d in law.knots])
     between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
     assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
+
+
+def test_tables_solved_together_are_those_of_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    """More of them than are kept, and than one batch holds."""
+    model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
+    asked = [_Asked(model, LAW, (0.0, 1e-7 * k), 150.0 * k, 4e-5 + 1e-6 * k) for k in range(10)]
+    monkeypatch.setattr(axial_tables_module, "TABLES", 4)
+    monkeypatch.setattr(axial_tables_module, "_kept", {})
+    together = solved(asked)
+    assert [*axial_tables_module._kept] == asked[-4:]
+    axial_tables_module._kept.clear()
+    for one, found in zip(asked, together, strict=True):
+        (alone,) = solved([one])
+        assert found.law.knots == pytest.approx(alone.law.knots, rel=1e-12)
+        for d in (0.3 * one.high, 0.9 * one.high):
+            assert found.law(d) == pytest.approx(alone.law(d), rel=1e-9)
 
 
 def test_tables_reach_far_above_the_loads_that_are_known() -> None:

@@ -418,6 +418,10 @@ def test_walls_are_left_where_a_cut_ends_nearly_at_them():
         assert found.most == pytest.approx(known.most)
     inside = milled(tip, DEPTH, FEED, 2, KT, KR, 2.0, 3.13, SPEED, DIAMETER)
     assert inside.most.size == 0
+    known = milled(tip, DEPTH, FEED, 2, KT, KR, 0.0, 1.0, SPEED, DIAMETER)
+    for entry in (-4e-4, 4e-4):
+        found = milled(tip, DEPTH, FEED, 2, KT, KR, entry, 1.0, SPEED, DIAMETER)
+        assert found.most == pytest.approx(known.most)
 
 
 def test_largest_force_is_that_of_a_straight_edge_at_its_end():
@@ -876,6 +880,9 @@ def test_run_out_of_a_case(solved):
     assert (
         sum("by their run-out 1 tooth takes off nothing" in each for each in warnings(found)) == 1
     )
+    pairs = lobes(solved(cut="{depth: 1 mm, runout: [0 um, -0.2 mm, 0 um, -0.2 mm]}", teeth=4))
+    assert pairs.idle_teeth == 2
+    assert any("2 teeth take off nothing" in each for each in warnings(pairs))
     alone = lobes(solved(cut="{depth: 1 mm}", teeth=1))
     np.testing.assert_allclose(found.depth, alone.depth, rtol=1e-9)
     assert (np.abs(found.depth / plain.depth - 1.0) > 0.1).any()
@@ -886,13 +893,16 @@ def test_run_out_of_a_case(solved):
 LOSSY = "  points:", "  damping: {loss_factor: 0.02}\n  points:"
 
 
-@pytest.mark.parametrize("changed", [("", ""), pytest.param(LOSSY, marks=pytest.mark.long)])
-def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed):
+@pytest.mark.parametrize(
+    ("changed", "dull"), [(("", ""), 50.0), pytest.param(LOSSY, 100.0, marks=pytest.mark.long)]
+)
+def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed, dull):
     """Blunt edges next to the limit, not sharp ones; a machine whose receptance is no sum of modes,
     too; then there are no headline numbers."""
     least = lobes(solved(changed=changed)).depth.min()
-    for edge, told in (("0.1 N/mm", 0), ("150 N/mm", 1)):
-        cut = f"{{depth: {800.0 * least:.6g} mm, radial_edge: {edge}}}"
+    for share, edge, told in ((0.85, dull, 1), (0.8, 0.1, 0), (0.8, 150.0, 1)):
+        depth = 1e3 * share * least
+        cut = f"{{depth: {depth:.6g} mm, radial_edge: {edge} N/mm}}"
         found = lobes(solved(changed=changed, cut=cut))
         assert found.edges_chatter.any() == bool(told)
         said = [each for each in warnings(found) if "edge forces follow the vibration" in each]
@@ -915,6 +925,9 @@ def test_edges_and_process_damping_of_a_case_reach_the_planned_cut():
     assert (found.forces.tangential, found.forces.radial) == (KTE, KRE)
     assert (found.forces.depth, found.forces.feed) == (1e-3, 2e-4)
     assert found.forces.cut.runout == (1e-6, 0.0, 2e-6)
+    pushed = Operation(spec, 6e8, 2e8).pushed(200.0).cut
+    by_radian = 2e-4 * 3 / (2.0 * np.pi)
+    assert pushed.edges == pytest.approx((0.5 * KTE / by_radian, 0.5 * KRE / by_radian))
 
 
 def test_a_planned_cut_beside_turning_is_refused():

@@ -39,12 +39,12 @@ class StabilityLobesResult:
     ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
     are those of the cutter, none without such a cut; where it is stable follow
     the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
-    tooth, positive where material is left, and the mean displacement of the tip against the
-    workpiece, its vibration from
-    peak to peak, the largest force, mean torque and power. ``edges_chatter``: where edge
-    forces that follow the vibration may let it chatter. ``idle_teeth`` take off nothing, by their
-    run-out. The vibration moves the ends of its own contact: ``contact_departure``, by how much
-    that changes it, and ``vibration_error``, what it still asks for, both over its size.
+    tooth, positive where material is left, the mean displacement of the tip against the workpiece,
+    its vibration from peak to peak, the largest force, mean torque and power, and the removal rate
+    (``planned_removal``). ``edges_chatter``: where edge forces that follow the vibration may let it
+    chatter. ``idle_teeth`` take off nothing, by their run-out. The vibration moves the ends of its
+    own contact: ``contact_departure``, by how much that changes it, and ``vibration_error``, what
+    it still asks for, both over its size.
     ``resonance_width``: twice the least damping ratio of the high modes that a multiple of the
     frequency of the teeth meets on the way to the next speed, so wide are resonances over speed; 0
     where none is met.

@@ -42,8 +42,14 @@ HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 REPEATING = {FLIP: "period doubling", FOLD: "repeats with the pattern of teeth"}
 WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
 OF_MILLING = (
-    *("teeth", "pitch", "tangential", "radial", "workpiece", "helix", "cut"),
+    "teeth",
+    "pitch",
+    "tangential",
+    "radial",
+    "workpiece",
     "workpiece_modes",
+    "helix",
+    "cut",
 )
 ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
 SAME = 1e-6  # of a diameter that is given twice

@@ -1,5 +1,6 @@
-"""Receptance of the tip of the tool against the workpiece in feed and normal, at every speed, from
-the free motions of the machine and the modes of the workpiece.
+"""Receptance of the tip of the tool against the workpiece in feed and normal, at every speed.
+
+It is the sum of that of the machine, from its free motions, and that of the modes of the workpiece.
 
 Teeth turn from the normal to the feed as the spindle turns from y to z: normal = y and feed = z,
 both turned by the angle of the feed. With the opposite sense the gyroscopic cross receptances

@@ -250,6 +250,17 @@ def test_the_last_digit_of_a_measurement_does_not_move_the_modes_of_the_tip(seed
     assert np.abs(found[1] - found[0]).max() < 1e-9 * np.abs(found[0]).max()
 
 
+def test_modes_far_above_the_band_add_their_static_residual():
+    """With modes of a workpiece and without."""
+    below, static = base(1), 3e-7
+    alone = tip_of(lambda omega: below(omega) + static)
+    wall = of_workpiece([WorkpieceMode(800.0, 0.02, 1e7)])
+    exact = (below(alone.omega) + static)[:, None, None] * np.eye(2)
+    for tip in (alone, replace(alone, workpiece=wall)):
+        found = tip.modes.at(0).receptance(alone.omega) - tip.workpiece.receptance(alone.omega)
+        assert np.abs(found - exact).max() < 1.1e-2 * np.abs(exact).max()
+
+
 def test_a_workpiece_that_gives_way_stands_beside_the_measured_tip():
     """Its modes are known exactly, and may lie above the band of the measurement."""
     modes = WorkpieceMode(800.0, 0.02, 1e7, 0.4), WorkpieceMode(7000.0, 0.02, 1e8)

@@ -29,6 +29,7 @@ TORN = {
     "raise SystemExit(3)": "SystemExit: 3",
     "": "AttributeError",
     "ANALYSIS = 3": "torn_module:ANALYSIS is not an Analysis of that name",
+    "from rotordyn.analyses.campbell import ANALYSIS": "is not an Analysis of that name",
     "import no_such_module": "No module named 'no_such_module'",
     None: "No module named 'torn_module'",
 }

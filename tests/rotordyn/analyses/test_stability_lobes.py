@@ -917,6 +917,35 @@ def test_period_doubling_is_not_looked_for_where_lobes_are_passed_over(case, mon
         assert bool(asked) == some
 
 
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"helix": "30 deg", "diameter": "20 mm"},
+        {"pitch": "[170 deg, 190 deg]"},
+        {"method": "zero-order"},
+    ],
+)
+def test_period_doubling_is_looked_for_of_straight_and_even_teeth_alone(case, monkeypatch, more):
+    """By the modes of the nearer speed."""
+    asked = []
+
+    def doubling(tip, row, operation, speed):
+        asked.append((row, speed * 30.0 / math.pi))
+        return math.inf
+
+    monkeypatch.setattr(flips, "_doubling", doubling)
+    monkeypatch.setattr(converged, "_change", unchecked)
+    for speeds, nearer in (("[16000 rpm, 18000 rpm]", 1), ("[17850 rpm, 18000 rpm]", 0)):
+        asked.clear()
+        lobes(case(speeds=speeds))
+        rows, rpm = zip(*asked, strict=True)
+        assert set(rows) == {nearer}
+        assert min(rpm) < 17900.0 < max(rpm)
+        asked.clear()
+        lobes(case(speeds=speeds, **more))
+    assert not asked
+
+
 def test_the_cutter_of_a_tool_has_its_diameter() -> None:
     case = rotordyn.load("mfw2310_tools")
     spec = replace(case.analyses["stability_lobes"], speeds=(2000.0,))

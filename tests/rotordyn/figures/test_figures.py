@@ -129,6 +129,8 @@ def test_a_jump_on_a_steep_slope_is_cut_and_a_bend_is_not():
     frequency[:, bending] = np.cumsum([900.0, *[-60.0] * 5, -20.0, 10.0, 10.0])
     steep = replace(result, frequency=frequency, stopped=stopped)
     assert np.argwhere(jumps(steep)).tolist() == [[5, jumping]]
+    turned = replace(steep, frequency=1800.0 - frequency)
+    assert np.argwhere(jumps(turned)).tolist() == [[5, jumping]], "it falls where others rise"
     last = replace(result, frequency=frequency[:7], stopped=stopped[:7])
     assert jumps(last)[5, jumping], "no step behind it"
 

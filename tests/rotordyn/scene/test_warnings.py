@@ -46,6 +46,8 @@ def test_warnings_of_balls_say_at_which_speeds() -> None:
     assert "contacts from 6000 rpm on; raise" in gripping("a", speeds[:3], grip[:3])
     assert "the inner race at 7500 rpm (friction" in slipping("a", speeds, slips)
     assert "150 °C at 2 of 5 speeds, first at 6000 rpm:" in softened(factor[:, None], speeds)
+    one_of_two = np.stack([factor, np.ones(5)], axis=1)
+    assert softened(one_of_two, speeds) == softened(factor[:, None], speeds)
     assert "at 2 of 5 speeds, first at 6000 rpm:" in pressed("a", speeds, 4e10 * grip)
 
 
