@@ -377,9 +377,18 @@ def test_another_class_is_that_of_a_file_that_names_it(word: str, tmp_path: Path
     assert study_of(medium, {path: ["medium", word]}).design.point(1) == {path: word}
     with pytest.raises(InvalidInput, match="no one force of a class 'extra'; allowed: light"):
         rotordyn.vary(medium, {path: "extra"})
-    unlike = rotordyn.vary(medium, {"spindle.bearings.rear.model": BEARING})
-    with pytest.raises(InvalidInput, match=f"no one force of a class '{word}'"):
-        rotordyn.vary(unlike, {path: word})
+    machine, path = medium.spindle, path.removeprefix("spindle.")
+    front, rear = machine.seats
+    beside = replace(rear, name="beside", x=rear.x + 0.05, preloads=())
+    of_three = rotordyn.vary(replace(machine, seats=(front, rear, beside)), {path: word})
+    assert of_three.arrangement == wanted, "the third one is not of the set"
+    twice = replace(rear, preloads=tuple(2.0 * each for each in rear.preloads))
+    for unlike in (
+        rotordyn.vary(machine, {"bearings.rear.model": BEARING}),
+        replace(machine, seats=(front, twice)),
+    ):
+        with pytest.raises(InvalidInput, match=f"no one force of a class '{word}'"):
+            rotordyn.vary(unlike, {path: word})
 
 
 def test_a_constant_force_is_no_mistaken_spring() -> None:
