@@ -89,8 +89,8 @@ class Limits:
         # numpy leaves the interpreter free while it solves for eigenvalues
         return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
-    def stable(self, process: Callable[[float], Process], depth: float) -> Flags:
-        """Whether cuts by speed are stable at a ``depth`` [m] (s,), of machines that are without a
+    def stable(self, process: Callable[[float], Process], depth: Array) -> Flags:
+        """Whether cuts by speed are stable at a ``depth`` (s,) [m], of machines that are without a
         cut.
 
         Raises
@@ -99,16 +99,15 @@ class Limits:
         """
         tops = self.tip.tops[self.rows]
 
-        def radius(row: int, top: float, cut: Process) -> float:
+        def radius(row: int, top: float, cut: Process, depth: float) -> float:
             if isinstance(self.tip, Tip) and self.tip.modes is None:
                 return depth / self._sampled_limit(self.tip, row, cut).depth
             assert self.tip.modes is not None
             found = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
             return float(np.abs(found).max())
 
-        every = zip(
-            self.rows.tolist(), tops.tolist(), map(process, self.speed.tolist()), strict=True
-        )
+        cuts = map(process, self.speed.tolist())
+        every = zip(self.rows.tolist(), tops.tolist(), cuts, depth.tolist(), strict=True)
         found = [*each_in_threads(lambda one: radius(*one), [*every])]
         return np.array(found) < 1.0
 

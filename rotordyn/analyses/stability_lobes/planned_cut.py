@@ -15,7 +15,7 @@ from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
-SURE = 1.1  # times the planned depth, at which edge forces let nothing grow
+SURE = 1.1  # times the planned depth, where that is stable without them, edge forces grow nothing
 HARMONICS = 6.0  # times the highest frequency that matters
 VALUES = {
     "surface_error_least": ("least", "wall"),
@@ -61,7 +61,8 @@ def planned_cut(
         if spec.cut.tangential_edge or spec.cut.radial_edge:
             kept = stable[place]
             some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
-            chatters[place[kept]] = ~some.stable(operation.pushed, SURE * spec.cut.depth)
+            sure = np.where(depth > SURE * spec.cut.depth, SURE, 1.0) * spec.cut.depth
+            chatters[place[kept]] = ~some.stable(operation.pushed, sure[kept])
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
         sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
