@@ -17,6 +17,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Number
+from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 WAYS = ("backward", "forward")
@@ -198,7 +199,7 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
         return []
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
-    order = np.argsort([value for value, _ in values], kind="stable").tolist()
+    order = np.argsort(_nearest_known(result.frequency[:, chosen], row), kind="stable").tolist()
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
         return [[("", *each)] for each in values]
@@ -206,6 +207,14 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
         [(way, *one) for way, one in zip(WAYS, pair, strict=True) if one is not None]
         for pair in zip_longest(backward, forward)
     ]
+
+
+def _nearest_known(frequency: Array, row: int) -> Array:
+    """Of ``frequency`` (speeds, modes) those at a speed, of modes without one there the one at the
+    nearest speed that has it: they keep their place among the others."""
+    away = np.abs(np.arange(len(frequency)) - row)[:, None]
+    rows = np.where(np.isfinite(frequency), away, len(frequency)).argmin(axis=0)
+    return frequency[rows, np.arange(frequency.shape[1])]
 
 
 def warnings(result: CampbellResult) -> list[str]:

@@ -358,5 +358,22 @@ def test_pairs_of_bending_modes_are_numbers_also_where_planes_become_unlike() ->
     ].T.ravel().tolist()
 
 
+def test_a_mode_that_some_speeds_lack_keeps_its_place_among_pairs() -> None:
+    """The next backward mode took its place there, under its name."""
+    found = diagram(overhung(), [0, 15000, 30000], 2000.0)
+    first = found.mode.index("bending 1 backward")
+    frequency = found.frequency.copy()
+    frequency[:2, first] = np.nan
+    lacking = replace(found, frequency=frequency)
+    whole, some = (
+        {n.words: n.value for n in summary.numbers(each, case()) if n.unit == "Hz"}
+        for each in (found, lacking)
+    )
+    for rpm in (0, 15000):
+        assert np.isnan(some.pop(f"bending pair 1 backward at {rpm} rpm"))
+        whole.pop(f"bending pair 1 backward at {rpm} rpm")
+    assert some == whole
+
+
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
     assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []
