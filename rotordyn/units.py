@@ -119,6 +119,7 @@ _NUMBER = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eExX_'’])\s*(.*)", re.S
 )
 _MARKED = re.compile(r"\s*[+-]?\d+[,_'’]\d")
+_GRADE = re.compile(r"\s*G\s?(\d+(?:\.\d+)?)\s*")  # of balance quality
 _DASHED = re.compile(r"\s*([‐-―−])\s*[\d.]")
 _GROUPED = re.compile(r"(\s*[+-]?\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)")
 _FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z]+|%)(?:(?:\^|\*\*)([+-]?\d{1,2}))?")
@@ -150,6 +151,8 @@ def _not_plain(text: str) -> str:
     """What keeps a number from being read, where it is one on paper."""
     if dashed := _DASHED.match(text):
         return f" (write the minus as '-', which '{dashed[1]}' is not, U+{ord(dashed[1]):04X})"
+    if grade := _GRADE.fullmatch(text):
+        return f" (the grade {text.strip()} is written {grade[1]} mm/s)"
     if _MARKED.match(text):
         return " (write a decimal point, and spaces or nothing between groups of three digits)"
     return ""

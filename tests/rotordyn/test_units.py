@@ -91,6 +91,8 @@ REFUSED = [
     ("3'000 rpm", "speed", "(write a decimal point"),
     ("3’000 rpm", "speed", "(write a decimal point"),
     ("3_000 rpm", "speed", "(write a decimal point"),
+    ("G 2.5", "balance quality", "(the grade G 2.5 is written 2.5 mm/s): given 'G 2.5'"),
+    ("G6.3", "balance quality", "written 6.3 mm/s"),
     ("0xBB8 rpm", "speed", "not a finite number: given '0xBB8 rpm'"),
     ("nan mm", "length", "not a finite number"),
     (math.inf, "number", "not a finite number"),

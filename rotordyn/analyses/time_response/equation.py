@@ -3,7 +3,6 @@ bearings stand in its coordinates."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +11,7 @@ from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.analyses.time_response.stops import Stops
 from rotordyn.arrays import Array, Indices
 from rotordyn.equation.linear import Linear
+from rotordyn.scene.joined import Joined
 from rotordyn.scene.linearity import ring_rows
 from rotordyn.scene.scene import Scene
 
@@ -41,19 +41,10 @@ class Equation:
     @classmethod
     def of(cls, scene: Scene, spec: TimeResponseSpec, rows: Indices | None = None) -> Equation:
         """At all usable speeds of a scene, or at some ``rows`` of them."""
-        parts = [scene.linear(k, rows) for k in scene.with_motions(("bending", "axial"))]
-        spindle = scene.spindle
-
-        def joined(each: Callable[[Linear], Array]) -> Array:
-            return np.concatenate([each(part) @ part.basis for part in parts], axis=-1)
-
-        def displaced(places: list[tuple[str | float, str]]) -> Array:
-            at = [(*spindle.place(point), way) for point, way in places]
-            return joined(lambda part: np.stack([part.row(*each) for each in at]))
-
-        stiffness = _blocks([part.allowed_stiffness for part in parts])
-        sleeves = joined(lambda part: _sleeves(scene, part))
-        held = np.sum([_held(scene, part) for part in parts], axis=0)
+        joined = Joined.of(scene, scene.with_motions(("bending", "axial")), rows)
+        spindle, stiffness = scene.spindle, joined.stiffness
+        sleeves = joined.by_coordinates(lambda part: _sleeves(scene, part))
+        held = np.sum([_held(scene, part) for part in joined.parts], axis=0)
         stops = Stops.of(scene, spec.stop_stiffness, rows)
         if stops.act.any():
             springs = np.array([sleeve.spring.stiffness for sleeve in spindle.sleeves])
@@ -63,24 +54,15 @@ class Equation:
         ratios = [spindle.ratios[spindle.place(each.at).rotor] for each in spec.unbalances]
         return cls(
             stiffness=stiffness,
-            damping=_blocks([part.within(part.damping) for part in parts]),
-            inputs=displaced([*spec.ports]).T,
-            speed=parts[0].speed[:, None] * np.array(ratios),
-            points=displaced([(point, way) for point in spec.points for way in DIRECTIONS]),
-            rings=joined(lambda part: ring_rows(scene, part).reshape(-1, part.size)),
+            damping=joined.damping,
+            inputs=joined.displaced(spec.ports).T,
+            speed=joined.parts[0].speed[:, None] * np.array(ratios),
+            points=joined.displaced((point, way) for point in spec.points for way in DIRECTIONS),
+            rings=joined.by_coordinates(lambda part: ring_rows(scene, part).reshape(-1, part.size)),
             sleeves=sleeves,
             held=held,
             stops=stops,
         )
-
-
-def _blocks(parts: list[Array]) -> Array:
-    """Matrices (s, n, n) side by side on the diagonal of one."""
-    ends = np.cumsum([0, *(part.shape[-1] for part in parts)])
-    whole = np.zeros((len(parts[0]), ends[-1], ends[-1]))
-    for begin, end, part in zip(ends[:-1], ends[1:], parts, strict=True):
-        whole[:, begin:end, begin:end] = part
-    return whole
 
 
 def _sleeves(scene: Scene, part: Linear) -> Array:

@@ -1,0 +1,52 @@
+"""The matrices in a line of text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.analyses.matrices.result import MatricesResult
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM, rounded_up, shown
+from rotordyn.results.headline import Number
+from rotordyn.scene.refinement import RESPONSES
+
+
+def summary(result: MatricesResult) -> list[str]:
+    """How many coordinates and ports they have."""
+    count, ports = len(result.column), len(result.port)
+    return [
+        f"matrices   {count} coordinates with mass 1, for frequencies up to "
+        f"{result.max_frequency:g} Hz, and {ports} port{'s' * (ports > 1)} at {len(result.speed)} "
+        f"speed{'s' * (len(result.speed) > 1)}: results.nc, matrices.mat"
+    ]
+
+
+def numbers(result: MatricesResult, _: Described) -> Iterator[Number]:
+    """The highest peak of the receptance at every port, at the first and the last speed."""
+    for k, port in enumerate(result.port):
+        printed = shown(result.unit(k))
+        for row, speed in enumerate(result.shown_speed):
+            highest = float(np.nanmax(np.abs(result.receptance[row, k]))) * printed.factor
+            yield Number(port, printed.unit, highest, speed=float(speed * RPM.factor), digits=3)
+
+
+def accuracy(result: MatricesResult) -> list[str]:
+    """Estimated errors of the poles, and of receptances beside them."""
+    if math.isnan(result.frequency_error):
+        return []
+    return [f"frequencies of the matrices within {rounded_up(result.frequency_error)}"]
+
+
+def warnings(result: MatricesResult) -> list[str]:
+    """That the accuracy asked for is not reached."""
+    worst = max(RESPONSES * result.frequency_error, result.receptance_error)
+    if not worst > result.error_asked:
+        return []
+    return [
+        "matrices: the model changes as it is refined, frequencies by up to "
+        f"{result.frequency_error:.0e}, receptances between the ports by up to "
+        f"{result.receptance_error:.0e}: lower max_frequency, or hold very stiff supports rigid"
+    ]

@@ -1,0 +1,187 @@
+"""The exported matrices are the machine: its receptances, its poles, its motion over time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.io import loadmat
+
+import rotordyn
+from rotordyn.analyses import CampbellSpec, FrfSpec, MatricesSpec, TimeResponseSpec
+from rotordyn.analyses.matrices.summary import warnings
+from rotordyn.analyses.measured_response import Port
+from rotordyn.analyses.time_response.spec import ForceOverTime
+from rotordyn.errors import InvalidInput
+
+RPM = math.pi / 30.0
+MACHINES = {  # name of a case -> ports, highest frequency [Hz]
+    "grinding_spindle_sag": (("nose.y", "nose.z", "nose.thz", "nose.x"), 3000.0),
+    "friswell_oil_films": (("right_disc.y", "right_disc.z", "left_disc.y"), 120.0),
+    "friswell_coaxial": (("disc1.y", "disc1.z", "outer.disc2.y", "outer.disc2.z"), 400.0),
+    "driveline_shaft": (("A.y", "B.z", "B.thx"), 4000.0),
+    "squeeze_film_damper": (("left_disc.y", "right_disc.z"), 150.0),
+}
+
+
+def port(words: str) -> Port:
+    point, _, direction = words.rpartition(".")
+    return Port(point, direction)
+
+
+def asked(name: str, **analyses: Any) -> Any:
+    """A shipped case with the ports of its machine and further analyses, at two speeds."""
+    ports, highest = MACHINES[name]
+    spec = MatricesSpec(highest, tuple(map(port, ports)))
+    given = rotordyn.load(name)
+    top = {"driveline_shaft": 3000.0, "friswell_oil_films": 1500.0}.get(name, 3000.0) * RPM
+    low = 500.0 * RPM if name == "friswell_oil_films" else 0.0
+    case = replace(given, analyses={"matrices": spec, **analyses}, speeds=(low, top), variants={})
+    return replace(case, references=())
+
+
+def state_space(data: Any, row: int) -> Any:
+    """A of ẋ = A x, x = (q, q̇)."""
+    n = data.sizes["row"]
+    k, c = data.stiffness.values[row], data.damping.values[row]
+    return np.block([[np.zeros((n, n)), np.eye(n)], [-k, -c]])
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_receptances_between_all_ports_are_those_of_frf(name: str) -> None:
+    ports, highest = MACHINES[name]
+    lateral = [each for each in ports if each[-2:] in (".y", ".z")]
+    pairs = tuple((port(one), port(other)) for one in lateral for other in lateral)
+    frequency = np.linspace(0.013, 0.97, 9) * highest
+    results = rotordyn.run(asked(name, frf=FrfSpec(tuple(frequency), pairs)))
+    data, known = results["matrices"], results["frf"].receptance.values
+    places = [ports.index(each) for each in lateral]
+    motion = data.motion.values[places]
+    for row in range(2):
+        for k, hertz in enumerate(frequency):
+            s = 2j * math.pi * hertz
+            dynamic = data.stiffness.values[row] + s * data.damping.values[row]
+            found = motion @ np.linalg.solve(dynamic + s**2 * np.eye(len(dynamic)), motion.T)
+            expected = known[row, :, k].reshape(found.shape)
+            assert found == pytest.approx(expected, rel=1e-6, abs=1e-7 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_poles_are_those_of_campbell(name: str) -> None:
+    _, highest = MACHINES[name]
+    results = rotordyn.run(asked(name, campbell=CampbellSpec(highest)))
+    data, modes = results["matrices"], results["campbell"]
+    kinds = {"grinding_spindle_sag": "axial", "driveline_shaft": "torsion"}
+    kept = np.isin(modes.kind.values, ("bending", kinds.get(name)))
+    for row in range(2):
+        found = np.linalg.eigvals(state_space(data, row))
+        for pole in modes.pole.values[row, kept]:
+            if np.isfinite(pole) and pole.imag <= 2.0 * math.pi * highest:
+                away = np.abs(found - pole).min() / abs(pole)
+                assert away < 1e-5, pole
+
+
+def test_damping_holds_the_gyroscopic_effect_times_speed() -> None:
+    """Of supports that do not follow the speed nothing else changes."""
+    data = rotordyn.run(asked("friswell_coaxial"))["matrices"]
+    low, high = data.damping.values
+    speed = float(data.speed[1])
+    size = np.abs(high).max()
+    assert high - low == pytest.approx(speed * data.gyroscopic.values, abs=1e-10 * size)
+    assert data.gyroscopic.values == pytest.approx(-data.gyroscopic.values.T, abs=1e-12)
+
+
+def test_motion_over_time_is_that_of_time_response() -> None:
+    """A half sine on the nose, integrated by another method."""
+    size, pulse, duration = 300.0, 2e-3, 6e-3
+    force = ForceOverTime("nose", "y", force=size, pulse=pulse)
+    spec = TimeResponseSpec(duration, 3000.0, ("nose",), (force,))
+    results = rotordyn.run(asked("grinding_spindle_sag", time_response=spec))
+    data, known = results["matrices"], results["time_response"]
+    motion, n = data.motion.values, data.sizes["row"]
+    a, time = state_space(data, 1), known.time.values
+
+    def slope(t: float, x: Any) -> Any:
+        acting = size * math.sin(math.pi * t / pulse) if t < pulse else 0.0
+        return a @ x + np.concatenate([np.zeros(n), motion[0] * acting])
+
+    answer = solve_ivp(
+        slope, (0.0, duration), np.zeros(2 * n), "LSODA", t_eval=time, rtol=1e-8, atol=1e-13
+    )
+    found = motion[:2] @ answer.y[:n]
+    expected = known.linear_displacement.values[1, :, 0, 1:].T
+    assert found == pytest.approx(expected, abs=1e-4 * np.abs(expected).max())
+
+
+def test_receptances_of_the_result_are_those_of_its_matrices_up_to_their_peaks() -> None:
+    data = rotordyn.run(asked("grinding_spindle_sag"))["matrices"]
+    for place, row in enumerate((0, 1)):
+        s = 2j * math.pi * float(data.frequency[40])
+        dynamic = data.stiffness.values[row] + s * data.damping.values[row]
+        motion = data.motion.values
+        found = motion @ np.linalg.solve(dynamic + s**2 * np.eye(len(dynamic)), motion.T)
+        assert np.diag(found) == pytest.approx(data.receptance.values[place, :, 40], rel=1e-9)
+    ports = (("nose.y", "nose.y"),)
+    pairs = tuple((port(a), port(b)) for a, b in ports)
+    frequency = tuple(np.linspace(10.0, 3000.0, 100))
+    frf = rotordyn.run(asked("grinding_spindle_sag", frf=FrfSpec(frequency, pairs)))["frf"]
+    highest = np.abs(data.receptance.values[:, 0]).max(axis=1)
+    assert highest == pytest.approx(
+        np.nanmax(np.abs(frf.peak_value.values[:, 0]), axis=1), rel=0.01
+    )
+
+
+def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:
+    results = rotordyn.run(asked("friswell_oil_films"))
+    results.save(tmp_path / "o", figures=False)
+    held = loadmat(tmp_path / "o" / "matrices.mat", simplify_cells=True)
+    data = results["matrices"]
+    assert held["K"] == pytest.approx(np.moveaxis(data.stiffness.values, 0, -1))
+    assert held["C"] == pytest.approx(np.moveaxis(data.damping.values, 0, -1))
+    assert held["G"] == pytest.approx(data.gyroscopic.values)
+    assert held["L"] == pytest.approx(data.motion.values)
+    assert (held["M"] == np.eye(data.sizes["row"])).all()
+    assert held["speed"] == pytest.approx(data.speed.values)
+    assert [*held["ports"]] == [*data.port.values]
+
+
+def test_errors_are_told_and_warned_of() -> None:
+    coarse = rotordyn.run(asked("grinding_spindle_sag"))
+    data = coarse["matrices"]
+    assert 0.0 < float(data.frequency_error) < 1e-4
+    assert 0.0 < float(data.receptance_error) < 1e-3
+    assert "frequencies of the matrices within" in coarse.summary
+    result = coarse.parts[""].results["matrices"]
+    assert warnings(result) == []
+    (sentence,) = warnings(replace(result, receptance_error=2e-2))
+    assert "2e-02" in sentence
+
+
+CASE = """
+spindle: grinding_spindle
+speeds: [0 rpm]
+analyses: {matrices: {max_frequency: 2 kHz, ports: [nose.y]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("[nose.y]", "[nowhere.y]", "unknown point"),
+        ("[nose.y]", "[nose.q]", "allowed: x, y, z"),
+        ("[nose.y]", "[nose.y, nose.y]", "repeated"),
+        ("[nose.y]", "[]", "at least one"),
+        ("speeds", "conditions: {formulation: rotating}\nspeeds", "formulation: inertial"),
+        ("speeds", "override: {damping.loss_factor: 1 %}\nspeeds", "loss factor"),
+    ],
+)
+def test_what_has_no_matrices_is_refused(tmp_path: Path, old: str, new: str, words: str) -> None:
+    path = tmp_path / "one.yaml"
+    path.write_text(CASE.replace(old, new), encoding="utf-8")
+    with pytest.raises(InvalidInput, match=words):
+        rotordyn.load(path)
