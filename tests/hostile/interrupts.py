@@ -54,6 +54,7 @@ CASES = {
         "[{at: nose, direction: y, force: 1 kN}]}",
         "{from: 0 rpm, to: 12000 rpm, count: 20}",
     ),
+    "matrices": _rotor("matrices: {max_frequency: 4 kHz, ports: [nose.y, nose.x]}", MANY),
     "static_sag": _rotor("static_sag: {point: nose}", MANY),
     "life": _rotor("life: {}", MANY),
     "thermal_preload": _rotor(

@@ -233,6 +233,12 @@ def _analyses(chance: random.Random, spindle: Mapping) -> Mapping:
     names = chance.sample([*every], chance.choice((1, 1, 2, 3)))
     if chance.random() < 0.4 and "campbell" not in names:
         names.append("campbell")
+    if random.Random(highest).random() < 0.3:  # leaves the numbers of other machines as they are
+        names.append("matrices")
+        every["matrices"] = {
+            "max_frequency": highest,
+            "ports": [f"{point}.{way}" for way in dict.fromkeys((port, force, "thx"))],
+        }
     return {name: every[name] for name in names}
 
 
