@@ -32,6 +32,16 @@ class Line(NamedTuple):
         """Frequency over the speed of the spindle."""
         return abs(self.multiple)
 
+    @property
+    def way(self) -> str:
+        """In which its rotor turns, seen along x."""
+        return "forward" if self.multiple > 0.0 else "backward"
+
+    @property
+    def other_way(self) -> str:
+        """The opposite one."""
+        return "backward" if self.multiple > 0.0 else "forward"
+
     def excites(self, excited_by: str) -> bool:
         """Whether it may excite a mode that unbalance turning so (``excited_by``) excites; forces
         of another order than 1 may point anywhere.
@@ -39,8 +49,7 @@ class Line(NamedTuple):
         >>> [Line("quill", 1.0, -1.5).excites(way) for way in ("forward", "backward", "either")]
         [False, True, True]
         """
-        own = "forward" if self.multiple > 0.0 else "backward"
-        return self.order != OF_UNBALANCE or excited_by in (own, EITHER)
+        return self.order != OF_UNBALANCE or excited_by in (self.way, EITHER)
 
 
 def excited_by(kind: str, whirl: str, *, isotropic: bool) -> str:

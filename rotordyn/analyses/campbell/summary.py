@@ -11,17 +11,17 @@ import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.modes.branches import MOTIONS
-from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.excitation import OF_UNBALANCE, Line, exciting
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
+UNSTABLE = "unstable from"
 MOST = 99  # modes of a kind that may be asked for
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 _TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
@@ -143,9 +143,20 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
     for line_name, line in _lines(result):
         count: Counter[str] = Counter()
         for k in _criticals(result, line):
-            count[kind := result.critical_kind[k]] += 1
+            count[kind := _critical_kind(result, line, k)] += 1
             rpm = float(result.critical_speed[k] * RPM.factor)
             yield Number(f"critical {line_name} {kind} ({count[kind]})", "rpm", rpm, digits=0)
+    if math.isfinite(result.stability_threshold):
+        rpm = float(result.stability_threshold * RPM.factor)
+        yield Number(UNSTABLE, "rpm", rpm, digits=0)
+
+
+def _critical_kind(result: CampbellResult, line: Line, critical: int) -> str:
+    """What is numbered from below: the kind of motion; on the line of unbalance whirl the other way
+    round is apart, which it hardly excites where both planes are nearly alike."""
+    kind, whirl = result.critical_kind[critical], result.critical_whirl[critical]
+    against = whirl in WAYS and whirl != line.way and line.order == OF_UNBALANCE
+    return f"{kind} {whirl}" if against else kind
 
 
 def lacking(result: CampbellResult) -> Iterator[Number]:
@@ -158,8 +169,11 @@ def lacking(result: CampbellResult) -> Iterator[Number]:
         yield Number(f"{name} {k + 1}", "Hz", math.nan, part, at)
     if len(result.speed) == 1:
         return
-    for (name, _), kind, k in product(_lines(result), MOTIONS, range(MOST)):
+    for (name, line), kind, k in product(_lines(result), MOTIONS, range(MOST)):
         yield Number(f"critical {name} {kind} ({k + 1})", "rpm", math.nan)
+        if line.order == OF_UNBALANCE and kind == "bending":
+            yield Number(f"critical {name} {kind} {line.other_way} ({k + 1})", "rpm", math.nan)
+    yield Number(UNSTABLE, "rpm", math.nan)
 
 
 def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
@@ -199,22 +213,15 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
         return []
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
-    order = np.argsort(_nearest_known(result.frequency[:, chosen], row), kind="stable").tolist()
-    backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
-    if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
+    backward, forward = (
+        [value for value, way in zip(values, whirl, strict=True) if way == w] for w in (-1.0, 1.0)
+    )
+    if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(values):
         return [[("", *each)] for each in values]
     return [
         [(way, *one) for way, one in zip(WAYS, pair, strict=True) if one is not None]
         for pair in zip_longest(backward, forward)
     ]
-
-
-def _nearest_known(frequency: Array, row: int) -> Array:
-    """Of ``frequency`` (speeds, modes) those at a speed, of modes without one there the one at the
-    nearest speed that has it: they keep their place among the others."""
-    away = np.abs(np.arange(len(frequency)) - row)[:, None]
-    rows = np.where(np.isfinite(frequency), away, len(frequency)).argmin(axis=0)
-    return frequency[rows, np.arange(frequency.shape[1])]
 
 
 def warnings(result: CampbellResult) -> list[str]:
@@ -257,7 +264,9 @@ def _dropped(result: CampbellResult) -> list[str]:
 
 def _unstable_modes(result: CampbellResult) -> list[str]:
     sentences = []
-    onward = " on" if result.unstable[-1].any() else ""  # or stable again before the top speed
+    first = [name == result.first_to_grow for name in result.mode]
+    lasting = result.unstable[-1, first] if any(first) else result.unstable[-1]
+    onward = " on" if lasting.any() else ""  # or stable again before the top speed
     if 0.0 < result.stability_threshold < result.speed[-1]:
         sentences.append(
             f"{result.first_to_grow} grows by itself from "

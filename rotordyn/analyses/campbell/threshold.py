@@ -40,20 +40,47 @@ def stability_threshold(
             return _begin(scene, band, subsystem, float(speed[row - 1]), float(speed[row]))
         return float(speed[row])
 
-    onsets = [(math.inf, "")]
+    onsets: list[tuple[float, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
     largest = {k: float(scene.system(k).modes.largest.max()) for k in subsystems}
     for branch, name in zip(branches, names, strict=True):
         track = branch.track
         growing = grows(track.pole, largest[branch.subsystem])
         if growing.any():
-            onsets.append((onset(branch.subsystem, track.speed, growing, ~track.lost), name))
+            begin = onset(branch.subsystem, track.speed, growing, ~track.lost)
+            onsets.append((begin, name, branch.subsystem))
     for subsystem in scene.with_motions(MOTIONS):
         diverging = np.asarray(_diverging(scene.system(subsystem)).any(axis=1))
         if diverging.any():
             speed, known = scene.speed[scene.usable], np.ones_like(diverging)
-            onsets.append((onset(subsystem, speed, diverging, known), DIVERGENCE))
-    return min(onsets)
+            onsets.append((onset(subsystem, speed, diverging, known), DIVERGENCE, subsystem))
+    if not onsets:
+        return math.inf, ""
+    first, name, subsystem = min(onsets)
+    own = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
+    return first, _grown(scene, band, subsystem, first, own) or name
+
+
+def _grown(
+    scene: Scene, band: Band, subsystem: int, speed: float, own: Sequence[tuple[Branch, str]]
+) -> str:
+    """Which mode of a subsystem, or ``DIVERGENCE``, grows most at a speed: the one whose pole,
+    straight between the speeds beside, is nearest; of several that grow farther up only one has
+    begun. Empty where there is no equilibrium."""
+    pole = _fastest(scene, band, subsystem, speed)
+    if pole is None or not own:
+        return ""
+    if not swings(np.array([pole]))[0]:
+        return DIVERGENCE
+
+    def away(branch: Branch) -> float:
+        track = branch.track
+        known = np.isfinite(track.pole) & ~track.lost
+        if not known.any():
+            return math.inf
+        return float(abs(np.interp(speed, track.speed[known], track.pole[known]) - pole))
+
+    return min((away(branch), name) for branch, name in own)[1]
 
 
 def _diverging(motions: FreeMotions) -> Flags:
@@ -88,12 +115,20 @@ def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) ->
 
 def _growth(scene: Scene, band: Band, subsystem: int, speed: float) -> float:
     """Largest Re λ over |λ| of what swings in the band or diverges, below zero of a motion that
-    rounding alone would let grow; none where there is no equilibrium."""
+    rounding alone would let grow; NaN where there is no equilibrium."""
+    pole = _fastest(scene, band, subsystem, speed)
+    if pole is None:
+        return math.nan
+    ratio = pole.real / abs(pole)
+    return -ROUNDING if abs(ratio) <= ROUNDING else ratio
+
+
+def _fastest(scene: Scene, band: Band, subsystem: int, speed: float) -> complex | None:
+    """The pole of that motion, −1 where nothing is in the band; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
-        return math.nan
+        return None
     motions = other.system(subsystem)
     inside = (found_in(motions, MARGIN * band.highest) | _diverging(motions))[0]
-    pole = motions.pole[0][inside]
-    ratio = pole.real / np.abs(pole)
-    return float(np.where(np.abs(ratio) <= ROUNDING, -ROUNDING, ratio).max(initial=-1.0))
+    pole = np.append(motions.pole[0][inside], -1.0)
+    return complex(pole[(pole.real / np.abs(pole)).argmax()])

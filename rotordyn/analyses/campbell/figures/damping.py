@@ -70,6 +70,8 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
         look: dict[str, Any] = {"color": CYCLE[place % len(CYCLE)], "lw": 1.2, **marked(place)}
         back = np.nanmean(whirl) < 0.0
         x, curve = _at_jumps(rpm, ratio * 100.0, np.ptp(axes.get_ylim()))
+        if name == result.first_to_grow:
+            x, curve = _through_zero(x, curve, result.stability_threshold * RPM.factor)
         axes.plot(x, curve, ls=BACKWARD if back else "-", label=name, **look)
     threshold = result.stability_threshold * RPM.factor
     if math.isfinite(threshold):
@@ -84,6 +86,16 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
             ha="right" if right else "left",
             fontsize=FONT_SIZE - 1.0,
         )
+
+
+def _through_zero(rpm: Array, ratio: Array, threshold: float) -> tuple[Array, Array]:
+    """The curve of the mode that grows first with the point at which it begins to; where it jumps
+    there it is as it is."""
+    at = int(np.searchsorted(rpm, threshold))
+    beside = ratio[max(at - 1, 0) : at + 1]
+    if threshold in rpm or not np.isfinite(beside).all():
+        return rpm, ratio
+    return np.insert(rpm, at, threshold), np.insert(ratio, at, 0.0)
 
 
 def _at_jumps(rpm: Array, ratio: Array, range_: float) -> tuple[Array, Array]:

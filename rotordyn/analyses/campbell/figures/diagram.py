@@ -27,6 +27,7 @@ from rotordyn.modes.excitation import exciting
 from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -110,14 +111,28 @@ def _diagram(
 
 
 def draw_unstable(axes: Axes, result: CampbellResult) -> None:
-    """A broad band behind every mode where it grows by itself."""
-    if not result.unstable.any():
-        return
-    rpm = np.broadcast_to((result.speed * RPM.factor)[:, None], result.frequency.shape)
-    growing = np.where(result.unstable, result.frequency, np.nan)
+    """A broad band behind every mode where it grows by itself, from the threshold on."""
     look: dict[str, Any] = dict(color=PALE, lw=6.0, solid_capstyle="round", zorder=3)
-    lines = axes.plot(rpm, growing, marker="o", ms=6.0, mec="none", **look)
-    lines[0].set_label("unstable")
+    label = "unstable"
+    for k, name in enumerate(result.mode):
+        growing = np.where(result.unstable[:, k], result.frequency[:, k], np.nan)
+        at, curve = result.speed, growing
+        if name == result.first_to_grow:
+            at, curve = with_threshold(result, growing, result.frequency[:, k])
+        if np.isfinite(curve).any():
+            axes.plot(at * RPM.factor, curve, marker="o", ms=6.0, mec="none", label=label, **look)
+            label = "_"
+
+
+def with_threshold(result: CampbellResult, curve: Array, known: Array) -> tuple[Array, Array]:
+    """Speeds and the ``curve`` over them of the mode that grows first, with the threshold among
+    them: there it is what ``known`` is, straight between the speeds beside."""
+    start, there = result.stability_threshold, np.isfinite(known)
+    if start in result.speed or not there.any():
+        return result.speed, curve
+    at = int(np.searchsorted(result.speed, start))
+    value = np.interp(start, result.speed[there], known[there])
+    return np.insert(result.speed, at, start), np.insert(curve, at, value)
 
 
 def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:

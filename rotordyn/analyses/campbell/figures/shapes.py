@@ -85,11 +85,14 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
 def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
     """The deflected line at the instant of largest motion, shape (node,), for (node, DOF).
 
-    The DOF that moves most is shown; its sign is that of the largest displacement: positive.
+    The DOF that moves most is shown; its sign is that of the largest displacement: positive. NaN
+    of a mode that is not there.
     """
     node, dof = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
     peak = shape[node, dof]
-    if not np.isfinite(peak) or peak == 0.0:
+    if not np.isfinite(peak):
+        return np.full(len(shape), np.nan)
+    if peak == 0.0:
         return np.zeros(len(shape))
     return np.asarray((shape[:, dof] * np.conj(peak) / np.abs(peak) ** 2).real)
 
@@ -119,7 +122,7 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
     columns = [result.dof.index(d) for d in _MOTION.get(result.kind[mode], ("y", "z"))]
     lines = [_lines(result, mode, k, columns, spindle) for k in (0, -1)]
     first, last = (np.concatenate([curve for _, curve in curves]) for curves in lines)
-    side = float(np.sign(first @ last)) or 1.0
+    side = float(np.nan_to_num(np.sign(first @ last))) or 1.0
     several = len(result.rotor) > 1
     rpm = [f"{speed * RPM.factor:.0f} rpm" for speed in result.shape_speed[[0, -1]]]
     for place, rotor in enumerate(result.rotor):

@@ -375,5 +375,29 @@ def test_a_mode_that_some_speeds_lack_keeps_its_place_among_pairs() -> None:
     assert some == whole
 
 
+def test_pairs_over_speed_are_those_of_the_names() -> None:
+    """Where two modes of one whirl cross, each number stays with its mode."""
+    found = diagram(overhung(), [0, 15000, 30000], 2000.0)
+    one, two = (found.mode.index(f"bending {k} forward") for k in (1, 2))
+    frequency = found.frequency.copy()
+    frequency[-1, [one, two]] = frequency[-1, [two, one]]
+    crossed = replace(found, frequency=frequency)
+    values = {n.words: n.value for n in summary.numbers(crossed, case())}
+    assert values["bending pair 1 forward at 30000 rpm"] == frequency[-1, one]
+
+
+def test_critical_speeds_of_unbalance_keep_their_names_where_planes_become_hardly_unlike() -> None:
+    """Backward whirl, which unbalance then excites a little, has a name of its own."""
+    soft = overhung()
+    hardly = replace(soft, supports=(support("a", 0.0, (5e7, 5.0005e7)), *soft.supports[1:]))
+    speeds = np.arange(0, 30001, 3000)
+    one, other = (critical_numbers(diagram(each, speeds, 2000.0)) for each in (soft, hardly))
+    assert one.keys() < other.keys()
+    assert {name: other[name] for name in one} == pytest.approx(one, rel=1e-4)
+    assert any("bending backward (1)" in name for name in other)
+    listed = {n.words for n in summary.lacking(diagram(soft, speeds, 2000.0))}
+    assert other.keys() <= listed
+
+
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
     assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []
