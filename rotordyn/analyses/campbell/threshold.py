@@ -22,6 +22,7 @@ from rotordyn.scene.scene import Scene
 
 DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
+ABOVE = 1e-6  # of the speed: what begins to grow has begun
 ROUNDING = 1e-12  # of |pole|: growth that is none
 
 
@@ -64,10 +65,10 @@ def stability_threshold(
 def _grown(
     scene: Scene, band: Band, subsystem: int, speed: float, own: Sequence[tuple[Branch, str]]
 ) -> str:
-    """Which mode of a subsystem, or ``DIVERGENCE``, grows most at a speed: the one whose pole,
-    straight between the speeds beside, is nearest; of several that grow farther up only one has
+    """Which mode of a subsystem, or ``DIVERGENCE``, grows most just above a speed: the one whose
+    pole, straight between the speeds beside, is nearest; of several that grow farther up one has
     begun. Empty where there is no equilibrium."""
-    pole = _fastest(scene, band, subsystem, speed)
+    pole = _fastest(scene, band, subsystem, (1.0 + ABOVE) * speed)
     if pole is None or not own:
         return ""
     if not swings(np.array([pole]))[0]:
