@@ -14,13 +14,14 @@ from rotordyn.modes.branches import MOTIONS
 from rotordyn.modes.excitation import OF_UNBALANCE, Line, exciting
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
-from rotordyn.results.display import RPM, number, rounded_up
+from rotordyn.results.display import RPM, number, percent, rounded_up
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Number
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
+NONE = 1e-9  # of a damping ratio: rounding
 UNSTABLE = "unstable from"
 MOST = 99  # modes of a kind that may be asked for
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
@@ -90,15 +91,24 @@ def _criticals(result: CampbellResult, line: Line) -> list[int]:
 
 
 def _margins(result: CampbellResult, line: Line) -> list[str]:
-    """Critical speeds on a line in words."""
+    """Critical speeds on a line in words, with their margins and damping ratios."""
     margin = (result.critical_speed / (result.speed[-1] or 1.0) - 1.0) * 100.0
     return [
         unbroken(
             f"{result.critical[k]}{_turn(result.critical[k], result.critical_whirl[k])} "
-            f"{number(result.critical_speed[k] * RPM.factor, 0)} rpm ({margin[k]:+.0f} %)"
+            f"{number(result.critical_speed[k] * RPM.factor, 0)} rpm ({margin[k]:+.0f} %"
+            f"{_damped(float(result.critical_damping[k]))})"
         )
         for k in _criticals(result, line)
     ]
+
+
+def _damped(ratio: float) -> str:
+    """The damping ratio at a critical speed, which says how much it matters: of 0.2 and more hardly
+    any peak is left."""
+    if math.isnan(ratio):
+        return ""
+    return f", ζ {percent(ratio)}" if abs(ratio) > NONE else ", undamped"
 
 
 def _turn(name: str, whirl: str) -> str:

@@ -46,7 +46,7 @@ def test_fits_one_screen(text):
         "kg, centre of gravity at",
         "front sleeve with c: 574 N, 6.2 N/µm, stop after 52.2 µm",
         "1 fw 903.0 → 713.0 fw",
-        "axial 20400 rpm (-15 %)",
+        "axial 20400 rpm (-15 %, ζ 2 %)",
         "a 551 → 1273",
         "front sleeve: reached at 18000 rpm",
         "rear sleeve: not reached",
@@ -116,7 +116,7 @@ def test_where_a_line_leaves_the_band_is_told(case, results):
     top = modes.speed[-1] * 30.0 / np.pi
     narrow = replace(modes, max_frequency=0.9 * top / 60.0)
     said = " ".join(summary(case, results | {"campbell": narrow}).split())
-    assert f"(-15 %); 1× leaves the band at {0.9 * top:.0f} rpm" in said
+    assert f"(-15 %, ζ 2 %); 1× leaves the band at {0.9 * top:.0f} rpm" in said
     quiet = replace(narrow, critical_excited=np.zeros(1, dtype=bool))
     told = " ".join(summary(case, results | {"campbell": quiet}).split())
     assert "none in the band asked for; 1× leaves the band" in told
@@ -127,7 +127,7 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     modes = results["campbell"]
     half = replace(modes, engine_order=np.array([0.43, 2.5]), critical_order=np.array([0.43]))
     said = " ".join(summary(case, {"campbell": half}).split())
-    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %) critical 2.5×" in said
+    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %, ζ 2 %) critical 2.5×" in said
     assert "critical 2.5×, margin to top speed: none from 0 to 24000 rpm" in said
     assert "1×, margin" not in said
     nothing = summary(case, {"campbell": replace(half, engine_order=np.zeros(0))})
