@@ -127,7 +127,7 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     modes = results["campbell"]
     half = replace(modes, engine_order=np.array([0.43, 2.5]), critical_order=np.array([0.43]))
     said = " ".join(summary(case, {"campbell": half}).split())
-    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %, ζ 2 %) critical 2.5×" in said
+    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %, ζ 2 %) critical" in said
     assert "critical 2.5×, margin to top speed: none from 0 to 24000 rpm" in said
     assert "1×, margin" not in said
     nothing = summary(case, {"campbell": replace(half, engine_order=np.zeros(0))})
