@@ -162,6 +162,32 @@ def test_errors_are_told_and_warned_of() -> None:
     assert "2e-02" in sentence
 
 
+@pytest.mark.parametrize("name", ["friswell_coaxial", "grinding_spindle_sag"])
+def test_told_errors_are_the_true_ones(name: str) -> None:
+    """Against a model of 10⁻⁸, of a coarse one."""
+    case, found = asked(name), {}
+    for accuracy in (1e-2, 1e-8):
+        conditions = replace(case.conditions, accuracy=accuracy, element_length=None)
+        data = rotordyn.run(replace(case, conditions=conditions))["matrices"]
+        omega = 2.0 * math.pi * float(data.max_frequency) * np.arange(1, 31) / 30.0
+        motion, unit = data.motion.values, np.eye(data.sizes["row"])
+        found[accuracy] = (
+            float(data.receptance_error),
+            np.array(
+                [
+                    motion @ np.linalg.solve(k + s * c + s * s * unit, motion.T)
+                    for k, c in zip(data.stiffness.values, data.damping.values, strict=True)
+                    for s in omega * (1j + 0.05)
+                ]
+            ),
+        )
+    (told, coarse), (_, fine) = found[1e-2], found[1e-8]
+    size, off = np.abs(fine).max(axis=0), np.abs(coarse - fine).max(axis=0)
+    true = float((off / np.maximum(size, 1e-6 * size.max())).max())
+    assert 1e-5 < true < 1e-2
+    assert true / 3.0 < told < 3.0 * true
+
+
 CASE = """
 spindle: grinding_spindle
 speeds: [0 rpm]
