@@ -8,7 +8,7 @@ LAYOUTS = (
     Layout("unbalance", ("speed", "point"), ("axis",)),
     Layout("unbalance_forces", ("speed", "support"), ("axis",)),
     Layout("unbalance_curve", ("fine_speed", "point"), ("axis",)),
-    Layout("unbalance_films", ("fine_speed", "support"), repeating=True),
+    Layout("unbalance_force_curve", ("fine_speed", "support"), repeating=True),
     Layout("unbalance_peaks", ("point", "resonance")),
     Layout("unbalance_runs", ("run", "point")),
     Layout("unbalance_run_curve", ("run", "run_speed", "point")),
