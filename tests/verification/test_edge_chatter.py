@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+import rotordyn
 from rotordyn.analyses.stability_lobes import cutting
 from rotordyn.analyses.stability_lobes.as_modes import as_modes
 from rotordyn.analyses.stability_lobes.cutting import Cut
@@ -135,3 +136,38 @@ def test_over_time_a_cut_chatters_next_to_the_limit_that_is_asked_for(monkeypatc
     assert moved[0.85, edge] < 0.02
     assert moved[1.1, edge] > 0.1
     assert moved[1.1, 0.0] < 1e-3
+
+
+def test_a_cut_whose_period_doubles_with_edges_both_ways_is_warned_of(tmp_path):
+    """Over time the walls of this slot alternate; with half of the edge forces, or less depth,
+    nothing doubles."""
+    path = tmp_path / "slot.yaml"
+    path.write_text(SLOT, encoding="utf-8")
+    case = rotordyn.load(path)
+    for depth, warned in ((0.01726, True), (0.0096, False)):
+        found = rotordyn.run(case.vary({"analyses.stability_lobes.cut.depth": f"{depth} mm"}))
+        assert bool(found["stability_lobes"].cut_is_stable[0])
+        assert any("edge forces follow" in each for each in found.warnings) == warned
+
+
+SLOT = """\
+spindle: deep_groove_rear
+conditions: {kinematics: hybrid, moment_sharing: equal}
+speeds: [0 rpm, 9600 rpm]
+analyses:
+  stability_lobes:
+    point: nose
+    teeth: 4
+    diameter: 20 mm
+    tangential: 600 MPa
+    radial: 200 MPa
+    milling: slot
+    feed_per_tooth: 0.02874 mm
+    workpiece_modes:
+      - {frequency: 1197.82 Hz, damping: 3.615 %, stiffness: 0.12249 N/um, direction: 0 deg}
+      - {frequency: 1354.05 Hz, damping: 3.528 %, stiffness: 0.2687 N/um, direction: 90 deg}
+      - {frequency: 775.97 Hz, damping: 3.179 %, stiffness: 0.07528 N/um, direction: 0 deg}
+    cut: {depth: 0.01726 mm, tangential_edge: 10.3 N/mm, radial_edge: 30.5 N/mm}
+    max_frequency: 2500 Hz
+    speeds: [8261.2 rpm]
+"""

@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
-from rotordyn.analyses.stability_lobes.spec import HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
+from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
 from rotordyn.errors import InvalidInput
@@ -89,9 +89,9 @@ class Limits:
         # numpy leaves the interpreter free while it solves for eigenvalues
         return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
-    def stable(self, process: Callable[[float], Process], depth: Array) -> Flags:
+    def stable(self, process: Callable[[float], Process], depth: Array, kind: str = NONE) -> Flags:
         """Whether cuts by speed are stable at a ``depth`` (s,) [m], of machines that are without a
-        cut.
+        cut; of the ``kind`` ``FLIP`` as far as period doubling goes.
 
         Raises
         ------
@@ -101,10 +101,13 @@ class Limits:
 
         def radius(row: int, top: float, cut: Process, depth: float) -> float:
             if isinstance(self.tip, Tip) and self.tip.modes is None:
-                return depth / self._sampled_limit(self.tip, row, cut).depth
+                limit = self._sampled_limit(self.tip, row, cut)
+                return 0.0 if kind == FLIP != limit.kind else depth / limit.depth
             assert self.tip.modes is not None
             found = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
-            return float(np.abs(found).max())
+            if kind == FLIP:
+                found = found[(found.imag == 0.0) & (found.real < 0.0)]
+            return float(np.abs(found).max(initial=0.0))
 
         cuts = map(process, self.speed.tolist())
         every = zip(self.rows.tolist(), tops.tolist(), cuts, depth.tolist(), strict=True)

@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.zero_order import Mean
 
 Array = NDArray[np.float64]
-ONE_WAY = 0.5  # of a force that follows half of a swing alone
+ONE_WAY, BOTH_WAYS = 0.5, 1.0  # of a force that follows half of a swing alone, or all of it
 
 
 @dataclass(frozen=True)
@@ -91,13 +91,14 @@ class Operation:
         rate = own.process_damping / float(self._cutting_speed(np.array(speed)))
         return Process(cut, period, lag, replace(cut, tangential=0.0, radial=rate))
 
-    def pushed(self, speed: float) -> Process:
-        """The planned cut at a speed [rad/s] with edge forces that follow the vibration, one way:
-        contact that it cuts short, not what would go on where older teeth have been."""
+    def pushed(self, speed: float, share: float = ONE_WAY) -> Process:
+        """The planned cut at a speed [rad/s] with a ``share`` of the edge forces that follow the
+        vibration; one way: contact that it cuts short, not what would go on where older teeth have
+        been."""
         own, planned, process = self.spec, self.spec.cut, self.process(speed)
         assert planned is not None
         feed = own.feed_per_tooth * own.teeth / (2.0 * math.pi)  # of a radian
-        edges = ONE_WAY * planned.tangential_edge / feed, ONE_WAY * planned.radial_edge / feed
+        edges = share * planned.tangential_edge / feed, share * planned.radial_edge / feed
         return process._replace(cut=replace(process.cut, edges=edges))
 
     @property

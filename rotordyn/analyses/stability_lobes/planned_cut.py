@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limits import Limits
-from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.operation import BOTH_WAYS, Operation
+from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
@@ -63,6 +64,9 @@ def planned_cut(
             some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
             sure = np.where(depth > SURE * spec.cut.depth, SURE, 1.0) * spec.cut.depth
             chatters[place[kept]] = ~some.stable(operation.pushed, sure[kept])
+            both = partial(operation.pushed, share=BOTH_WAYS)
+            own = np.full(len(some.rows), spec.cut.depth)
+            chatters[place[kept]] |= ~some.stable(both, own, FLIP)
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
         sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
