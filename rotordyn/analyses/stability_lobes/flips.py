@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -67,11 +66,15 @@ def flips(limits: Limits, operation: Operation) -> Flips:
     for mode in np.flatnonzero(wide.any(axis=0)).tolist():
         steps = _Steps(speed, hertz[:, mode], waves[:, mode], wide[:, mode], turn)
         for order in steps.orders(BESIDE[-1] * float(np.nanmax(ratio[:, mode]))):
-            row = int(np.nanargmin(np.abs(waves[:, mode] - order)))
-            # of the nearest speed: depths at other ones, at which its mode makes as many waves
-            depth = partial(_doubling, tip, int(limits.rows[row]), operation)
-            damping = float(ratio[row, mode])
-            for each, own in _least(order, damping, hertz[row, mode] * turn, depth, steps):
+
+            def depth(own: float, mode: int = mode) -> float:
+                """By the modes of the nearest speed, where one of them makes as many waves."""
+                row = int(np.nanargmin(np.abs(waves[:, mode] - own)))
+                waving = float(hertz[row, mode]) * turn / own
+                return _doubling(tip, int(limits.rows[row]), operation, waving)
+
+            damping = float(ratio[np.nanargmin(np.abs(waves[:, mode] - order)), mode])
+            for each, own in _least(order, damping, depth, steps):
                 place, where = steps.at(own)
                 judged = each * (1.0 + ALIKE * abs(own / order - 1.0) / damping)
                 if judged < least[place]:
@@ -81,14 +84,14 @@ def flips(limits: Limits, operation: Operation) -> Flips:
 
 
 def _least(
-    order: float, ratio: float, passing: float, depth: Callable[[float], float], steps: _Steps
+    order: float, ratio: float, depth: Callable[[float], float], steps: _Steps
 ) -> Iterator[tuple[float, float]]:
     """Depths [m] and waves within the steps, near those at which a mode is least stable: about the
-    least of all, and about the least within the steps; ``passing`` over waves is the speed."""
+    least of all, and about the least within the steps."""
 
     def at(beside: Array) -> tuple[Array, Array, Flags]:
         own = order * (1.0 + ratio * beside)
-        depths = np.array([depth(passing / each) for each in own.tolist()])
+        depths = np.array([depth(each) for each in own.tolist()])
         return own, depths, np.array([steps.hold(each) for each in own.tolist()], dtype=bool)
 
     own = order * (1.0 + ratio * BESIDE)
