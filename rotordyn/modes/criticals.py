@@ -131,7 +131,8 @@ def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line
     )
     speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
-    stiffness = linear.within(_symmetric(scene.at(ends).linear(subsystem).stiffness))
+    whirling = scene.at(ends).whirling(line.size)
+    stiffness = linear.within(_symmetric(whirling.linear(subsystem).stiffness))
     gyroscopic = linear.within(linear.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):

@@ -56,6 +56,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         scene.system(k)  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
+    scene = scene.whirling(abs(ratio))
     scene, error = solve_accurately(
         scene,
         lambda one: _errors(one, spec, ratio),
@@ -233,7 +234,7 @@ def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> 
     for k, damper in enumerate(spindle.connections):
         if isinstance(damper, SqueezeFilmDamper):
             stiffness, damping = film_coefficients(damper)
-            size = np.hypot(stiffness, damping * ratio) * speed * damper.clearance
+            size = np.hypot(stiffness, damping) * abs(ratio) * speed * damper.clearance
             orbits[:, k] = force[:, k] / np.where(size > 0.0, size, np.inf)
     return orbits
 
