@@ -158,7 +158,7 @@ class FreeMotions:
         pole, structure = self.modes.pole, self.linear.structure
         own = math.inf if structure.rigid else structure.fine.own_mass
         growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < own)
-        return self._each(self._shown(growing))
+        return self._each(self._shown(growing)) & ~np.isnan(self.pole)
 
     def _shown(self, values: NDArray[S]) -> NDArray[S]:
         """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""

@@ -69,6 +69,11 @@ def on_two(
     return Spindle("rotor", shaft, supports=ends, **{**own, **changes})
 
 
+def half(table: dict[tuple[str, str], tuple[float, ...]]) -> dict[tuple[str, str], Any]:
+    """Of tables for one of two supports."""
+    return {pair: tuple(0.5 * each for each in values) for pair, values in table.items()}
+
+
 def solved(
     spindle: Spindle,
     speeds: Sequence[float],
@@ -360,6 +365,22 @@ def test_an_unstable_machine_is_given_its_steady_solution() -> None:
         np.testing.assert_allclose(found.displacement[:, 0, 0], whirl, rtol=1e-6)
         assert (found.unstable == unstable).all()
         assert set(found.outcome) == {""}
+
+
+def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
+    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190."""
+    rigid = on_two(block(K, K), block(C, C))
+    natural = math.sqrt(K / rotor_inertia(rigid).mass)
+    at, limit = (0.0, 100.0, 1000.0), C * natural
+    table = {("y", "z"): (0.0, 0.0, 10.0 * limit), ("z", "y"): (0.0, 0.0, -10.0 * limit)}
+    ends = [
+        replace(each, stiffness={**each.stiffness, **half(table)}, speeds=at)
+        for each in rigid.supports
+    ]
+    spindle = replace(rigid, supports=tuple(ends))
+    found = solved(spindle, [0.0, 1000.0], Unbalance("disc", U), conditions=RIGID)
+    assert found.unstable_from == pytest.approx([190.0], rel=1e-4)
+    assert found.unstable_to == pytest.approx([1000.0])
 
 
 def test_runs_tell_of_unstable_speeds_between_those_of_the_case() -> None:

@@ -167,7 +167,8 @@ class _Way:
         """Of motion at the speeds of the case, and at those that were solved on the way."""
         solved, given = np.isfinite(self.slowest), self.scene.speed[self.scene.usable]
         pole = [slowest_pole(self.scene, self.spec), self.slowest[solved]]
-        return growth_of(np.concatenate([given, self.speed[solved]]), np.concatenate(pole))
+        speed = np.concatenate([given, self.speed[solved]])
+        return growth_of(self.scene, self.spec, speed, np.concatenate(pole))
 
     def axes(self, count: int, time: float, *, down: bool) -> tuple[Array, Complex]:
         """Major half axes of the orbits of points, then of forces of connections, (t, both), and
@@ -199,7 +200,7 @@ class _Way:
         pairs = len(self.spec.points) + len(self.scene.rotor.connections)
         y, z = np.moveaxis(moved[:, : 2 * pairs].reshape(len(moved), pairs, 2), -1, 0)
         if not np.isfinite(moved[:, known]).all():
-            if not self.growth.pole.size:
+            if not (self.slowest.real > 0.0).any():
                 raise NoSolution("it is too slow to be computed: take a shorter time")
             raise NoSolution("the motion grows by itself beyond all numbers: give damping")
         return orbit(y, z).major, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))

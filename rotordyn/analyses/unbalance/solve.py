@@ -150,6 +150,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unstable_from=runs.growth.first,
         unstable_to=runs.growth.last,
         unstable_pole=runs.growth.pole,
+        model_frequency=scene.fineness.frequency,
     )
 
 

@@ -198,7 +198,8 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
             what = f"unbalance: at the largest forces of bearings {where}"
             yield from beyond_tangents(what, result.support, None, apart[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
-    grows = [f"{_from_to(*ends)} it {how_it_grows(pole)}" for *ends, pole in ranges]
+    highest = result.model_frequency
+    grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
             clear = ", clear of those at which the machine is unstable: errors grow there, too"
