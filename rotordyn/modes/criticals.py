@@ -29,7 +29,7 @@ from rotordyn.modes.branches import (
     breakpoints_between,
     whirl_degree,
 )
-from rotordyn.modes.character import whirl_along
+from rotordyn.modes.character import across, whirl_along
 from rotordyn.modes.excitation import Line, excited_by, exciting
 from rotordyn.modes.names import named
 from rotordyn.modes.roots import Start, State, solved
@@ -222,6 +222,7 @@ def _named(
         vector = np.where(linear.energy_of("bending"), state.vector, 0.0)
         degree = float(whirl_degree(linear, vector[None])[0])
         whirl = whirl_along(linear, vector, degree)
-    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic))
+    bends = across(linear, state.vector)
+    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic, across=bends))
     ratio = 0.0 - state.pole.real / abs(state.pole)
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)
