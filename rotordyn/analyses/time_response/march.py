@@ -19,6 +19,7 @@ from rotordyn.allowance import require_time
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.scene.linearity import FAR
 
 NODES = 3  # of a quadratic: start, middle and end of a step
 LAGRANGE = np.array(  # by powers 1, x, x² of the time over the step: polynomials that are 1 at one
@@ -30,7 +31,6 @@ _EDGES = np.arange(SUBSTEPS + 1)[:, None] / SUBSTEPS
 _MEANS = SUBSTEPS * np.diff(_EDGES ** [1, 2, 3], axis=0) / [1, 2, 3]  # of 1, x, x²
 FITTED = np.linalg.pinv(_MEANS @ LAGRANGE.T)
 """(3, substeps): the quadratic whose means are closest; it has the impulse of the force."""
-FAR = 0.1  # m: no machine moves so far
 AT_ONCE = 1000  # steps for which forces are computed together
 CONVERGED = 1e-9  # of the largest displacement of a ring: a smaller Newton step is the last
 ROUNDING = 1e-15  # m, added to that

@@ -21,7 +21,7 @@ from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.numerics.peaks import vertex
 from rotordyn.results.display import RPM
-from rotordyn.scene.linearity import RING, departure, ring_rows
+from rotordyn.scene.linearity import FAR, RING, departure, ring_rows
 from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
 from rotordyn.scene.scene import Scene
 
@@ -178,7 +178,7 @@ class _Way:
 
         Raises
         ------
-        NoSolution : a speed without a state; motions that nothing holds, or without bound
+        NoSolution : a speed without a state; motions that nothing holds, or beyond ``FAR``
         """
         step = PARTS[-1] // count
         place = np.arange(0, len(self.speed), step)[:: -1 if down else 1]
@@ -199,11 +199,19 @@ class _Way:
         known[: 2 * len(self.spec.points)] = True
         pairs = len(self.spec.points) + len(self.scene.rotor.connections)
         y, z = np.moveaxis(moved[:, : 2 * pairs].reshape(len(moved), pairs, 2), -1, 0)
-        if not np.isfinite(moved[:, known]).all():
-            if not (self.slowest.real > 0.0).any():
-                raise NoSolution("it is too slow to be computed: take a shorter time")
-            raise NoSolution("the motion grows by itself beyond all numbers: give damping")
-        return orbit(y, z).major, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
+        finite = np.isfinite(moved[:, known]).all(axis=1)
+        grows = (self.slowest.real > 0.0).any()
+        if not (finite.all() or grows):
+            raise NoSolution("it is too slow to be computed: take a shorter time")
+        with np.errstate(all="ignore"):
+            half = orbit(y, z).major
+        beyond = ~(finite & (half[:, : len(self.spec.points)] < FAR).all(axis=1))
+        if beyond.any():
+            spin = abs(run.first + run.acceleration * time * instants[int(beyond.argmax())])
+            rpm = spin / abs(self.ratio) * RPM.factor
+            how = "grows by itself beyond" if grows else "is wider than"
+            raise NoSolution(f"the motion {how} {FAR * 1e3:g} mm, from {rpm:.0f} rpm on")
+        return half, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 
     def _parts(self, k: int, middles: NDArray[np.intp], edges: Array) -> Parts:
         """Of a subsystem in parts between ``edges`` with the modes of ``middles``. What turns
