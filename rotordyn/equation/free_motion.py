@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
+from rotordyn.equation.constraint import along
 from rotordyn.equation.free_directions import free_directions, too_stiff
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
@@ -115,7 +116,7 @@ class FreeMotions:
 
     def _folded(self, rows: Array) -> Array:
         """Rows (pairs, n) in the coordinates of the modes."""
-        return rows if self._allowed is None else np.asarray(rows @ self._allowed)
+        return rows if self._allowed is None else along(rows, self._allowed)
 
     @cached_property
     def whirl(self) -> Array:

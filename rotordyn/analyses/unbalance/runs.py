@@ -16,6 +16,7 @@ from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
 from rotordyn.analyses.unbalance.steady import AXES, displacement_rows, load_of, out_of_balance
 from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
@@ -264,8 +265,11 @@ class _Way:
                 "just critically damped, have none"
             )
         load = load_of(scene, linear, self.spec)
-        force, (*rows, direct) = load @ linear.basis, _asked(scene, linear, self.spec, load)
-        rows = [each @ linear.basis for each in rows]
+        force, (*rows, direct) = (
+            along(load, linear.basis),
+            _asked(scene, linear, self.spec, load),
+        )
+        rows = [along(each, linear.basis) for each in rows]
         if motions.whirling:
             half = len(force) // 2
             force = force[:half]
