@@ -177,7 +177,8 @@ def _sampled(
     """Speeds, those of the case and more about every peak, and the response there."""
 
     def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:
-        return orbit(arrays[0][..., 0], arrays[0][..., 1]).major
+        y, z = arrays[0][..., 0], arrays[0][..., 1]
+        return np.concatenate([orbit(y, z).major, np.abs(y), np.abs(z)], axis=1)
 
     at = np.array([each.speed for each in critical])
     widths = at * np.abs([each.damping_ratio for each in critical])
