@@ -78,6 +78,20 @@ class Step:
         shown = seen @ by_state[:, :, :n], seen @ by_node[:, :, :n]
         return cls(scale, by_state[:, 1], by_node[:, 1], *shown)
 
+    def linear(self, state: Array, inputs: Array) -> tuple[Array, Array]:
+        """The state after steps under inputs (steps, s, 3, p), and what is seen at their middles
+        and ends (s, 2·steps, w)."""
+        count, s = inputs.shape[:2]
+        given = np.moveaxis(inputs.reshape(count, s, -1), 0, 2)  # (s, 3p, steps)
+        pushed = np.moveaxis(self.by_input @ given, 2, 0)[..., None].copy()
+        begun, now = np.empty((count, *state.shape, 1)), state[..., None]
+        for k in range(count):
+            begun[k] = now
+            now = self.by_state @ now + pushed[k]
+        states = np.moveaxis(begun[..., 0], 0, 2)[:, None]
+        seen = self.seen_by_state @ states + self.seen_by_input @ given[:, None]
+        return now[..., 0], np.transpose(seen, (0, 3, 1, 2)).reshape(s, 2 * count, -1)
+
     def end(self, state: Array, inputs: Array) -> Array:
         """The state at the end (s, m), of that at the start and inputs (s, 3, p)."""
         given = inputs.reshape(len(state), -1, 1)
@@ -150,14 +164,17 @@ def march(
         newton = _Newton(nonlinear, step.by_force(r))
         force[:, 0] = newton.start(moved[:, 0, len(seen) - r :])
     unbalanced, ended = np.zeros(speeds, dtype=bool), np.full(speeds, instants)
-    for k in range(steps):
-        if k % AT_ONCE == 0:
-            require_time("time_response", "not finished")
-            progress(f"step {k} of {steps}")
-            external = _fitted(inputs, length, k, min(AT_ONCE, steps - k))
-        first, last = 2 * k, 2 * k + NODES
-        given[:, :, r:] = external[k % AT_ONCE]
-        if newton is not None:
+    for begin in range(0, steps, AT_ONCE):
+        require_time("time_response", "not finished")
+        progress(f"step {begin} of {steps}")
+        external = _fitted(inputs, length, begin, min(AT_ONCE, steps - begin))
+        if newton is None:
+            after = slice(2 * begin + 1, 2 * (begin + len(external)) + 1)
+            state, moved[:, after] = step.linear(state, external)
+            continue
+        for k, acting in enumerate(external, start=begin):
+            first, last = 2 * k, 2 * k + NODES
+            given[:, :, r:] = acting
             if k:
                 force[:, first + 1 : last] = CONTINUED @ force[:, first - 2 : first + 1]
             given[:, :, :r] = force[:, first:last]
@@ -166,8 +183,8 @@ def march(
             ended = np.where(~found & ~unbalanced, first + 1, ended)
             unbalanced |= ~found
             given[:, :, :r] = force[:, first:last]
-        moved[:, first + 1 : last] = step.seen(state, given)
-        state = step.end(state, given)
+            moved[:, first + 1 : last] = step.seen(state, given)
+            state = step.end(state, given)
     return _path(equation, moved, force, ended, unbalanced)
 
 
