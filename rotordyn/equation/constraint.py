@@ -60,8 +60,8 @@ def along(rows: T, allowed: Array) -> T:
     """Forces or displacements ``rows`` (…, n) in the motions ``allowed`` (n, m): (…, m), zero of
     such as the supports hold."""
     left: Any = rows @ allowed  # of the type of ``rows``
-    size = np.linalg.norm(left, axis=-1, keepdims=True)
-    left[(size <= HELD * np.linalg.norm(rows, axis=-1, keepdims=True))[..., 0]] = 0.0
+    size, whole = (np.abs(each).max(axis=-1, initial=0.0) for each in (left, rows))
+    left[size <= HELD * whole] = 0.0
     return left
 
 
