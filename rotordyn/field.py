@@ -3,7 +3,8 @@
 An annotation says the type and, by ``Annotated``, the range, words, number of items or form of name
 that go with it (``rotordyn.quantity``), what files call it (``Key``), and in a plain text what it
 means. Sequences become tuples and numbers of numpy plain ones; text with a unit is read where the
-annotation tells the unit.
+annotation tells the unit. A mark may say what else is written for a value (``meant``), a
+description how it is read from text (``from_text``).
 """
 
 from __future__ import annotations
@@ -149,11 +150,12 @@ def _unlimited(annotation: Any) -> Check:
 def _bounded(check: Check, limits: list[Any]) -> Check:
     choices = [limit for limit in limits if isinstance(limit, Choice | Words)]
     spoken = [limit for limit in limits if isinstance(limit, Quantity | Words)]
+    written = [limit for limit in limits if hasattr(limit, "meant")]
 
     def bounded(value: Any) -> Any:
         try:
             meant = spoken[0].read(value) if spoken and isinstance(value, str) else value
-            taken = check(meant)
+            taken = check(written[0].meant(meant) if written else meant)
         except InvalidInput as refusal:
             raise Refused(str(refusal)) from None
         except Refused as refusal:
@@ -284,9 +286,16 @@ def _text(value: Any) -> str:
 
 
 def _instance(kind: type) -> Check:
+    read = getattr(kind, "from_text", None)
+
     def instance(value: Any) -> Any:
         if isinstance(value, kind):
             return value
+        if read is not None and isinstance(value, str):
+            try:
+                return read(value)
+            except InvalidInput as refusal:
+                raise Refused(str(refusal)) from None
         raise Refused(_kind_wanted(value, _noun(kind)))
 
     return instance

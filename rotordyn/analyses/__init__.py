@@ -16,14 +16,23 @@ if TYPE_CHECKING:
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec
     from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+    from rotordyn.analyses.matrices.spec import MatricesSpec
     from rotordyn.analyses.measured_response import MeasuredResponse, Port
     from rotordyn.analyses.measured_spindle import MeasuredSpindle
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-    from rotordyn.analyses.stability_lobes.spec import Interval, StabilityLobesSpec, Turning
+    from rotordyn.analyses.stability_lobes.spec import (
+        Interval,
+        PlannedCut,
+        StabilityLobesSpec,
+        Turning,
+    )
     from rotordyn.analyses.stability_lobes.workpiece import Coefficients, Workpiece
+    from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
+    from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
+    from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.analyses.warm_up.spec import WarmUpSpec
     from rotordyn.scene.conditions import Conditions
@@ -46,6 +55,7 @@ _MODULE_OF = {
     "Coefficients": "rotordyn.analyses.stability_lobes.workpiece",
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
+    "ForceOverTime": "rotordyn.analyses.time_response.spec",
     "Interval": "rotordyn.analyses.stability_lobes.spec",
     "LineLoad": "rotordyn.scene.loads",
     "LoadStep": "rotordyn.analyses.life.spec",
@@ -53,14 +63,17 @@ _MODULE_OF = {
     "MountedHeatFlow": "rotordyn.scene.heat_flow",
     "MeasuredResponse": "rotordyn.analyses.measured_response",
     "MeasuredSpindle": "rotordyn.analyses.measured_spindle",
+    "PlannedCut": "rotordyn.analyses.stability_lobes.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.measured_response",
+    "RingRunout": "rotordyn.analyses.static_sag.spec",
     "SpindleHeatFlow": "rotordyn.scene.heat_flow",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
     "Turning": "rotordyn.analyses.stability_lobes.spec",
     "TwistLimit": "rotordyn.scene.loads",
     "Unbalance": "rotordyn.scene.loads",
     "Workpiece": "rotordyn.analyses.stability_lobes.workpiece",
+    "WorkpieceMode": "rotordyn.analyses.stability_lobes.workpiece_mode",
 }
 __all__ = [
     "AxialCycleSpec",
@@ -72,30 +85,37 @@ __all__ = [
     "Conditions",
     "ControlSpec",
     "EccentricSpan",
+    "ForceOverTime",
     "FrfSpec",
     "Interval",
     "LifeSpec",
     "LineLoad",
     "LoadStep",
     "Lubrication",
+    "MatricesSpec",
     "MeasuredResponse",
     "MeasuredSpindle",
     "MountedHeatFlow",
+    "PlannedCut",
     "PointLoad",
     "Port",
     "PreloadSpec",
+    "RingRunout",
     "SectionForcesSpec",
     "ShapesInSpaceSpec",
     "SpindleHeatFlow",
     "StabilityLobesSpec",
+    "StaticSagSpec",
     "StiffnessSpec",
     "ThermalPreloadSpec",
+    "TimeResponseSpec",
     "Turning",
     "TwistLimit",
     "Unbalance",
     "UnbalanceSpec",
     "WarmUpSpec",
     "Workpiece",
+    "WorkpieceMode",
 ]
 
 

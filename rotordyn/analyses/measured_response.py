@@ -8,9 +8,20 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults, ascending
-from rotordyn.machine.matrix import Dof
-from rotordyn.quantity import HIDDEN, Choice, Frequency, Key, Name, PointName, Speed
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.matrix import DOFS, Dof
+from rotordyn.quantity import (
+    HIDDEN,
+    Choice,
+    Frequency,
+    Key,
+    Name,
+    PointName,
+    Speed,
+    suggestion,
+)
 from rotordyn.results.display import response_unit
+from rotordyn.units import shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,6 +38,25 @@ class Port(Description):
 
     point: PointName
     direction: Dof
+
+    @classmethod
+    def from_text(cls, text: str) -> Port:
+        """Of a text such as ``tip.y``.
+
+        >>> Port.from_text("outer.tip.thz")
+        Port(point='outer.tip', direction='thz')
+        """
+        point, _, direction = text.rpartition(".")
+        if not point:
+            raise InvalidInput(
+                f"not a place: given {shown(text)}; allowed: POINT.DIRECTION such as tip.y"
+            )
+        if direction not in DOFS:
+            raise InvalidInput(
+                f"unknown direction: given {shown(text)}; allowed: {', '.join(DOFS)}"
+                f"{suggestion(direction, DOFS)}"
+            )
+        return cls(point, direction)
 
     def __str__(self) -> str:
         return f"{self.point}.{self.direction}"

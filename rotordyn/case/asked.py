@@ -277,11 +277,12 @@ def _places(case: Case, path: str) -> set[str]:
 
 
 def _matters(case: Case, path: str) -> bool:
-    """Whether balls turn, and where moments are shared, have one."""
+    """Whether there are balls that turn, and where moments are shared, have one."""
     name, conditions = path.rpartition(".")[2], case.conditions
     if name not in ("kinematics", "moment_sharing"):
         return True
-    if conditions.bearings == STATIC or not any(case.speeds):
+    balls = case.bearing is not None or (case.spindle is not None and bool(case.spindle.seats))
+    if not balls or conditions.bearings == STATIC or not any(case.speeds):
         return False
     return name == "kinematics" or conditions.dynamics not in MOMENTLESS
 

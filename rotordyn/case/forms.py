@@ -12,7 +12,6 @@ from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
 from bearings.materials import Material
-from rotordyn import units
 from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Pair, Port
@@ -31,11 +30,11 @@ from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import ReducedHousing
-from rotordyn.machine.matrix import DOFS, Matrix
+from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import Items, Quantity, Sweep, suggestion
+from rotordyn.quantity import Items, Quantity, Sweep
 from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
@@ -82,22 +81,14 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
 
 def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A point and a direction, as ``tip.y``."""
-    text = node.value if isinstance(node.value, str) else ""
-    point, _, direction = text.rpartition(".")
-    why = ""
-    if not point:
-        given = units.shown(node.plain())
-        why = f"not a place: given {given}; allowed: POINT.DIRECTION such as tip.y"
-    elif direction not in DOFS:
-        why = (
-            f"unknown direction: given {units.shown(text)}; allowed: {', '.join(DOFS)}"
-            f"{suggestion(direction, DOFS)}"
-        )
-    if why:
-        reading.faults.at(node, why)
+    if not isinstance(node.value, str):
+        return reading.wrong_shape(annotation, node, "POINT.DIRECTION such as tip.y")
+    try:
+        with unchecked():
+            return Port.from_text(node.value)
+    except InvalidInput as fault:
+        reading.faults.at(node, str(fault))
         return unknown(annotation)
-    with unchecked():
-        return Port(point, direction)
 
 
 def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:

@@ -11,11 +11,8 @@ from rotordyn.case.leaf import leaf, unknown
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.reading import Reading, unknown_key
 from rotordyn.field import Refused, bare
-from rotordyn.machine.matrix import DOFS, Matrix, entry_name
+from rotordyn.machine.matrix import DOFS, ENTRIES, WHOLE, Matrix, entry_name
 from rotordyn.quantity import Quantity
-
-ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOFS, DOFS)}
-WHOLE = ("dof", "matrix")
 
 
 def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:

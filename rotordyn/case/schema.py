@@ -24,13 +24,12 @@ from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.identification import IdentificationFile
 from rotordyn.case.keys import COMMON, PortPair, Range, Variant, keys_of
 from rotordyn.case.library import known
-from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.named_models import MODELS
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, found_in, members, metadata
-from rotordyn.machine.matrix import DOFS, Matrix
+from rotordyn.machine.matrix import DOFS, ENTRIES, Matrix
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool

@@ -10,11 +10,15 @@ Theory: docs/theory/supports.md#linear-supports.
 
 from __future__ import annotations
 
+from typing import Any, TypeVar
+
 import numpy as np
 
-from rotordyn.arrays import Array
+from rotordyn.arrays import Array, Matrix
 
 DEPENDENT = 1e-10  # of the largest: a constraint with less follows from the others
+HELD = 1e-12  # of a row: what is left of one that rigid supports hold is rounding
+T = TypeVar("T", bound=Matrix)
 
 
 def allowed_motions(rows: Array, stiffness: Array) -> Array:
@@ -50,6 +54,15 @@ def strained_motions(still: Array, allowed: Array, rows: Array) -> Array:
     ways, size, _ = np.linalg.svd(allowed - still @ (still.T @ allowed), full_matrices=False)
     others = ways[:, size > 0.5]  # σ is 0 or 1
     return np.asarray(others @ np.linalg.qr((rows @ others).T, mode="complete")[0])
+
+
+def along(rows: T, allowed: Array) -> T:
+    """Forces or displacements ``rows`` (…, n) in the motions ``allowed`` (n, m): (…, m), zero of
+    such as the supports hold."""
+    left: Any = rows @ allowed  # of the type of ``rows``
+    size, whole = (np.abs(each).max(axis=-1, initial=0.0) for each in (left, rows))
+    left[size <= HELD * whole] = 0.0
+    return left
 
 
 def _null_space(rows: Array) -> Array:

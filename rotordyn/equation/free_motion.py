@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
+from rotordyn.equation.constraint import along
 from rotordyn.equation.free_directions import free_directions, too_stiff
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
@@ -115,7 +116,7 @@ class FreeMotions:
 
     def _folded(self, rows: Array) -> Array:
         """Rows (pairs, n) in the coordinates of the modes."""
-        return rows if self._allowed is None else np.asarray(rows @ self._allowed)
+        return rows if self._allowed is None else along(rows, self._allowed)
 
     @cached_property
     def whirl(self) -> Array:
@@ -158,7 +159,7 @@ class FreeMotions:
         pole, structure = self.modes.pole, self.linear.structure
         own = math.inf if structure.rigid else structure.fine.own_mass
         growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < own)
-        return self._each(self._shown(growing))
+        return self._each(self._shown(growing)) & ~np.isnan(self.pole)
 
     def _shown(self, values: NDArray[S]) -> NDArray[S]:
         """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""

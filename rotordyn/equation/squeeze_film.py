@@ -1,7 +1,7 @@
 """Squeeze-film dampers: stiffness and damping of a short film whose journal whirls on a circle.
 
 Reynolds' equation of a short film, open at both ends, gives the force on the journal
-per unit of angle, μ R L³ (∂h/∂t) / h³, with h = c − e cos θ and ∂h/∂t = −Ω e sin θ at the angle θ
+per unit of angle, μ R L³ (∂h/∂t) / h³, with h = c − e cos θ and ∂h/∂t = −ω e sin θ at the angle θ
 from the journal's displacement e = ε c. Over the whole film its radial part vanishes; of a
 cavitated one only the half under pressure acts, 0 < θ < π
 (Vance, *Rotordynamics of Turbomachinery*).
@@ -31,12 +31,11 @@ def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
 
 
 def film_matrices(damper: SqueezeFilmDamper) -> AtState:
-    """Stiffness (s, 6, 6) and damping (1, 6, 6) of whirl at the speed of the spindle; a load that
-    stands still is carried by no film."""
+    """Stiffness (s, 6, 6) and damping (1, 6, 6); a load that stands still is carried by no film."""
     stiffness, damping = film_coefficients(damper)
 
     def matrices(state: State) -> LinkMatrices:
-        whirl = np.abs(state.speed)[:, None, None] * (not state.standing)
+        whirl = state.whirl * np.abs(state.speed)[:, None, None] * (not state.standing)
         return LinkMatrices(stiffness * whirl * _RADIAL, damping * _RADIAL[None])
 
     return matrices

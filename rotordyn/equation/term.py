@@ -38,12 +38,13 @@ class Part(NamedTuple):
 class State(NamedTuple):
     """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 6, 6) of the bearings in
     the spindle's frame; sleeves that stand at ``stops``, or by friction (s, sleeves). ``standing``:
-    loads stand still."""
+    loads stand still. ``whirl``: speed of the whirl in squeeze films over that of the spindle."""
 
     speed: Array
     tangents: Array
     stops: Flags
     standing: bool = False
+    whirl: float = 1.0
 
 
 class LinkMatrices(NamedTuple):

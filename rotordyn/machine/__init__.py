@@ -14,6 +14,7 @@ from rotordyn.machine.growth import InterferenceFit as InterferenceFit
 from rotordyn.machine.growth import PrescribedShortening as PrescribedShortening
 from rotordyn.machine.growth import QuadraticInSpeed as QuadraticInSpeed
 from rotordyn.machine.growth import RingGrowth as RingGrowth
+from rotordyn.machine.history import HistoryStep as HistoryStep
 from rotordyn.machine.housing import ReducedHousing as ReducedHousing
 from rotordyn.machine.housing import RigidHousing as RigidHousing
 from rotordyn.machine.joint import Joint as Joint

@@ -10,7 +10,8 @@ from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
 
 UNLIKE = 1.25  # bore over the diameter below it; some count inner rings as shaft
-TWICE = 0.1  # of a disc's mass that the shaft, or another disc, has as well
+TWICE = 0.1  # of a disc's mass that another disc has as well
+BORED = 0.02  # of a disc's mass that the shaft has as well, as where the bore is left at zero
 DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 FAR = 1.0  # [m] radius of gyration of a body, where it is longer than the shaft
 
@@ -33,7 +34,7 @@ def _discs(spindle: Spindle) -> Iterator[str]:
             )
             continue
         shared = max(min(under, disc.outer_diameter) ** 2 - disc.inner_diameter**2, 0.0)
-        if shared > TWICE * _ring(disc):
+        if shared > BORED * _ring(disc):
             yield (
                 f"disc {disc.name} and the shaft fill the same space: its bore is "
                 f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated
+from itertools import chain, product
+from typing import Annotated, Any
 
-from rotordyn.quantity import Choice, Quantity
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import Choice, Quantity, suggestion
 
 DOFS = ("x", "y", "z", "thx", "thy", "thz")
 Dof = Annotated[str, Choice(DOFS)]
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Dof, Dof], Value]
+WHOLE = ("dof", "matrix")  # keys of a matrix that is given whole
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
 MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
 _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
@@ -23,10 +26,34 @@ _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/ra
 class Matrix:
     """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
 
-    Files write them by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns.
+    They may be written by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns; in
+    Python also as 6 × 6 numbers.
     """
 
     kind: str
+
+    def meant(self, value: object) -> object:
+        """The same by pair.
+
+        >>> STIFFNESS.meant({"yy": "50 N/um", ("z", "z"): 4e7})
+        {('y', 'y'): 50000000.0, ('z', 'z'): 40000000.0}
+        >>> DAMPING.meant({"dof": ["y", "thz"], "matrix": [[8.0, 0.0], [1.0, 3.0]]})
+        {('y', 'y'): 8.0, ('thz', 'y'): 1.0, ('thz', 'thz'): 3.0}
+        """
+        if isinstance(value, Mapping) and set(value) == {*WHOLE}:
+            entries = _whole([*value["dof"]], value["matrix"])
+        elif isinstance(value, Mapping):
+            entries = {_pair(key): each for key, each in value.items()}
+        elif isinstance(value, list) or getattr(value, "ndim", 0) > 0:
+            entries = _whole(DOFS, value)
+        else:
+            return value
+        return {pair: self._read(pair, each) for pair, each in entries.items()}
+
+    def _read(self, pair: Any, value: object) -> object:
+        if isinstance(value, list | tuple):
+            return [self._read(pair, each) for each in value]
+        return self.quantity(*pair).read(value) if isinstance(value, str) else value
 
     def quantity(self, row: str, column: str) -> Quantity:
         """What an entry takes, by how many of its two DOF are rotations."""
@@ -50,12 +77,36 @@ def _entry(kind: str, rotations: int) -> Quantity:
     return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound, instead=instead)
 
 
+def _pair(key: Any) -> Any:
+    if isinstance(key, str) and key not in ENTRIES:
+        raise InvalidInput(
+            f"unknown entry: given '{key}'; allowed: two of {', '.join(DOFS)}, as yy or y_thz"
+            f"{suggestion(key, ENTRIES)}"
+        )
+    return ENTRIES[key] if isinstance(key, str) else key
+
+
+def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
+    """Entries of rows of numbers that are not zero."""
+    rows = [[*row] if isinstance(row, Iterable) else [] for row in matrix]
+    if [len(row) for row in rows] != [len(dofs)] * len(dofs):
+        raise InvalidInput(
+            f"not a matrix of its DOF: given {len(rows)} rows; allowed: {len(dofs)} rows of "
+            f"{len(dofs)}"
+        )
+    pairs = zip(product(dofs, dofs), chain(*rows), strict=True)
+    return {pair: each for pair, each in pairs if each != 0.0}
+
+
 STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
 
 
 def entry_name(row: str, column: str) -> str:
     """An entry of a 6×6 matrix as files write it: ``yy``, ``y_thz``."""
     return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
+
+
+ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOFS, DOFS)}
 
 
 def acts(value: Value) -> bool:

@@ -15,8 +15,9 @@ FILMS = ("cavitated", "full")
 class SqueezeFilmDamper(Description):
     """A short oil film between a journal that does not spin and ground.
 
-    The journal whirls at the speed of the spindle on a circle about the centre. Viscosity [Pa·s],
-    lengths [m]. A centring spring is a linear support at the same station.
+    The journal whirls on a circle about the centre, at the speed of what excites it or else of the
+    spindle. Viscosity [Pa·s], lengths [m]. A centring spring is a linear support at the same
+    station.
     """
 
     name: Annotated[Name, "of the damper"]
@@ -34,6 +35,11 @@ class SqueezeFilmDamper(Description):
         "`cavitated`: pressure over half the circumference (π film); `full`: over all of it "
         "([theory](theory/supports.md#squeeze-film-dampers))",
     ] = "cavitated"
+
+    @property
+    def stiff(self) -> bool:
+        """Whether it has a stiffness, which is in proportion to the speed of whirl."""
+        return self.film == "cavitated" and self.eccentricity_ratio > 0.0
 
     def _faults(self) -> Faults:
         if self.clearance >= self.radius:

@@ -12,6 +12,7 @@ from rotordyn.equation.linear import Linear
 from rotordyn.modes.branches import PLANAR, Branch, circular_share
 
 MOSTLY = 0.5  # of the kinetic energy
+ACROSS = 1e-3  # of the kinetic energy: a mode that has less across the axis has none there
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
 
 
@@ -20,6 +21,13 @@ def rigid_share(linear: Linear, branch: Branch) -> Array:
     squares = np.abs(branch.vector) ** 2
     share = squares[:, linear.rigid].sum(axis=1) / squares.sum(axis=1)
     return np.where(branch.column < 0, np.nan, share)
+
+
+def across(linear: Linear, vector: Complex) -> bool:
+    """Whether a mode ``vector`` (…, n) of shafts bends them, too, at any of its speeds."""
+    squares = np.abs(vector) ** 2
+    bent = squares[..., linear.energy_of("bending")].sum(axis=-1)
+    return bool((bent > ACROSS * squares.sum(axis=-1)).any())
 
 
 def characters(

@@ -29,7 +29,7 @@ from rotordyn.modes.branches import (
     breakpoints_between,
     whirl_degree,
 )
-from rotordyn.modes.character import whirl_along
+from rotordyn.modes.character import across, whirl_along
 from rotordyn.modes.excitation import Line, excited_by, exciting
 from rotordyn.modes.names import named
 from rotordyn.modes.roots import Start, State, solved
@@ -131,7 +131,8 @@ def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line
     )
     speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
-    stiffness = linear.within(_symmetric(scene.at(ends).linear(subsystem).stiffness))
+    whirling = scene.at(ends).whirling(line.size)
+    stiffness = linear.within(_symmetric(whirling.linear(subsystem).stiffness))
     gyroscopic = linear.within(linear.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
@@ -221,6 +222,7 @@ def _named(
         vector = np.where(linear.energy_of("bending"), state.vector, 0.0)
         degree = float(whirl_degree(linear, vector[None])[0])
         whirl = whirl_along(linear, vector, degree)
-    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic))
+    bends = across(linear, state.vector)
+    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic, across=bends))
     ratio = 0.0 - state.pole.real / abs(state.pole)
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

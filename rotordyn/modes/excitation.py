@@ -52,11 +52,12 @@ class Line(NamedTuple):
         return self.order != OF_UNBALANCE or excited_by in (self.way, EITHER)
 
 
-def excited_by(kind: str, whirl: str, *, isotropic: bool) -> str:
+def excited_by(kind: str, whirl: str, *, isotropic: bool, across: bool) -> str:
     """Which way unbalance turns that excites a mode: as a bending mode whirls where both planes
-    are alike, else ``EITHER``; empty of axial motion and torsion."""
+    are alike, else ``EITHER``; empty of axial motion and torsion that take no shaft ``across`` its
+    axis."""
     if kind != "bending":
-        return ""
+        return EITHER if across else ""
     return whirl if isotropic and whirl in ("forward", "backward") else EITHER
 
 

@@ -1,6 +1,7 @@
 """Speeds at which a followed mode turns at a multiple of the speed, by secants.
 
-The machine, its bearings and damping included, is set up anew at each trial, all searches at once.
+The machine, its bearings and damping included, is set up anew at each trial, all searches at once;
+journals in squeeze films whirl at the multiple.
 Of it the one mode is corrected that the search is after; all are solved for where that leads to a
 mode unlike it.
 """
@@ -119,12 +120,13 @@ def _states(
     for k in np.flatnonzero(place[row] >= 0).tolist():
         way = branches[starts[k].branch].subsystem, starts[k].line.size
         ways.setdefault(way, []).append(k)
-    for (subsystem, _), chosen in ways.items():
+    for (subsystem, size), chosen in ways.items():
         rows, mine = place[row[chosen]], [starts[k] for k in chosen]
-        near = _corrected(other, subsystem, rows, mine, at[chosen])
+        whirling = other.whirling(size)
+        near = _corrected(whirling, subsystem, rows, mine, at[chosen])
         for k, at_row, state in zip(chosen, rows.tolist(), near, strict=True):
             states[k] = state or _nearest(
-                _known(other, subsystem, starts[k]), at_row, starts[k], float(at[k])
+                _known(whirling, subsystem, starts[k]), at_row, starts[k], float(at[k])
             )
     return states
 

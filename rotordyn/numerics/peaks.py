@@ -18,6 +18,9 @@ GROWTH = 1.5  # of the distance from a pole, from one sample to the next
 NARROW = 1e-4  # of the frequency: about a pole without damping no closer samples
 CLOSER = 1e-3  # of an amplitude: a vertex higher than that is sampled
 ENDLESS = 1e3  # times a sample beside it: no damping limits a peak as high as that
+BENT = 0.2  # of a logarithm: a sample so far off a straight line is told from one on it
+SEEN = 1e-4  # of the largest amplitude of a curve: where it has less, it is not asked how it bends
+NOTHING = 1e-9  # of the largest of all curves: one that has less is rounding
 ROUNDS = 8
 
 
@@ -77,14 +80,17 @@ def sampled(
     solve: Callable[[Array], Sequence[NDArray[np.generic]]],
     amplitude: Callable[[Sequence[NDArray[np.generic]]], Array],
 ) -> tuple[Array, list[NDArray[np.generic]]]:
-    """Samples ``x`` (n,) and what ``solve`` gives of them (n, …), with more at every peak.
+    """Samples ``x`` (n,) and what ``solve`` gives of them (n, …), with more at every peak and
+    wherever curves bend.
 
     ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is no
-    higher than the highest sample.
+    higher than the highest sample, and intervals are halved until their logarithms are nearly
+    straight from sample to sample.
     """
     values = list(solve(x))
     for _ in range(ROUNDS):
-        wanted = np.setdiff1d(_higher(x, amplitude(values)), x)
+        curves = amplitude(values)
+        wanted = np.setdiff1d(np.concatenate([_higher(x, curves), _bent(x, curves)]), x)
         if not wanted.size:
             break
         more = solve(wanted)
@@ -93,6 +99,18 @@ def sampled(
         x = x[order]
         values = [np.concatenate([a, b])[order] for a, b in zip(values, more, strict=True)]
     return x, values
+
+
+def _bent(x: Array, amplitude: Array) -> Array:
+    """Middles of the intervals at samples that lie off the straight line of their neighbours."""
+    high = np.fmax.reduce(amplitude, axis=0, initial=0.0)
+    shown = (amplitude > SEEN * high) & (high > NOTHING * high.max(initial=0.0))
+    level = np.log(np.where(shown & np.isfinite(amplitude), amplitude, np.nan))
+    before, after = np.diff(x)[:-1, None], np.diff(x)[1:, None]
+    straight = (level[:-2] * after + level[2:] * before) / (before + after)
+    wide = np.minimum(before, after) > 2.0 * NARROW * np.abs(x[1:-1, None])
+    at = 1 + np.flatnonzero((wide & (np.abs(level[1:-1] - straight) > BENT)).any(axis=1))
+    return np.unique(0.5 * np.concatenate([x[at] + x[at - 1], x[at] + x[at + 1]]))
 
 
 def _higher(x: Array, amplitude: Array) -> Array:

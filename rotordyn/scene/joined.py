@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rotordyn.arrays import Array, Indices
+from rotordyn.equation.constraint import along
 from rotordyn.equation.linear import Linear
 from rotordyn.scene.scene import Scene
 
@@ -42,7 +43,7 @@ class Joined:
 
     def by_coordinates(self, rows: Callable[[Linear], Array]) -> Array:
         """``rows`` of each part (…, its own coordinates) by the coordinates of all (…, n)."""
-        return np.concatenate([rows(part) @ part.basis for part in self.parts], axis=-1)
+        return np.concatenate([along(rows(part), part.basis) for part in self.parts], axis=-1)
 
     def displaced(self, places: Iterable[tuple[str | float, str]]) -> Array:
         """Displacements of points or stations in directions by the coordinates (places, n)."""

@@ -22,6 +22,7 @@ RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
 SEEN = 1e-4  # of the load in the preload state: a smaller one beside it is not compared
 TOLD = 0.25  # of the load that the tangent adds
+FAR = 0.1  # m: no machine moves so far
 SMALL = 0.1  # rad: of such an inclination 1 − cos is half a percent, of the curvature 1.5 percent
 LINEAR = Absence(
     "of supports, beside oil films, and without a steady motion", by=("speed", "support")

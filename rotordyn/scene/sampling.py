@@ -1,5 +1,5 @@
-"""Responses over speed, sampled where they need it: about critical speeds, at every peak, and on
-both sides of a speed at which a stop closes."""
+"""Responses over speed, sampled where they need it: about critical speeds, at every peak, where
+curves bend, and on both sides of a speed at which a stop closes."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ def over_speed(
 ) -> tuple[Array, list[NDArray[Any]]]:
     """Speeds [rad/s] (n,) from the first to the last usable one, and ``values`` (n, …) there.
 
-    ``values`` of a scene: arrays over its usable speeds, NaN in others. ``amplitude`` of them
-    (n, curves): every peak of it is sampled to its top. ``centres`` and half ``widths`` (k,)
-    [rad/s]: of peaks that are expected. A speed at which stops close is a sample of NaN between
-    its two sides, so that a line drawn through the samples breaks there.
+    ``values`` of a scene: arrays over its usable speeds, NaN in others. ``amplitude`` of them (n,
+    curves): every peak of it is sampled to its top, and where its logarithm bends. ``centres`` and
+    half ``widths`` (k,) [rad/s]: of peaks that are expected. A speed at which stops close is a
+    sample of NaN between its two sides, so that a line drawn through the samples breaks there.
     """
     given = scene.speed[scene.usable]
     low, high = float(given[0]), float(given[-1])

@@ -74,7 +74,7 @@ class Scene(Statics):
         self.checks = checks or Checks()
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
         self.top_speed = float(np.abs(speed).max(initial=0.0))
-        self.own_speeds = len(speed)
+        self.own_speeds, self.whirl = len(speed), 1.0
         self.coarse: Structure | None = None
         self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
@@ -84,6 +84,15 @@ class Scene(Statics):
     def at(self, speed: Array) -> Scene:
         """The same machine and coordinates at other speeds [rad/s], ascending."""
         return self._like(speed, self.finer)
+
+    def whirling(self, multiple: float) -> Scene:
+        """The same machine with squeeze films whose journals whirl at a ``multiple`` of the speed
+        of the spindle."""
+        if multiple == self.whirl or not any(film.stiff for film in self.spindle.dampers):
+            return self
+        other = self.at(self.speed)
+        other.whirl = multiple
+        return other
 
     def under(self, conditions: Conditions) -> Scene:
         """The same machine at the same speeds under other conditions."""
@@ -116,6 +125,7 @@ class Scene(Statics):
         # a model serves other speeds, but is as fine as the highest speed of the case asks
         other.top_speed, other.bodies = self.top_speed, self.bodies
         other.coarse, other.own_speeds = self.coarse, self.own_speeds
+        other.whirl = self.whirl
         return other
 
     @property
@@ -246,7 +256,8 @@ class Scene(Statics):
         that dry friction holds against motions that vanish."""
         rubbing = np.array([sleeve.friction > 0.0 for sleeve in self.spindle.sleeves], dtype=bool)
         tangents = in_spindle_frame(self.spindle.seats, self.seat_stiffness)
-        return State(self.speed[self.usable], tangents, self.stopped | rubbing)
+        stops = self.stopped | rubbing
+        return State(self.speed[self.usable], tangents, stops, whirl=self.whirl)
 
     @property
     def stopped(self) -> Flags:
@@ -279,7 +290,8 @@ class Scene(Statics):
         """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
         them."""
         chosen: Any = slice(None) if rows is None else rows
-        state = State(*(each[chosen] for each in self.state[:3]))
+        speed, tangents, stops = (each[chosen] for each in self.state[:3])
+        state = self.state._replace(speed=speed, tangents=tangents, stops=stops)
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
         size = sum(component.size for component in self.subsystems[k])

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 
 import rotordyn
 from docs.generate.marked import parts
@@ -18,6 +20,13 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 # How many machines a search solves hangs on the last digit of the processor's arithmetic.
 EFFORT = re.compile(r"\d+ machines solved")
 PAGES = snippet_pages()
+YAML = re.compile(r"^```yaml\n(.*?)^```", re.MULTILINE | re.DOTALL)
+KEYS = ("speeds", "conditions", "analyses", "override")  # of a case; others are of a spindle
+EXPLAINING = [
+    page
+    for page in sorted([*DOCS.glob("*.md"), *(DOCS / "theory").glob("*.md")])
+    if YAML.search(page.read_text(encoding="utf-8"))
+]
 SEARCHES = ("identification", "intervals", "optimum", "rotor_from_responses")  # take long
 NAMED = [
     pytest.param(
@@ -43,6 +52,33 @@ def test_blocks_of_a_page_run_and_print_what_it_shows(
         assert NUMBER.sub("#", before) == NUMBER.sub("#", now), name
         old, new = ([float(n) for n in NUMBER.findall(text)] for text in (before, now))
         assert old == pytest.approx(new, rel=2e-3, abs=1e-4), name
+
+
+@pytest.mark.parametrize("page", EXPLAINING, ids=lambda page: page.stem)
+def test_yaml_of_the_pages_that_explain_is_taken(page: Path, tmp_path: Path) -> None:
+    """All blocks of a page together, as parts of a case or of a spindle."""
+    given: dict[str, Any] = {"speeds": ["0 rpm"], "analyses": {"campbell": {}}}
+    material = {"name": "steel", "young_modulus": "210 GPa", "poisson_ratio": 0.3}
+    section = {"length": "1 m", "outer_diameter": "50 mm"}
+    shaft = {"start": "0 m", "material": {**material, "density": "7800 kg/m^3"}}
+    parts: dict[str, Any] = {}
+    for code in YAML.findall(page.read_text(encoding="utf-8")):
+        block = yaml.safe_load(code)
+        for key, value in block.items():
+            into = given if key in KEYS else parts
+            both = isinstance(value, dict) and isinstance(into.get(key), dict)
+            into[key] = merged(into[key], value) if both else value
+    machine: dict[str, Any] = {"spindle": "mfw2310", "tool": "mfw2310_exciter"}
+    if parts:
+        machine = {"spindle": {"shaft": {**shaft, "sections": [section]}, **parts}}
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump({**machine, **given}, allow_unicode=True))
+    rotordyn.load(tmp_path / "case.yaml")
+
+
+def merged(old: dict[str, Any], new: dict[str, Any]) -> dict[str, Any]:
+    """Mappings of mappings."""
+    both = {k: merged(old[k], v) for k, v in new.items() if isinstance(old.get(k), dict)}
+    return {**old, **new, **both}
 
 
 def test_the_tutorial_builds_the_spindle_that_new_writes(

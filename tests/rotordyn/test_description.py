@@ -25,6 +25,7 @@ from rotordyn.analyses import (
     ControlSpec,
     FrfSpec,
     Lubrication,
+    MatricesSpec,
     PointLoad,
     Port,
     PreloadSpec,
@@ -35,8 +36,11 @@ from rotordyn.analyses import (
     UnbalanceSpec,
 )
 from rotordyn.analyses.measured_response import MeasuredResponse
+from rotordyn.analyses.registry import analysis, built_in
 from rotordyn.case.keys import keys_of
+from rotordyn.description import Description
 from rotordyn.errors import InvalidInput
+from rotordyn.field import declared, descriptions
 from rotordyn.machine import (
     BearingSeat,
     ComputedShortening,
@@ -322,6 +326,16 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         case(title="a\0")
     ),
     r"Case a : name: given 'a.ud800' with the character U.D800": lambda: case(name="a\ud800"),
+    r"LinearSupport a: stiffness: unknown entry: given 'yq'; .*as yy or y_thz": lambda: (
+        LinearSupport("a", 0.0, {"yq": 1.0})
+    ),
+    r"LinearSupport a: damping: not a matrix of its DOF: given 2 rows; .*: 6 rows of 6": lambda: (
+        LinearSupport("a", 0.0, damping=np.eye(2))
+    ),
+    r"MatricesSpec: ports\.1: unknown direction: given 'tip.q'": lambda: MatricesSpec(
+        1e3, ("tip.q",)
+    ),
+    r"MatricesSpec: ports\.1: not a place: given 'tip'": lambda: MatricesSpec(1e3, ("tip",)),
     r"compare.v: the speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
 }
 
@@ -365,6 +379,35 @@ def test_text_with_a_unit_and_words_of_files_are_taken() -> None:
     assert Spring(*given) == Spring(574.0, INF)
     given = ("a", BEARING, "50 mm", "-x")
     assert BearingSeat(*given) == replace(FRONT, thrust=-1)
+
+
+def test_matrices_and_ports_are_taken_as_files_write_them() -> None:
+    """Entries by name, whole, or as 6 × 6 numbers; places as POINT.DIRECTION."""
+    table = {"yy": [1e8, "2 kN/mm"], "zz": 1e8}
+    made = LinearSupport("left", 0.0, table, speeds=(0.0, 100.0))
+    assert made.stiffness == {("y", "y"): (1e8, 2e6), ("z", "z"): 1e8}
+    every = np.zeros((6, 6))
+    every[1, 1] = every[2, 2] = 1e8
+    whole = {"dof": ["y", "z"], "matrix": [["100 N/um", 0.0], [0.0, 1e8]]}
+    for each in ({"yy": 1e8, "zz": "100 N/um"}, whole, every, every.tolist()):
+        assert LinearSupport("left", 0.0, each) == SUPPORT
+    assert FrfSpec((1.0,), (("tip.y", TIP),)) == FrfSpec((1.0,), ((TIP, TIP),))
+    assert MatricesSpec(1e3, ("tip.y",)).ports == (TIP,)
+    asked = case(analyses={"matrices": MatricesSpec(1e3, (Port("tip", "z"),))})
+    asked = asked.vary({"analyses.matrices.ports": ["tip.y"]})
+    assert asked.analyses["matrices"] == MatricesSpec(1e3, (TIP,))
+
+
+def test_every_description_that_a_spec_takes_can_be_had() -> None:
+    """Of the analyses and of the machine, by a walk through all annotations."""
+    rooms = [dir(importlib.import_module(f"rotordyn.{room}")) for room in ("analyses", "machine")]
+    wanted: list[type] = [Conditions, *(analysis(name).spec for name in built_in())]
+    for kind in wanted:  # which grows on the way
+        inner = (each for field in declared(kind) for each in descriptions(field.annotation))
+        wanted += [each for each in inner if each not in wanted]
+    named = {kind.__name__ for kind in wanted if issubclass(kind, Description)}
+    assert len(named) > 30
+    assert named - {*rooms[0], *rooms[1]} == set()
 
 
 def test_fields_are_kept_in_one_form() -> None:

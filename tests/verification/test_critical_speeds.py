@@ -13,12 +13,16 @@ from scipy.linalg import eigvals
 
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.mesh import build_mesh
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.modes import roots
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
 from tests.literature.test_rotor_friswell import base, overhung
 from tests.oracles.exact_shaft.poles import exact_mode
@@ -67,6 +71,48 @@ def test_published_synchronous_criticals_from_two_speeds(
     assert "".join(found.critical_whirl[k][0] for k in own) == whirl
     assert [found.critical_excited[k] for k in own] == [letter == "f" for letter in whirl]
     assert found.critical_damping[own] == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(("coupling", "excited"), [(4e6, True), (1e5, False)])
+def test_unbalance_excites_an_axial_mode_that_supports_couple_to_bending(
+    coupling: float, excited: bool
+) -> None:
+    """A rigid body on springs between x and y: its two frequencies, and its response
+    [[kx − m Ω² + icΩ, k], [k, ky − m Ω² + icΩ]] (x, y) = (0, u Ω²) with a peak at the axial one."""
+    kx, ky, damping, u = 2e7, 6e6, 300.0, 1e-4
+    held = [
+        LinearSupport(
+            name,
+            x,
+            {pair: 0.5 * size for pair, size in stiffness(kx, ky, coupling).items()},
+            {(way, way): 0.5 * damping for way in "xyz"},
+        )
+        for name, x in (("a", 0.0), ("b", 0.4))
+    ]
+    spindle = replace(uniform(0.4, 0.1, supports=held), points={"mid": 0.2})
+    mass, plain = rotor_inertia(spindle).mass, np.array([[kx, coupling], [coupling, ky]])
+    expected = math.sqrt(np.linalg.eigvalsh(plain)[1] / mass)
+    speed = np.linspace(0.0, 1.5 * expected, 5)
+    scene = Scene(spindle, Conditions(rotor="rigid"), speed, 1000.0, (0.2,))
+    found: Any = campbell.answer(scene, CampbellSpec(1000.0, shapes=False))
+    own = found.critical_kind.index("axial")
+    assert found.critical_speed[own] == pytest.approx(expected, rel=1e-4)
+    assert found.critical_excited[own] == excited
+    moved = unbalance.answer(scene, UnbalanceSpec(("mid",), (Unbalance("mid", u),)))
+    at = moved.fine_speed
+    dynamic = plain + (1j * damping * at - mass * at**2)[:, None, None] * np.eye(2)
+    closed = np.linalg.solve(dynamic, np.outer(u * at**2, [0.0, 1.0])[..., None])[..., 0]
+    np.testing.assert_allclose(moved.fine_displacement[:, 0, 0], closed[:, 1], rtol=1e-6)
+    near = np.abs(moved.critical_speed / expected - 1.0) < 1e-4
+    assert near.any() == excited
+    along = np.abs(closed[at > 0.9 * expected, 0]).max()
+    assert (along > 10.0 * u / mass) == excited
+
+
+def stiffness(kx: float, ky: float, coupling: float) -> dict[tuple[str, str], float]:
+    """Between x and y, z as y."""
+    own = {("x", "x"): kx, ("y", "y"): ky, ("z", "z"): ky}
+    return {**own, ("x", "y"): coupling, ("y", "x"): coupling}
 
 
 @pytest.mark.few(4)

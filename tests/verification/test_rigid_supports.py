@@ -19,6 +19,8 @@ from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.section_forces import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.time_response import solve as time_response
+from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.summary import summary
@@ -171,6 +173,27 @@ def test_a_rotor_that_cannot_move() -> None:
     scene = Scene(beam(every), conditions, SPEEDS, 1000.0)
     assert campbell.answer(scene, CampbellSpec(1000.0)).mode == ()
     assert not response(beam(every), "mid.y", "mid.y", conditions=conditions).any()
+
+
+def test_what_acts_on_a_rigid_support_moves_nothing() -> None:
+    """Nor does the place held there move; the support carries the unbalance by itself, Ω² U."""
+    spindle = beam(pin("a", 0.0), spring("b", LENGTH, 5e7, damping=1e3))
+    spindle = replace(spindle, points={**spindle.points, "held": 0.0})
+    spec: Any = UnbalanceSpec(("mid", "end"), (Unbalance("held", 1e-5),), run_up=(1.0,))
+    found = unbalance.answer(Scene(spindle, Conditions(), SPEEDS, 500.0, (0.0, 0.2, LENGTH)), spec)
+    assert not found.displacement.any()
+    assert not found.run_amplitude.any()
+    assert not found.error.any()
+    assert found.force_amplitude[:, 0] == pytest.approx(1e-5 * SPEEDS**2, rel=1e-9)
+    assert not found.force_amplitude[:, 1].any()
+    pairs = ("mid.y", "held.y"), ("held.z", "mid.z")
+    assert not any(response(spindle, *pair, conditions=Conditions()).any() for pair in pairs)
+    blow = ForceOverTime("held", "y", force=100.0, pulse=5e-3)
+    spec = TimeResponseSpec(duration=0.02, points=("mid",), forces=(blow,), max_frequency=500.0)
+    scene = Scene(spindle, Conditions(), np.array([100.0]), 500.0, (0.0, 0.2))
+    after: Any = time_response.answer(scene, spec)
+    assert not after.displacement.any()
+    assert not after.error.any()
 
 
 def test_a_constraint_that_follows_from_others_holds_nothing_more() -> None:

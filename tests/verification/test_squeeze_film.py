@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import dblquad
+from scipy.optimize import brentq
 
 from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec
@@ -20,8 +21,10 @@ from rotordyn.analyses.unbalance.summary import warnings
 from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.squeeze_film import FILMS, SqueezeFilmDamper
+from rotordyn.modes.criticals import criticals_up_to
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
@@ -161,6 +164,61 @@ def test_a_film_carries_no_standing_load(film: str) -> None:
     share = np.asarray(found.reaction)[:, :, 1]
     np.testing.assert_allclose(share[:, 0], -50.0, rtol=1e-9)
     np.testing.assert_allclose(share[:, 2], 0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [3.0, -3.0])
+def test_a_film_whirls_with_the_rotor_that_is_out_of_balance(ratio: float) -> None:
+    """A rigid rotor on springs k from the spindle turns at three times its speed."""
+    k, size = 8e6, 1e-5
+    between = [
+        replace(support(f"to {name}", x, (k, k)), holds="spindle", against="outer")
+        for name, x in (("a", 0.0), ("b", LENGTH))
+    ]
+    spindle = machine("cavitated")
+    outer = Rotor(
+        "outer", ratio, uniform(LENGTH, 0.1, inner=0.06).shaft, points={"ring": LENGTH / 2.0}
+    )
+    spindle = replace(spindle, rotors=(outer,), supports=(*spindle.supports, *between))
+    spec = UnbalanceSpec(("mid",), (Unbalance("outer.ring", size),))
+    found = unbalance.answer(Scene(spindle, RIGID, SPEED, 500.0, (LENGTH / 2.0,)), spec)
+    stiffness, damping = film_coefficients(FILM)
+    masses = [rotor_inertia(each).mass for each in (spindle, spindle.part("outer"))]
+    for row, whirl in enumerate(abs(ratio) * SPEED[1:], start=1):
+        film = stiffness * whirl + 1j * whirl * damping
+        own = 2.0 * (SPRING + film + k) - masses[0] * whirl**2
+        other = 2.0 * k - masses[1] * whirl**2
+        moved = 2.0 * k * size * whirl**2 / (own * other - 4.0 * k**2)
+        assert found.displacement[row, 0, 0] == pytest.approx(moved, rel=1e-7)
+        place = found.support.index("left film")
+        assert found.force[row, place, 0] == pytest.approx(-film * moved, rel=1e-7)
+        at = int(np.argmin(np.abs(found.fine_speed - SPEED[row])))
+        assert found.film_orbit[at, place] == pytest.approx(abs(moved) / 1e-4, rel=1e-7)
+
+
+def test_engine_orders_whirl_at_their_multiple_of_the_speed() -> None:
+    """Critical speed of order 3, and the receptance at 3Ω, of a film that whirls at 3Ω."""
+    thin = tuple(replace(each, viscosity=2e-3) for each in machine("cavitated").dampers)
+    spindle = replace(machine("cavitated"), dampers=thin)
+    stiffness, damping = film_coefficients(thin[0])
+    mass = rotor_inertia(spindle).mass
+
+    def miss(turning: float) -> float:
+        held = SPRING + stiffness * turning
+        return math.sqrt(2.0 * held * mass - damping**2) / mass - turning
+
+    expected = float(brentq(miss, 1.0, 5000.0)) / 3.0
+    one = Scene(spindle, RIGID, SPEED, 500.0, (LENGTH / 2.0,))
+    found = critical_speeds_of(one, 3.0)
+    assert min(abs(each / expected - 1.0) for each in found) < 1e-7
+    spec = FrfSpec((), pairs("mid.y/mid.y"), engine_orders=(3.0,))
+    line: Any = frf.answer(one, spec)
+    whirl = 3.0 * SPEED
+    exact = 1.0 / (2.0 * (SPRING + stiffness * whirl + 1j * whirl * damping) - mass * whirl**2)
+    np.testing.assert_allclose(np.squeeze(line.line_value), exact, rtol=1e-7)
+
+
+def critical_speeds_of(scene: Scene, order: float) -> list[float]:
+    return [each.speed for each in criticals_up_to(scene, order, (order,))]
 
 
 @pytest.mark.parametrize(

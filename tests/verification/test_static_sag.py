@@ -336,6 +336,24 @@ def test_what_gauges_near_to_each_other_read_stands_beside_each_other(
     assert len(said) == len(gauges), "of the first machine alone"
 
 
+def test_what_a_gauge_reads_stands_clear_of_the_shaft() -> None:
+    """At the lower end of an overhang the shaft lies above the gauge."""
+    spindle = beam(*SUPPORTS["rigid"])
+    found = solved(spindle, gauges=(0.0,))
+    low = replace(found, deflection=-np.abs(found.deflection), sag=-np.abs(found.sag))
+    for each in (found, low):
+        figure = line_figure([Shown("", each, (), spindle)])
+        figure.draw_without_rendering()
+        (axes,) = figure.axes
+        (said,) = (text for text in axes.texts if "µm" in text.get_text())
+        shaft = next(line for line in axes.get_lines() if line.get_label().startswith("shaft"))
+        fine = np.linspace(*shaft.get_xdata()[[0, -1]], 2000)
+        drawn = np.interp(fine, shaft.get_xdata(), shaft.get_ydata())
+        points = axes.transData.transform(np.column_stack([fine, drawn]))
+        box = said.get_window_extent()
+        assert not box.count_contains(points)
+
+
 FAULTS: Sequence[tuple[str, dict[str, Any], str]] = (
     ("nose", {"ring_runouts": (RingRunout("d", 1e-6),)}, "unknown bearing or support: given 'd'"),
     ("nos", {}, "unknown point: given 'nos'.*did you mean nose"),

@@ -21,7 +21,7 @@ from rotordyn.analyses.frf.solve import answer as frf_answer
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs, values
-from rotordyn.analyses.time_response.march import march
+from rotordyn.analyses.time_response.march import Step, _fitted, march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
 from rotordyn.analyses.time_response.solve import _on_orbit, answer
@@ -411,6 +411,28 @@ def test_a_blow_of_100_kn_is_answered_with_any_step(steps: int) -> None:
     begun, nonlinear = (still, still), Nonlinear.of(scene, equation)
     path = march(equation, inputs, 1e-3 / steps, steps, begun, nonlinear)
     assert path.ended[0] == 2 * steps + 1
+
+
+@pytest.mark.parametrize("at_once", [1, 7, 25, 1000])
+def test_linear_steps_together_are_those_one_by_one(
+    at_once: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Against the exponential of a step and its inputs, at two speeds."""
+    monkeypatch.setattr("rotordyn.analyses.time_response.march.AT_ONCE", at_once)
+    spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (push(1e3, pulse=4e-4),))
+    equation = Equation.of(seen(short(), spec, [0.0, 20000.0], **CONTROL), spec)
+    inputs, still = partial(mean_inputs, spec, equation.speed), 0.0 * equation.damping[:, 0]
+    path = march(equation, inputs, 4e-5, 25, (still, still))
+    step = Step.of(
+        equation.stiffness, equation.damping, equation.inputs, equation.points, length=4e-5
+    )
+    state = np.concatenate([still, still], axis=1)
+    for k in range(25):
+        given = _fitted(inputs, 4e-5, k, 1)[0]
+        expected = step.seen(state, given)
+        atol = 1e-12 * np.abs(path.points).max()
+        np.testing.assert_allclose(path.points[:, 2 * k + 1 : 2 * k + 3], expected, 0.0, atol)
+        state = step.end(state, given)
 
 
 def test_pressures_beyond_what_contacts_stand_are_warned_of() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -67,6 +68,11 @@ def on_two(
     shaft = Shaft(0.0, (Section(1.0, 0.03, 0.0, material),), 0.9)
     own = {"masses": (PointMass("disc", 0.5, mass),), "points": {"disc": 0.5, "end": 1.0}}
     return Spindle("rotor", shaft, supports=ends, **{**own, **changes})
+
+
+def half(table: dict[tuple[str, str], tuple[float, ...]]) -> dict[tuple[str, str], Any]:
+    """Of tables for one of two supports."""
+    return {pair: tuple(0.5 * each for each in values) for pair, values in table.items()}
 
 
 def solved(
@@ -360,6 +366,61 @@ def test_an_unstable_machine_is_given_its_steady_solution() -> None:
         np.testing.assert_allclose(found.displacement[:, 0, 0], whirl, rtol=1e-6)
         assert (found.unstable == unstable).all()
         assert set(found.outcome) == {""}
+
+
+@pytest.mark.parametrize(("ratio", "told"), [(3e-7, True), (1e-4, False)])
+def test_a_peak_that_hardly_anything_damps_is_named(ratio: float, told: bool) -> None:
+    """A rigid body on springs with c = 2 ζ √(K m)."""
+    mass = rotor_inertia(on_two(block(K, K), block(C, C))).mass
+    damping = 2.0 * ratio * math.sqrt(K * mass)
+    spindle = on_two(block(K, K), block(damping, damping))
+    asked: dict[str, Any] = {"conditions": RIGID, "points": ("disc", "end")}
+    found = solved(spindle, [0.0, 600.0], Unbalance("disc", U), **asked)
+    said = unbalance_warnings(found)
+    assert len(said) == told
+    rpm = math.sqrt(K / mass) / RPM
+    start = f"unbalance: the highest peak of disc (and of 1 more points), at {rpm:.0f} rpm, is set"
+    for sentence in said:
+        assert sentence.startswith(f"{start} by bending ")
+        assert "has a damping ratio of 3e-07 only, so that its height means nothing" in sentence
+
+
+def test_a_run_ends_where_no_machine_moves() -> None:
+    """Follower stiffness q = 6 c ω Ω / 1440 lets motion grow from 240 rad/s on: a slow run passes
+    0.1 m before it ends, a short one does not."""
+    rigid = on_two(block(K, K), block(C, C))
+    limit = C * math.sqrt(K / rotor_inertia(rigid).mass)
+    table = {("y", "z"): (0.0, 6.0 * limit), ("z", "y"): (0.0, -6.0 * limit)}
+    ends = [
+        replace(each, stiffness={**each.stiffness, **half(table)}, speeds=(0.0, 1440.0))
+        for each in rigid.supports
+    ]
+    spindle = replace(rigid, supports=tuple(ends))
+    asked: dict[str, Any] = {"conditions": RIGID, "run_up": (0.5, 100.0)}
+    found = solved(spindle, [0.0, 1440.0], Unbalance("disc", U), **asked)
+    assert found.run_outcome[0] == ""
+    assert np.nanmax(found.run_amplitude[0]) < 0.1
+    told = r"the motion grows by itself beyond 100 mm, from \d+ rpm on"
+    assert re.fullmatch(told, found.run_outcome[1])
+    assert np.isnan(found.run_amplitude[1]).all()
+    (sentence,) = (each for each in unbalance_warnings(found) if "no solution" in each)
+    assert sentence.startswith("unbalance: the run up in 100 s has no solution: the motion grows")
+
+
+def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
+    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190."""
+    rigid = on_two(block(K, K), block(C, C))
+    natural = math.sqrt(K / rotor_inertia(rigid).mass)
+    at, limit = (0.0, 100.0, 1000.0), C * natural
+    table = {("y", "z"): (0.0, 0.0, 10.0 * limit), ("z", "y"): (0.0, 0.0, -10.0 * limit)}
+    ends = [
+        replace(each, stiffness={**each.stiffness, **half(table)}, speeds=at)
+        for each in rigid.supports
+    ]
+    spindle = replace(rigid, supports=tuple(ends))
+    found = solved(spindle, [0.0, 1000.0], Unbalance("disc", U), conditions=RIGID)
+    assert found.unstable_from == pytest.approx([190.0], rel=1e-4)
+    assert found.unstable_to == pytest.approx([1000.0])
 
 
 def test_runs_tell_of_unstable_speeds_between_those_of_the_case() -> None:

@@ -14,7 +14,7 @@ from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MOTIONS, Branch, branches_of
-from rotordyn.modes.character import characters, rigid_share
+from rotordyn.modes.character import across, characters, rigid_share
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
 from rotordyn.modes.excitation import excited_by
@@ -119,8 +119,9 @@ def _within(scene: Scene, branch: Branch, band: Band) -> bool:
 
 def _excited_by(scene: Scene, branch: Branch) -> str:
     whirl = "forward" if np.nansum(branch.degree) > 0.0 else "backward"
-    isotropic = scene.system(branch.subsystem).linear.isotropic
-    return excited_by(branch.kind, whirl, isotropic=isotropic)
+    linear = scene.system(branch.subsystem).linear
+    bends = across(linear, branch.vector)
+    return excited_by(branch.kind, whirl, isotropic=linear.isotropic, across=bends)
 
 
 def _table(rows: list[Array], shape: tuple[int, int]) -> Array:

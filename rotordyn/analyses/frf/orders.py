@@ -39,7 +39,9 @@ def line_fields(
     value = np.zeros((len(scene.usable), pairs, len(lines)), dtype=complex)
     curves: list[tuple[Array, Complex]] = []
     if lines:
-        value = responses(scene, frequency[scene.usable])
+        every = zip(lines, frequency[scene.usable].T, strict=True)
+        each = [responses(scene.whirling(one.size), at[:, None]) for one, at in every]
+        value = np.concatenate(each, axis=2)
         curves = [_curve(scene, line, at_few, *spin) for line, *spin in _expected(scene, lines)]
     longest = max((len(speed) for speed, _ in curves), default=0)
     highest = [[tops(np.abs(each)) for each in curve.T] for _, curve in curves]
@@ -94,7 +96,7 @@ def _curve(
 
     def values(other: Scene) -> list[Complex]:
         hertz = line.size * other.speed[other.usable] / (2.0 * math.pi)
-        return [responses(other, hertz[:, None])[..., 0]]
+        return [responses(other.whirling(line.size), hertz[:, None])[..., 0]]
 
     speed, curves = over_speed(scene, values, lambda arrays: np.abs(arrays[0]), centres, widths)
     return speed, np.asarray(curves[0])

@@ -41,11 +41,11 @@ from rotordyn.modes.criticals import BEYOND
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
+from rotordyn.scene.hardly_damped import LIGHT
 from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
 Answered = Callable[..., Complex]  # by frequency [Hz] and, of some pairs alone, their slice
-LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes

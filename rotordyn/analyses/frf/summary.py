@@ -14,6 +14,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
+from rotordyn.scene.hardly_damped import hardly_damped
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 MOST = 4  # responses listed
@@ -174,13 +175,9 @@ def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
     for pair in light[:1]:
         row, place = result.highest(pair) or (0, 0)
         ratio = result.peak_damping[row, pair, place]
-        has = f"has a damping ratio of {ratio:.0e} only" if ratio > 0.0 else "has no damping"
         others = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
-        yield (
-            f"frf: the highest peak of {_highest(result, pair)}{others} is set by "
-            f"{result.light_mode[pair]}, which {has}, so that its height means nothing: give "
-            "damping of the bearings or supports in which that mode moves, or damping.rotor"
-        )
+        peak = f"frf: the highest peak of {_highest(result, pair)}{others}"
+        yield hardly_damped(peak, result.light_mode[pair], float(ratio))
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:

@@ -19,6 +19,7 @@ from rotordyn.allowance import require_time
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.scene.linearity import FAR
 
 NODES = 3  # of a quadratic: start, middle and end of a step
 LAGRANGE = np.array(  # by powers 1, x, x² of the time over the step: polynomials that are 1 at one
@@ -30,7 +31,6 @@ _EDGES = np.arange(SUBSTEPS + 1)[:, None] / SUBSTEPS
 _MEANS = SUBSTEPS * np.diff(_EDGES ** [1, 2, 3], axis=0) / [1, 2, 3]  # of 1, x, x²
 FITTED = np.linalg.pinv(_MEANS @ LAGRANGE.T)
 """(3, substeps): the quadratic whose means are closest; it has the impulse of the force."""
-FAR = 0.1  # m: no machine moves so far
 AT_ONCE = 1000  # steps for which forces are computed together
 CONVERGED = 1e-9  # of the largest displacement of a ring: a smaller Newton step is the last
 ROUNDING = 1e-15  # m, added to that
@@ -77,6 +77,20 @@ class Step:
         by_state = both[:, :, :m, :m]
         shown = seen @ by_state[:, :, :n], seen @ by_node[:, :, :n]
         return cls(scale, by_state[:, 1], by_node[:, 1], *shown)
+
+    def linear(self, state: Array, inputs: Array) -> tuple[Array, Array]:
+        """The state after steps under inputs (steps, s, 3, p), and what is seen at their middles
+        and ends (s, 2·steps, w)."""
+        count, s = inputs.shape[:2]
+        given = np.moveaxis(inputs.reshape(count, s, -1), 0, 2)  # (s, 3p, steps)
+        pushed = np.moveaxis(self.by_input @ given, 2, 0)[..., None].copy()
+        begun, now = np.empty((count, *state.shape, 1)), state[..., None]
+        for k in range(count):
+            begun[k] = now
+            now = self.by_state @ now + pushed[k]
+        states = np.moveaxis(begun[..., 0], 0, 2)[:, None]
+        seen = self.seen_by_state @ states + self.seen_by_input @ given[:, None]
+        return now[..., 0], np.transpose(seen, (0, 3, 1, 2)).reshape(s, 2 * count, -1)
 
     def end(self, state: Array, inputs: Array) -> Array:
         """The state at the end (s, m), of that at the start and inputs (s, 3, p)."""
@@ -150,14 +164,17 @@ def march(
         newton = _Newton(nonlinear, step.by_force(r))
         force[:, 0] = newton.start(moved[:, 0, len(seen) - r :])
     unbalanced, ended = np.zeros(speeds, dtype=bool), np.full(speeds, instants)
-    for k in range(steps):
-        if k % AT_ONCE == 0:
-            require_time("time_response", "not finished")
-            progress(f"step {k} of {steps}")
-            external = _fitted(inputs, length, k, min(AT_ONCE, steps - k))
-        first, last = 2 * k, 2 * k + NODES
-        given[:, :, r:] = external[k % AT_ONCE]
-        if newton is not None:
+    for begin in range(0, steps, AT_ONCE):
+        require_time("time_response", "not finished")
+        progress(f"step {begin} of {steps}")
+        external = _fitted(inputs, length, begin, min(AT_ONCE, steps - begin))
+        if newton is None:
+            after = slice(2 * begin + 1, 2 * (begin + len(external)) + 1)
+            state, moved[:, after] = step.linear(state, external)
+            continue
+        for k, acting in enumerate(external, start=begin):
+            first, last = 2 * k, 2 * k + NODES
+            given[:, :, r:] = acting
             if k:
                 force[:, first + 1 : last] = CONTINUED @ force[:, first - 2 : first + 1]
             given[:, :, :r] = force[:, first:last]
@@ -166,8 +183,8 @@ def march(
             ended = np.where(~found & ~unbalanced, first + 1, ended)
             unbalanced |= ~found
             given[:, :, :r] = force[:, first:last]
-        moved[:, first + 1 : last] = step.seen(state, given)
-        state = step.end(state, given)
+            moved[:, first + 1 : last] = step.seen(state, given)
+            state = step.end(state, given)
     return _path(equation, moved, force, ended, unbalanced)
 
 

@@ -18,7 +18,7 @@ from rotordyn.allowance import require_marching
 from rotordyn.analyses.time_response.bearings import Bearings
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import mean_inputs, values
-from rotordyn.analyses.time_response.march import FAR, Path, march
+from rotordyn.analyses.time_response.march import Path, march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import loads_and_peaks, longest
 from rotordyn.analyses.time_response.result import TimeResponseResult
@@ -26,6 +26,7 @@ from rotordyn.analyses.time_response.sleeves import sleeve_margins
 from rotordyn.analyses.time_response.spec import DIRECTIONS, TimeResponseSpec
 from rotordyn.arrays import Array, Indices
 from rotordyn.results.display import RPM, number
+from rotordyn.scene.linearity import FAR
 from rotordyn.scene.refinement import (
     AT_REST,
     changes,

@@ -30,16 +30,17 @@ class UnbalanceResult:
     differs from what its tangent adds, over the latter. ``film_orbit``: of journals in squeeze
     films, and ``film_ratio`` the one that these are computed for. ``unstable``: some motion grows
     by itself there, so that the steady solution given is not reached; ``unstable_…``: every range
-    of such speeds that those of the case and of runs show, and the fastest pole. ``fine_…``: at the
-    speeds of the case and at more of them about every peak, so that the highest values are the true
-    ones; NaN at a speed at which a stop closes and next to a critical speed without damping, where
-    lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer, infinite at a
-    critical speed without damping; ``force_unbounded``: the first speed at which a force is.
-    ``run_…``: on runs through the speeds in given times, the largest major half axis from one of
-    ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of forces;
-    ``run_departure`` is that at the largest forces of bearings.
-    ``critical_speed``: synchronous criticals among the speeds. ``grade_speed``: of the spindle, for
-    which a balance grade is given; 0 without one.
+    of such speeds that those of the case and of runs show, and the fastest pole up to
+    ``model_frequency``, or else the slowest one beyond. ``fine_…``: at the speeds of the case and
+    at more of them about every peak, so that the highest values are the true ones, and wherever
+    curves bend; NaN at a speed at which a stop closes and next to a critical speed without damping,
+    where lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer,
+    infinite at a critical speed without damping; ``force_unbounded``: the first speed at which a
+    force is. ``run_…``: on runs through the speeds in given times, the largest major half axis from
+    one of ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of
+    forces; ``run_departure`` is that at the largest forces of bearings. ``critical_speed``:
+    synchronous criticals among the speeds. ``grade_speed``: of the spindle, for which a balance
+    grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -219,6 +220,7 @@ class UnbalanceResult:
     unstable_pole: Complex = quantity(
         "unstable_range", unit="rad/s", label="pole of what grows fastest", printed=PER_SECOND
     )
+    model_frequency: float = quantity(unit="Hz", label="frequency that the model is made for")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",

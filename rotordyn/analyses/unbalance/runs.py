@@ -16,12 +16,13 @@ from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
 from rotordyn.analyses.unbalance.steady import AXES, displacement_rows, load_of, out_of_balance
 from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.numerics.peaks import vertex
 from rotordyn.results.display import RPM
-from rotordyn.scene.linearity import RING, departure, ring_rows
+from rotordyn.scene.linearity import FAR, RING, departure, ring_rows
 from rotordyn.scene.refinement import AT_REST, relative_change, response_accuracy
 from rotordyn.scene.scene import Scene
 
@@ -167,7 +168,8 @@ class _Way:
         """Of motion at the speeds of the case, and at those that were solved on the way."""
         solved, given = np.isfinite(self.slowest), self.scene.speed[self.scene.usable]
         pole = [slowest_pole(self.scene, self.spec), self.slowest[solved]]
-        return growth_of(np.concatenate([given, self.speed[solved]]), np.concatenate(pole))
+        speed = np.concatenate([given, self.speed[solved]])
+        return growth_of(self.scene, self.spec, speed, np.concatenate(pole))
 
     def axes(self, count: int, time: float, *, down: bool) -> tuple[Array, Complex]:
         """Major half axes of the orbits of points, then of forces of connections, (t, both), and
@@ -177,7 +179,7 @@ class _Way:
 
         Raises
         ------
-        NoSolution : a speed without a state; motions that nothing holds, or without bound
+        NoSolution : a speed without a state; motions that nothing holds, or beyond ``FAR``
         """
         step = PARTS[-1] // count
         place = np.arange(0, len(self.speed), step)[:: -1 if down else 1]
@@ -198,11 +200,19 @@ class _Way:
         known[: 2 * len(self.spec.points)] = True
         pairs = len(self.spec.points) + len(self.scene.rotor.connections)
         y, z = np.moveaxis(moved[:, : 2 * pairs].reshape(len(moved), pairs, 2), -1, 0)
-        if not np.isfinite(moved[:, known]).all():
-            if not self.growth.pole.size:
-                raise NoSolution("it is too slow to be computed: take a shorter time")
-            raise NoSolution("the motion grows by itself beyond all numbers: give damping")
-        return orbit(y, z).major, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
+        finite = np.isfinite(moved[:, known]).all(axis=1)
+        grows = (self.slowest.real > 0.0).any()
+        if not (finite.all() or grows):
+            raise NoSolution("it is too slow to be computed: take a shorter time")
+        with np.errstate(all="ignore"):
+            half = orbit(y, z).major
+        beyond = ~(finite & (half[:, : len(self.spec.points)] < FAR).all(axis=1))
+        if beyond.any():
+            spin = abs(run.first + run.acceleration * time * instants[int(beyond.argmax())])
+            rpm = spin / abs(self.ratio) * RPM.factor
+            how = "grows by itself beyond" if grows else "is wider than"
+            raise NoSolution(f"the motion {how} {FAR * 1e3:g} mm, from {rpm:.0f} rpm on")
+        return half, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 
     def _parts(self, k: int, middles: NDArray[np.intp], edges: Array) -> Parts:
         """Of a subsystem in parts between ``edges`` with the modes of ``middles``. What turns
@@ -255,8 +265,11 @@ class _Way:
                 "just critically damped, have none"
             )
         load = load_of(scene, linear, self.spec)
-        force, (*rows, direct) = load @ linear.basis, _asked(scene, linear, self.spec, load)
-        rows = [each @ linear.basis for each in rows]
+        force, (*rows, direct) = (
+            along(load, linear.basis),
+            _asked(scene, linear, self.spec, load),
+        )
+        rows = [along(each, linear.basis) for each in rows]
         if motions.whirling:
             half = len(force) // 2
             force = force[:half]

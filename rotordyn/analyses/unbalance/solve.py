@@ -56,6 +56,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         scene.system(k)  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
+    scene = scene.whirling(abs(ratio))
     scene, error = solve_accurately(
         scene,
         lambda one: _errors(one, spec, ratio),
@@ -149,6 +150,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unstable_from=runs.growth.first,
         unstable_to=runs.growth.last,
         unstable_pole=runs.growth.pole,
+        model_frequency=scene.fineness.frequency,
     )
 
 
@@ -175,7 +177,8 @@ def _sampled(
     """Speeds, those of the case and more about every peak, and the response there."""
 
     def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:
-        return orbit(arrays[0][..., 0], arrays[0][..., 1]).major
+        y, z = arrays[0][..., 0], arrays[0][..., 1]
+        return np.concatenate([orbit(y, z).major, np.abs(y), np.abs(z)], axis=1)
 
     at = np.array([each.speed for each in critical])
     widths = at * np.abs([each.damping_ratio for each in critical])
@@ -233,7 +236,7 @@ def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> 
     for k, damper in enumerate(spindle.connections):
         if isinstance(damper, SqueezeFilmDamper):
             stiffness, damping = film_coefficients(damper)
-            size = np.hypot(stiffness, damping * ratio) * speed * damper.clearance
+            size = np.hypot(stiffness, damping) * abs(ratio) * speed * damper.clearance
             orbits[:, k] = force[:, k] / np.where(size > 0.0, size, np.inf)
     return orbits
 

@@ -9,6 +9,7 @@ import numpy as np
 from rotordyn.analyses.unbalance.loads import node_loads
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.arrays import Array, Complex
+from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FORWARD, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
@@ -47,7 +48,7 @@ def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> S
         dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
         load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
         try:
-            within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
+            within = np.linalg.solve(linear.within(dynamic), along(load, linear.basis))
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue

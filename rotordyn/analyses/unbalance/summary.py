@@ -13,11 +13,13 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
+from rotordyn.scene.hardly_damped import LIGHT, hardly_damped
 from rotordyn.scene.linearity import beyond_tangents
 from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed
+BESIDE = 1e-4  # of a speed: a peak nearer to a critical speed without damping is that one's
 WIDER = 1.2  # than the orbit that its film is computed for
 MOST = 0.99  # of the clearance: an orbit beyond touches
 FLAT = 0.2  # of the clearance: up to there damping changes by 6 %
@@ -173,6 +175,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     known = result.support, result.fine_speed, result.fine_departure
     told = [*beyond_tangents("unbalance", *known)]
     told += _films(result)
+    told += _hardly_damped(result)
     told += _of_runs(result)
     worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
     if worst > result.error_asked:
@@ -198,7 +201,8 @@ def _of_runs(result: UnbalanceResult) -> Iterator[str]:
             what = f"unbalance: at the largest forces of bearings {where}"
             yield from beyond_tangents(what, result.support, None, apart[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
-    grows = [f"{_from_to(*ends)} it {how_it_grows(pole)}" for *ends, pole in ranges]
+    highest = result.model_frequency
+    grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
             clear = ", clear of those at which the machine is unstable: errors grow there, too"
@@ -222,6 +226,31 @@ def _from_to(first: float, last: float) -> str:
     ends = [number(each * RPM.factor, 0) for each in (first, last)]
     apart = ends[0] != ends[1]
     return f"from about {ends[0]} to {ends[1]} rpm" if apart else f"at about {ends[0]} rpm"
+
+
+def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
+    """Points whose highest peak is that of a critical speed that hardly anything damps."""
+    light = [
+        (point, k)
+        for point, k in zip(result.point, _highest_critical(result), strict=True)
+        if k is not None and abs(result.critical_damping[k]) < LIGHT
+    ]
+    for point, k in light[:1]:
+        others = f" (and of {len(light) - 1} more points)" if len(light) > 1 else ""
+        peak = f"unbalance: the highest peak of {point}{others}, at "
+        peak += f"{number(float(result.critical_speed[k]) * RPM.factor, 0)} rpm,"
+        yield hardly_damped(peak, result.critical[k], float(result.critical_damping[k]))
+
+
+def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:
+    """Of every point the critical speed at its highest peak, of those with a limit."""
+    for speed, height in zip(result.peak_speed, result.peak_amplitude, strict=True):
+        if not np.isfinite(height).any() or np.isinf(height).any():
+            yield None
+            continue
+        away = np.abs(result.critical_speed / speed[int(np.nanargmax(height))] - 1.0)
+        near = away.size and away.min() <= BESIDE
+        yield int(away.argmin()) if near else None
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:

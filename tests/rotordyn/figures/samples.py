@@ -489,6 +489,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         unstable_from=np.zeros(0),
         unstable_to=np.zeros(0),
         unstable_pole=np.zeros(0, dtype=complex),
+        model_frequency=4000.0,
         error=np.array([1e-5, 2e-5]),
         error_asked=1e-3,
     )

@@ -359,6 +359,9 @@ def test_real_parts_of_sharp_peaks_stay_readable():
     sharp[:, 0, 500] *= 1e6
     axes = real_imaginary_figure(replace(frf, slice_value=sharp), [0]).axes[0]
     assert axes.get_yscale() == "symlog"
+    said = axes.texts[0].get_text()
+    bend = axes.yaxis.get_transform().linthresh
+    assert float(said.removeprefix("logarithmic beyond ±")) == pytest.approx(bend)
     assert real_imaginary_figure(frf, [0]).axes[0].get_yscale() == "linear"
 
 
@@ -552,6 +555,18 @@ def test_elastic_line_is_that_of_the_last_speed():
     line = next(line for line in panels[0].lines if line.get_label() == "deflection y")
     np.testing.assert_allclose(line.get_ydata(), result.deflection_y[-1] * 1e6)
     assert _labels(panels[2]) == ["normal stress", "shear stress of torsion", "von Mises stress"]
+
+
+def test_a_twist_by_rounding_is_drawn_as_none():
+    """Beside a deflection of micrometres; alone, a small one is a result."""
+    result = samples.section_forces(9)
+    little = replace(result, twist=np.full_like(result.twist, -1e-19))
+    panels = elastic_line_figure(little, None).axes
+    assert panels[1].get_ylim() == (-1.0, 1.0)
+    assert not panels[1].lines[1].get_ydata().any()
+    still = {name: np.zeros_like(result.twist) for name in ("deflection_y", "deflection_z")}
+    panels = elastic_line_figure(replace(little, **still), None).axes
+    assert panels[1].lines[1].get_ydata().all()
 
 
 def test_section_forces_of_variants_have_a_line_each():

@@ -75,6 +75,16 @@ def test_discs_that_float_or_count_mass_twice() -> None:
     assert "mass is counted twice" in _said(_disc(bore=0.0))
 
 
+@pytest.mark.parametrize(("outer", "said"), [(5.0, True), (7.0, True), (7.2, False)])
+def test_a_wide_disc_without_a_bore_counts_the_shaft_twice(outer: float, said: bool) -> None:
+    """From a fiftieth of its mass on: the square of the shaft's diameter over its own."""
+    machine = _disc(bore=0.0)
+    (rim,) = machine.discs
+    below = machine.shaft.diameters_at(rim.x)[0]
+    wide = replace(machine, discs=(replace(rim, outer_diameter=outer * below),))
+    assert ("disc rim and the shaft fill the same space" in _said(wide)) == said
+
+
 def test_a_disc_floats_from_a_quarter_of_play_on_as_a_bearing_does() -> None:
     """Unless another disc fills the gap, or the shaft is thicker somewhere below it."""
     loose = _disc(bore=1.36)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.numerics.peaks import GROWTH, NARROW, spread, vertex
+from rotordyn.arrays import Array
+from rotordyn.numerics.peaks import GROWTH, NARROW, sampled, spread, vertex
 
 
 @pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
@@ -47,3 +48,18 @@ def test_samples_about_a_peak_grow_apart_from_the_width_of_the_peak(
     assert high / GROWTH < centre + GROWTH * beyond[-1]
     assert found.min() >= low
     assert found.max() <= high
+
+
+def test_lines_between_samples_follow_an_antiresonance() -> None:
+    """Two modes and the dip between them, drawn in straight lines of its logarithm."""
+
+    def solve(x: Array) -> list[Array]:
+        modes = (1.0 / (a * a - x * x + 0.02j * a * x) for a in (1.0, 3.0))
+        return [np.asarray(x * x * sum(modes))[:, None]]
+
+    start = np.unique(np.concatenate([np.linspace(0.2, 4.0, 20), [1.0, 3.0]]))
+    x, (values,) = sampled(start, solve, lambda arrays: np.abs(arrays[0]))
+    fine = np.linspace(0.2, 4.0, 4001)
+    drawn = np.interp(fine, x, np.log(np.abs(values[:, 0])))
+    assert np.abs(drawn - np.log(np.abs(solve(fine)[0][:, 0]))).max() < 0.2
+    assert len(x) < 120

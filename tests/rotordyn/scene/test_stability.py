@@ -14,11 +14,13 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.solving import Answers, answer_spindle
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
-from tests.oracles.rotors import support, uniform
+from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, mfw2310, pairs, scene, undamped
 
 STIFF, DAMPER = 1e6, 200.0
@@ -30,6 +32,15 @@ def swirled(cross: float, stiff: float = STIFF) -> Spindle:
     ends = [support(n, x, (stiff, stiff), DAMPER) for n, x in (("a", 0.0), ("b", 0.5))]
     held = tuple(replace(s, stiffness={**s.stiffness, **swirl}) for s in ends)
     return replace(uniform(0.5, 0.05, supports=held), points={"mid": 0.25})
+
+
+def held(
+    name: str, x: float, direct: tuple[float, float], cross: tuple[float, float], damping: float
+) -> LinearSupport:
+    """Radial stiffness yy and zz, yz and zy."""
+    ways = [("y", "y"), ("z", "z"), ("y", "z"), ("z", "y")]
+    stiffness = dict(zip(ways, (*direct, *cross), strict=True))
+    return LinearSupport(name, x, stiffness, dict.fromkeys(ways[:2], damping))
 
 
 def solved(spindle: Spindle, highest: float = 400.0) -> Answers:
@@ -161,6 +172,51 @@ def test_what_a_slow_model_gives_mass_does_not_vibrate() -> None:
         )
         assert answers.results["frf"].unstable.any() == said
         assert any("unstable" in sentence for sentence in answers.warnings) == said
+
+
+@pytest.mark.parametrize(
+    ("highest", "told"),
+    [
+        (400.0, "vibrates at about 580 Hz, above the 400 Hz that its model is made for (campbell"),
+        (800.0, "vibrates at 583.2 Hz, growing e-fold in 0.109 s"),
+    ],
+    ids=["above the band", "in the band"],
+)
+def test_an_instability_above_the_band_is_no_fact(highest: float, told: str) -> None:
+    """A model for 4000 Hz has 583.22 Hz and 0.1091 s; faster growth at 2000 to 5000 Hz differs with
+    every model."""
+    swirl = (8.42e7, 5.28e7), (2.10e7, -1.49e7)
+    spindle = Spindle(
+        "swirl in one support",
+        Shaft(0.0, (Section(0.4, 0.0295, 0.0, STEEL), Section(0.22, 0.064, 0.0, STEEL))),
+        masses=(PointMass("disc", 0.4, 22.8, 0.228, 0.137),),
+        supports=(
+            held("a", 0.0, *swirl, 100.0),
+            held("b", 0.62, (1.24e7, 6.93e6), (0.0, 0.0), 800.0),
+        ),
+    )
+    asked: dict[str, Any] = {"campbell": CampbellSpec(highest, shapes=False)}
+    (sentence,) = answer_spindle(spindle, Conditions(), (300.0,), asked, lambda name: None).warnings
+    assert told in sentence
+
+
+def test_growth_is_told_at_speeds_with_fewer_poles() -> None:
+    """Damping so strong at rest that nothing swings; at speed the slowest pair grows."""
+    mass = rotor_inertia(swirled(0.0)).mass
+    cross = 2.0 * DAMPER * math.sqrt(2.0 * STIFF / mass)
+    swirl = {("y", "z"): (0.0, cross), ("z", "y"): (0.0, -cross)}
+    ends = tuple(
+        LinearSupport(
+            name,
+            x,
+            {("y", "y"): STIFF, ("z", "z"): 1.001 * STIFF, **swirl},
+            {("y", "y"): (1e6, DAMPER), ("z", "z"): (1e6, DAMPER)},
+            speeds=(0.0, 1000.0 * RPM),
+        )
+        for name, x in (("a", 0.0), ("b", 0.5))
+    )
+    (sentence,) = solved(uniform(0.5, 0.05, supports=ends)).warnings
+    assert sentence.startswith("unstable at 1 of 2 speeds, first at 1000 rpm: the machine vibrates")
 
 
 @pytest.mark.parametrize("spindle", [mfw2310(), undamped(mfw2310())], ids=["damped", "undamped"])

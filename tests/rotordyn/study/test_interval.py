@@ -218,9 +218,13 @@ def test_no_run_is_spent_on_a_hypothesis_that_changes_nothing() -> None:
     assert [each.name for each in asked_of(frozen).hypotheses] == ["kinematics"]
 
 
-def test_an_interval_over_nothing_is_refused_before_anything_is_solved(tmp_path: Path) -> None:
-    text = "title: t\nspindle: friswell_two_discs\nspeeds: [0 rpm]\nanalyses: {campbell: {}}\n"
-    (tmp_path / "case.yaml").write_text(text)
+@pytest.mark.parametrize("speeds", ["[0 rpm]", "[0 rpm, 3000 rpm]"])
+def test_an_interval_over_nothing_is_refused_before_anything_is_solved(
+    tmp_path: Path, speeds: str
+) -> None:
+    """At rest no ball turns, and a machine without balls has none that could."""
+    text = "title: t\nspindle: friswell_two_discs\nspeeds: SPEEDS\nanalyses: {campbell: {}}\n"
+    (tmp_path / "case.yaml").write_text(text.replace("SPEEDS", speeds))
     case = replace(rotordyn.load(tmp_path / "case.yaml"), uncertain=Uncertain(as_usual=True))
     with pytest.raises(InvalidInput, match="nothing that is uncertain changes this case"):
         rotordyn.run(case, interval=True)

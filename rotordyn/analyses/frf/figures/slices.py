@@ -114,6 +114,12 @@ def _scale(axes: Axes, largest: float) -> None:
         return
     least = 10.0 ** math.floor(math.log10(usual))
     axes.set_yscale("symlog", linthresh=least, linscale=0.5)
+    axes.annotate(
+        f"logarithmic beyond ±{_power_of_ten(least)}",
+        (0.02, 0.04),
+        xycoords="axes fraction",
+        fontsize=FONT_SIZE - 1.5,
+    )
     decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
     shown_ones = decades[1 :: 1 + len(decades) // 4]
     axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])

@@ -62,9 +62,14 @@ class Curve(NamedTuple):
         return self.result.cut * MILLIMETRE.factor
 
     def values(self, quantity: str) -> NDArray[np.float64]:
-        """A quantity as printed."""
+        """A quantity as printed; a twist that is rounding beside the deflection is none."""
         factor = declared(self.result)[quantity].metadata["printed"].factor
-        return np.asarray(getattr(self.result, quantity)[self.row] * factor)
+        values = getattr(self.result, quantity)[self.row] * factor
+        if quantity == "twist":
+            bent = np.hypot(*(getattr(self.result, name)[self.row] for name in LINES[0]))
+            whole = np.abs(self.result.twist[self.row]) * np.ptp(self.result.cut)
+            values = np.where(whole > ALIKE * bent.max(), values, 0.0)
+        return np.asarray(values)
 
 
 def diagrams_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:

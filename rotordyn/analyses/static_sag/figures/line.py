@@ -94,7 +94,8 @@ def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: st
 
 
 def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
-    """What the gauges read above them, texts beside each other."""
+    """What the gauges read above them, below where the shaft lies above; texts beside each
+    other."""
     result: StaticSagResult = variant.result
     if variant.spindle is None:
         return
@@ -107,13 +108,18 @@ def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
     left, right = axes.get_xlim()
     sizes = [max(map(len, each.split("\n"))) * stations.LETTER + 1.5 for each in words]
     places = spread(read.tolist(), [size * (right - left) / WIDE for size in sizes], left, right)
-    for x, y, said in zip(places, values, words, strict=True):
+    shaft = result.deflection[row, :, k] * MICROMETRE.factor
+    for x, y, said, size in zip(places, values, words, sizes, strict=True):
+        apart = np.abs(result.station * MILLIMETRE.factor - x)
+        near = shaft[apart <= 0.5 * size * (right - left) / WIDE]
+        below = near.size > 0 and float(near.mean()) > y
         axes.annotate(
             said,
             (float(x), y),
-            (0.0, 6.0),
+            (0.0, -6.0 if below else 6.0),
             textcoords="offset points",
             ha="center",
+            va="top" if below else "baseline",
             fontsize=FONT_SIZE - 1.5,
             color=colour(0),
         )
