@@ -21,6 +21,7 @@ from rotordyn.study.identification.certainty import (
     BY_ITS_PRIOR,
     IDENTIFIED,
     ON_A_BOUND,
+    UNFINISHED,
     UNIDENTIFIABLE,
     Certainty,
     inseparable,
@@ -209,6 +210,11 @@ class Identification:
             whose = "its" if len(limits) == 1 else "their"
             kept += f"; {', '.join(limits)} at {whose} physical limit"
         lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
+        if best.fit.limited:
+            lines.append(
+                f"{UNFINISHED}: it took the most machines allowed, so that no interval is known: "
+                "begin nearer (start), or seek fewer unknowns"
+            )
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
             names = [name for name, each in best.named if each == word]
