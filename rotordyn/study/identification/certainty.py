@@ -134,11 +134,14 @@ def _quantile(birge: float, degrees: int) -> float:
 
 def _by_median(problem: Problem, fit: Fit, free: Flags) -> float:
     """Deviation of the differences over the stated noise, by the median of absolute ones; as many
-    of the smallest left out as there are ``free`` values, which make these 0 (W. DuMouchel and F.
-    O'Brien, Proc. 21st Symp. Interface, 1989)."""
+    of the smallest left out as there are ``free`` values and nuisances, which make these 0
+    (W. DuMouchel and F. O'Brien, Proc. 21st Symp. Interface, 1989)."""
     pairs = zip(problem.weighings, fit.predicted, strict=True)
-    sizes = np.abs(np.concatenate([w.residual(one) / w.data.deviation for w, one in pairs]))
-    left = np.sort(sizes)[int(free.sum()) :]
+    sizes = np.abs(
+        np.concatenate([w.anew(one).residual(one) / w.data.deviation for w, one in pairs])
+    )
+    zeros = int(free.sum()) + sum(len(m.data.column_names) for m in problem.measurements)
+    left = np.sort(sizes)[zeros:]
     return float(np.median(left)) / QUARTILE if len(left) else 0.0
 
 

@@ -73,7 +73,9 @@ class Explained:
     @property
     def residuals(self) -> list[Array]:
         """Of every measurement (n,), what machine, tare and drift do not explain [SI]."""
-        pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
+        pairs = [*zip(self.problem.weighings, self.fit.predicted, strict=True)]
+        if self.fit.absolute is not None:
+            pairs = [(each.anew(one), one) for each, one in pairs]
         return [each.residual(one) for each, one in pairs]
 
     @property

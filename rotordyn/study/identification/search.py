@@ -21,7 +21,7 @@ FAR = 1e4  # weighed difference of every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
 MOST = 60  # machines of one search, without those of Jacobians
 HELD = 1e-3  # deviations by which an unknown is pulled to the start, over what was known before
-ROUNDS, FLOOR = 12, 0.05  # of weighing anew; least difference over noise that weighs no more
+ROUNDS = 12  # of weighing anew
 CANDIDATES = 6  # machines tried for each further start
 
 
@@ -174,17 +174,18 @@ def _weighed_anew(problem: Problem, begin: Fit) -> Fit:
     ``begin`` among them."""
     best, least, found = begin, np.inf, begin
     for _ in range(ROUNDS):
-        pairs = zip(problem.weighings, found.predicted, strict=True)
-        residuals = [each.residual(one) / each.data.deviation for each, one in pairs]
-        rows, priors = np.concatenate(residuals), problem.prior_rows(found.values)
-        mean = float(np.abs(rows).mean() + priors @ priors / (2.0 * len(rows)))
+        pairs = [*zip(problem.weighings, found.predicted, strict=True)]
+        anew = [(each.anew(one), one) for each, one in pairs]
+        rows = np.concatenate([each.residual(one) / each.data.deviation for each, one in anew])
+        priors = problem.prior_rows(found.values)
+        squares = float(priors @ priors) + sum(each.beside(one) for each, one in anew)
+        mean = float(np.abs(rows).mean()) + squares / (2.0 * len(rows))
         gain = least - mean
         if gain > 0.0:
             best, least = replace(found, absolute=mean), mean
         if not found.ended or gain < 1e-3 * mean:
             break
-        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
-        weighed = replace(problem, weights=weights)
+        weighed = replace(problem, weights=tuple(each.weight for each, _ in anew))
         found = search(weighed, found.values)
         problem.evaluations = weighed.evaluations
     rows = problem.rows(best.predicted, best.values)

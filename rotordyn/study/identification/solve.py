@@ -249,6 +249,7 @@ def _explained(
     values = np.array(best.values)
     predicted = problem.predicted(values)
     assert predicted is not None, "the search solved it"
-    fit = Fit(values, best.cost, predicted, best.ended, best.limited)
+    absolute = best.merit if asked.absolute else None
+    fit = Fit(values, best.cost, predicted, best.ended, best.limited, absolute)
     sure = certainty(problem, fit, absolute=asked.absolute)
     return Explained(model, problem, fit, sure, searches)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import linprog
 
 import rotordyn
 from rotordyn import Unknown, identify
 from rotordyn.case.case import Case
 from rotordyn.study.identification import search as searching
-from rotordyn.study.identification.certainty import UNFINISHED
+from rotordyn.study.identification.certainty import QUARTILE, UNFINISHED, certainty
+from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.problem import Problem
-from rotordyn.study.identification.search import search
+from rotordyn.study.identification.search import search, search_absolute
 from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import sought
 from tests.rotordyn.study.axial_twin import FRONT, REAR, Array
@@ -87,3 +89,42 @@ def test_a_search_that_ends_by_its_limit_gives_no_interval(
     pytest.importorskip("plotly", reason="the extra report is not installed")
     page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
     assert UNFINISHED in page
+
+
+@dataclass(frozen=True, eq=False)
+class Tared(MadeUp):
+    """Numbers with one tare, of which nothing is known before."""
+
+    @property
+    def data(self) -> Data:
+        n = len(self.observed)
+        tare = {"columns": np.ones((n, 1)), "column_names": ("tare",)}
+        return replace(super().data, **tare, column_deviation=np.array([np.inf]))
+
+
+class Straight(Problem):
+    """A line through zero, of a slope [N]."""
+
+    def predicted(self, values: Array) -> list[Array]:
+        return [values[0] * ALONG]
+
+
+def test_least_absolute_differences_bear_outliers_in_their_tare(case: Case) -> None:
+    """Line and tare are those of linear programming; the mean difference is as small."""
+    rng = np.random.default_rng(8)
+    observed = 400.0 * ALONG + 50.0 + rng.normal(0.0, 1.0, len(ALONG))
+    observed[[2, 5, 8]] += (90.0, 60.0, 75.0)
+    count = len(ALONG)
+    forms = np.hstack([ALONG[:, None], np.ones((count, 1)), np.eye(count), -np.eye(count)])
+    cost = np.append([0.0, 0.0], np.ones(2 * count))
+    ends = [(None, None)] * 2 + [(0.0, None)] * (2 * count)
+    least = linprog(cost, A_eq=forms, b_eq=observed, bounds=ends)
+    unknowns = sought(case, {P1: Unknown("0 N", "1 kN", start="900 N")})
+    problem = Straight(case, unknowns, (Tared(observed, 1.0),))
+    fit = search_absolute(problem, problem.start)
+    assert fit.values == pytest.approx(least.x[:1], abs=1.0)
+    assert fit.merit == pytest.approx(least.fun / count, rel=2e-3)
+    there = replace(fit, values=least.x[:1], predicted=problem.predicted(least.x[:1]))
+    sure = certainty(problem, there, absolute=True)
+    left = np.sort(np.abs(observed - forms[:, :2] @ least.x[:2]))[2:]
+    assert sure.birge == pytest.approx(np.median(left) / QUARTILE, rel=0.05)
