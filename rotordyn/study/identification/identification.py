@@ -29,6 +29,7 @@ from rotordyn.study.identification.certainty import (
 from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.measurement import Beside
 from rotordyn.study.identification.models import Model
+from rotordyn.study.identification.outliers import outliers
 from rotordyn.study.identification.prediction import Prediction
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import Profile, remarks
@@ -229,6 +230,8 @@ class Identification:
                 "that is never met: searches from other starts may find a better one (starts)"
             )
         lines += inseparable(best.problem.unknowns, best.sure)
+        if best.fit.absolute is not None:
+            lines += outliers(best.problem.measurements, best.residuals, best.sure)
         lines += remarks(self.profiles, best.problem, best.sure)
         others = self.surviving
         if len(others) > 1:

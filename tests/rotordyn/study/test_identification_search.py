@@ -128,3 +128,20 @@ def test_least_absolute_differences_bear_outliers_in_their_tare(case: Case) -> N
     sure = certainty(problem, there, absolute=True)
     left = np.sort(np.abs(observed - forms[:, :2] @ least.x[:2]))[2:]
     assert sure.birge == pytest.approx(np.median(left) / QUARTILE, rel=0.05)
+
+
+def test_points_that_stand_off_are_named_beside_least_absolute_differences(case: Case) -> None:
+    """The farthest first; least squares, which share them out, name none."""
+    asked = {P1: Unknown("1 N", "1 kN", start="500 N"), P2: Unknown("20 N", "600 N", start="100 N")}
+    noise = np.random.default_rng(5).normal(0.0, 2.0, len(ALONG))
+    observed = _decaying(400.0, 0.8) + noise
+    observed[[3, 7]] += (60.0, -90.0)
+    said = {}
+    for how in ("squares", "absolute"):
+        found = identify(case, asked, [Decay(observed, 2.0)], minimise=how, workers=1)
+        said[how] = [line for line in found.verdict if line.startswith("points that stand off")]
+    assert not said["squares"]
+    (line,) = said["absolute"]
+    first, second = line.partition("others: ")[2].split("; ")[:2]
+    assert first.startswith("made up at 7 by -9")
+    assert second.startswith("made up at 3 by +")
