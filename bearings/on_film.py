@@ -89,7 +89,7 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
         state = bearing.equilibrium(**common, displacement=place, growth=total + more)
         films = film(state, lubricant, temperature, starvation=starvation, heating=heating)
         before = more, axial
-        more, axial = grown(state, films)
+        more, axial = kept(grown(state, films), before)
         if max(np.abs(more - before[0]).max(), np.abs(axial - before[1]).max()) < CLOSE:
             break
     moved = _moved(state.displacement, -axial)
@@ -106,7 +106,7 @@ def _moved(displacement: ArrayLike, axial: Array) -> Array:
 
 def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
     """Apparent radial growth and axial shift of the inner groove by films (…) [m], mean over the
-    balls by their loads on either race; 0 where there is no state."""
+    balls by their loads on either race; NaN where there is no state."""
     split, mean = len(state.operation.geometry.inner_grooves), np.zeros(2)
     parts = slice(split), slice(split, None)
     for moved, part in zip(moved_races(state, films), parts, strict=True):
@@ -115,7 +115,14 @@ def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
         share = load / np.where(whole > 0.0, whole, 1.0)[..., None]
         mean = mean + (share[..., None] * moved).sum(axis=-2)
     known = np.asarray(state.outcome) == ""
-    return np.where(known, mean[..., 0], 0.0), np.where(known, mean[..., 1], 0.0)
+    return np.where(known, mean[..., 0], np.nan), np.where(known, mean[..., 1], np.nan)
+
+
+def kept(found: tuple[Array, Array], before: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Growth and shift ``found``; those ``before`` where films leave no state, which has none
+    then, though without films it may have one."""
+    growth, axial = (np.where(np.isnan(a), b, a) for a, b in zip(found, before, strict=True))
+    return growth, axial
 
 
 def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:

@@ -11,10 +11,11 @@ from scipy.optimize import brentq
 
 import rotordyn
 from bearings import STEEL, Lubricant
+from bearings import on_film as on_films
 from bearings.arrays import Array
 from bearings.ball.law import Law
 from bearings.geometry import geometry
-from bearings.on_film import on_film
+from bearings.on_film import grown, on_film
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import R24_14, four_point
 
@@ -78,6 +79,19 @@ def test_films_under_radial_load_are_those_of_the_balls_that_carry_it() -> None:
     bare = bearing.equilibrium(load=load, speed=speed, dynamics=how).displacement[1]
     assert bare == pytest.approx(moved(np.zeros(bearing.balls)), rel=5e-3)
     assert bare - found.displacement[1] == pytest.approx(exact, rel=0.03)
+
+
+def test_a_state_that_its_films_take_away_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to a fold; without films there is a state, and turns do not go on between the two."""
+    given = {"load": [[176.0, 1407.5, 0.0, 0.0, 0.0]], "speed": np.array([22263.6]) * RPM}
+    kinematics = "inner"
+    assert VEX70.equilibrium(**given, kinematics=kinematics).outcome[0] == ""
+    turns = []
+    monkeypatch.setattr(on_films, "grown", lambda *of: turns.append(of) or grown(*of))
+    oil = Lubricant(220e-6, 20e-6)
+    found = on_film(VEX70, oil, 40.0, **given, law=Law(kinematics), heating=False)
+    assert found.state.outcome[0] == "no equilibrium"
+    assert len(turns) < 5
 
 
 def test_a_rigid_mounting_is_loaded_more() -> None:
