@@ -3,8 +3,8 @@
 A film of thickness h between ball and race shortens the distance of the groove centres by h along
 the contact line, as a larger ball would. A state with films hence is the state without them whose
 inner groove stands farther by Σ h (cos α, sin α): the two have one and the same ball loads. Films
-differ little from ball to ball (h ~ Q^−0.067); their mean moves the ring, which is exact where
-balls are alike.
+differ little from ball to ball (h ~ Q^−0.067); their mean over each race, by the loads on it, moves
+the ring, which is exact where balls are alike.
 
 At constant speed a film is a spring of dQ/dh = Q/(0.067 h) in series with its contact.
 """
@@ -89,7 +89,7 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
         state = bearing.equilibrium(**common, displacement=place, growth=total + more)
         films = film(state, lubricant, temperature, starvation=starvation, heating=heating)
         before = more, axial
-        more, axial = grown(state, films)
+        more, axial = kept(grown(state, films), before)
         if max(np.abs(more - before[0]).max(), np.abs(axial - before[1]).max()) < CLOSE:
             break
     moved = _moved(state.displacement, -axial)
@@ -106,12 +106,23 @@ def _moved(displacement: ArrayLike, axial: Array) -> Array:
 
 def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
     """Apparent radial growth and axial shift of the inner groove by films (…) [m], mean over the
-    loaded balls; 0 where there is no state."""
-    inner, outer = moved_races(state, films)
-    balls = np.maximum((np.asarray(state.contact_load) > 0.0).any(axis=-1).sum(axis=-1), 1)
-    mean = (inner + outer).sum(axis=-2) / balls[..., None]
+    balls by their loads on either race; NaN where there is no state."""
+    split, mean = len(state.operation.geometry.inner_grooves), np.zeros(2)
+    parts = slice(split), slice(split, None)
+    for moved, part in zip(moved_races(state, films), parts, strict=True):
+        load = np.nan_to_num(state.contact_load)[..., part].sum(axis=-1)
+        whole = load.sum(axis=-1)
+        share = load / np.where(whole > 0.0, whole, 1.0)[..., None]
+        mean = mean + (share[..., None] * moved).sum(axis=-2)
     known = np.asarray(state.outcome) == ""
-    return np.where(known, mean[..., 0], 0.0), np.where(known, mean[..., 1], 0.0)
+    return np.where(known, mean[..., 0], np.nan), np.where(known, mean[..., 1], np.nan)
+
+
+def kept(found: tuple[Array, Array], before: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Growth and shift ``found``; those ``before`` where films leave no state, which has none
+    then, though without films it may have one."""
+    growth, axial = (np.where(np.isnan(a), b, a) for a, b in zip(found, before, strict=True))
+    return growth, axial
 
 
 def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:

@@ -26,6 +26,7 @@ FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer
 # Standard deviations, as shares: how well one and the same inside meets what makers print
 DEVIATION = {"rigidity": 0.015, "unloading": 0.01, "dynamic": 0.05, "static": 0.05}
 _PAIR = (1.35, 1.95)  # printed over expected C that looks like a pair's
+_SPARSE = 0.69  # of the pitch circle, that the balls of a bearing usually fill more of
 _WHOLE_NEWTON = 0.29  # [N] of a number rounded to one
 _REFINED = 4  # combinations of ball diameter and number whose grooves are refined
 _STEP = 0.005  # of a conformity, that refining may move it
@@ -93,13 +94,30 @@ class EstimatedBearing(AngularContactBallBearing):
 
     @property
     def doubt(self) -> str:
-        """A sentence where C looks like that of a pair, as the other values lead to far less.
+        """A sentence where C looks like that of a pair, as the other values lead to far less, or
+        where rigidities lead to balls that leave much of the pitch circle empty.
 
-        It takes C0 or the balls to say so: from rings and rigidity alone, the C that makers print
-        of one bearing is 0.6 to 2.7 times the one of the likeliest inside. Rings and C0 alone leave
-        a pair's unnoticed where fewer, larger balls explain both: printed C of one is 0.66 to 1.17
-        times, that of a pair 1.07 to 1.91 times the expected one.
+        The first takes C0 or the balls to say so: from rings and rigidity alone, the C that makers
+        print of one bearing is 0.6 to 2.7 times the one of the likeliest inside. Rings and C0 alone
+        leave a pair's unnoticed where fewer, larger balls explain both: printed C of one is 0.66 to
+        1.17 times, that of a pair 1.07 to 1.91 times the expected one.
         """
+        return self._of_pair or self._sparse
+
+    @property
+    def _sparse(self) -> str:
+        free = self.catalogue.balls is None and self.catalogue.ball_diameter is None
+        fill = self.balls * self.ball_diameter / (math.pi * self.pitch_diameter)
+        if not (free and self.catalogue.rigidities) or fill > _SPARSE:
+            return ""
+        return (
+            f"its likeliest balls fill {fill:.0%} of the pitch circle, where 72 % and more are "
+            "usual: check preloads (the force between the two bearings of a pair), rigidities (of "
+            "the pair) and ratings (of one bearing)"
+        )
+
+    @property
+    def _of_pair(self) -> str:
         given = self.catalogue
         printed = given.dynamic_rating
         if printed is None or (given.static_rating is None and given.ball_diameter is None):

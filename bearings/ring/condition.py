@@ -47,7 +47,7 @@ def remedy(state: BearingState) -> str:
         return ways[0]
     ways.append("lower the speed")
     if law.dynamics == "resultant" and state.contact_load.shape[-1] == 4:
-        ways.append('look at dynamics "frozen", which counts the contacts of every ball')
+        ways.append('look at dynamics "frozen" (it counts the contacts of every ball)')
     if law.friction is None:
         ways.append("give a limit of friction")
     if not law.one_branch:

@@ -17,12 +17,13 @@ if TYPE_CHECKING:
 class BallMotion(NamedTuple):
     """Of each ball (…, balls), over the speed ω of the inner ring; it does not depend on ω.
 
-    ``orbit`` ωm/ω; ``rotation`` |ωR/ω| of the ball against the cage; ``tan_beta`` of its axis.
+    ``orbit`` ωm/ω; ``rotation`` |ωR/ω| of the ball against the cage; ``attitude`` β of its axis
+    [rad], beyond π/2 where the ball turns backward about the axis of the bearing.
     """
 
     orbit: Array
     rotation: Array
-    tan_beta: Array
+    attitude: Array
 
 
 class ContactMotion(NamedTuple):
@@ -47,7 +48,9 @@ def ball_motion(state: BearingState) -> BallMotion:
     orbit = np.asarray(orbit_and_spin(a, t)[0].value)
     total = (a.cos_o + t * a.sin_o) / (1.0 + a.gamma * a.cos_o)
     total = total + (a.cos_i + t * a.sin_i) / (1.0 - a.gamma * a.cos_i)
-    return BallMotion(orbit, np.asarray(np.sqrt(1.0 + t * t) / (a.gamma * np.abs(total))), t)
+    rotation = np.sqrt(1.0 + t * t) / (a.gamma * np.abs(total))
+    way = np.sign(total)
+    return BallMotion(orbit, np.asarray(rotation), np.arctan2(way * t, way))
 
 
 def contact_motion(state: BearingState) -> ContactMotion:
@@ -59,7 +62,7 @@ def contact_motion(state: BearingState) -> ContactMotion:
     g = state.operation.geometry
     motion, split = ball_motion(state), len(g.inner_grooves)
     orbit, rotation = motion.orbit[..., None], motion.rotation[..., None]
-    beta = np.arctan(motion.tan_beta)[..., None]
+    beta = motion.attitude[..., None]
     alpha = np.asarray(state.contact_angle) * sides(g)  # as β: positive towards +x
     inner = np.arange(alpha.shape[-1]) < split
     race = np.where(inner, 1.0 - orbit, -orbit)  # about the axis, against the ball's rotation

@@ -35,11 +35,13 @@ from rotordyn.results.interval import (
 from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 PANELS, BARS = 6, 8  # numbers in a figure, sources of each
 BAR, ROOM = 5.2, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
+ASIDE = 0.03  # of the width of an axis: room of a mark on either side
 LONGEST = 24  # characters of a line beside a bar
 SEEN = 3e-3  # of the largest change of a number: less is no bar
 
@@ -173,6 +175,8 @@ def _line(axes: Axes, y: Array, curve: Curve, series: Sequence[str]) -> None:
         look |= {"marker": "o", "ms": 3.0, "ls": ""}
     (line,) = axes.plot(x, under(y, curve.ceiling), label=name, lw=1.0, **look)
     line.set_ydata(np.minimum(y, FAR * curve.ceiling))
+    if curve.dotted:
+        _whole(axes, line)
 
 
 def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
@@ -185,9 +189,17 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
         x, (low, high) = held.x[rows], np.minimum(ends, FAR * curve.ceiling).T
         look: dict[str, Any] = {"label": words, "color": shade, "alpha": alpha, "zorder": 1.2}
         if len(x) == 1 or curve.dotted:
-            axes.vlines(x, low, high, lw=3.0, **look)
+            _whole(axes, axes.vlines(x, low, high, lw=3.0, **look))
         else:
             axes.fill_between(x, low, high, lw=0.0, **look)
+
+
+def _whole(axes: Axes, drawn: Artist) -> None:
+    """Marks and bars at the sides of the axes are not cut by the frame, those above it are."""
+    from matplotlib.transforms import Bbox, TransformedBbox
+
+    drawn.set_clip_path(None)
+    drawn.set_clip_box(TransformedBbox(Bbox([[-ASIDE, 0.0], [1.0 + ASIDE, 1.0]]), axes.transAxes))
 
 
 def _beyond(axes: Axes, held: Interval, place: int, curve: Curve) -> None:

@@ -67,7 +67,7 @@ def on_films(
     solve: Callable[[Films | None], PreloadState], lubricant: Lubricant, temperature: float
 ) -> PreloadState:
     """Fixed point of ``solve``: the state with those films that belong to that state."""
-    from bearings.on_film import grown
+    from bearings.on_film import grown, kept
 
     bare = state = solve(None)
     none = np.zeros_like(bare.seat_load())
@@ -77,6 +77,7 @@ def on_films(
         growth, axial = (
             np.stack([both[part][:, at] for both, at in found], axis=1) for part in (0, 1)
         )
+        growth, axial = kept((growth, axial), (films.growth, films.axial))
         change = max(np.abs(growth - films.growth).max(), np.abs(axial - films.axial).max())
         films = replace(films, growth=growth, axial=axial)
         state = solve(films)

@@ -22,7 +22,8 @@ FILE, NAME = "interval.nc", "interval"
 MOST = 12  # numbers in the summary
 LONGEST, LONGEST_SOURCE = 44, 17  # of their names, and of those of sources
 FAR = 0.02  # of the range: tolerances act on one another, ranges may be off by more than 5 %
-NONE = "*"
+ROUGH = 0.2  # of the range: one that says little
+NONE, DOUBTFUL = "*", "~"  # marks of ranges
 UNKNOWN = "a bearing unloaded, no critical speed up to the top speed"
 AT = re.compile(r"( at \d+) rpm$")
 HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
@@ -70,6 +71,7 @@ def _row(held: Interval, k: int) -> tuple[str, ...]:
     ]
     for place, without in enumerate((held.without[k], held.without_within[k])):
         ranges[place] += NONE if without else ""
+    ranges[1] += DOUBTFUL if held.interaction[k] > ROUGH else ""
     rule = held.ruling(k)
     ruled = f"{_source(rule[0][0])} {rule[0][1]:.0%}" if rule else ""
     nominal = f"{number(float(held.nominal[k]), digits)} {held.unit[k]}".rstrip()
@@ -104,8 +106,10 @@ def interval_doubts(held: Interval) -> Iterator[str]:
     far = np.flatnonzero(np.nan_to_num(held.interaction) > FAR)
     if far.size:
         worst = max(far, key=lambda k: held.interaction[k])
+        marked = (held.interaction[_shown(held)] > ROUGH).any()
         yield (
-            "note       tolerances act on one another: with all off at once, "
+            f"{DOUBTFUL if marked else 'note':10} tolerances act on one another: with all off at "
+            "once, "
             f"{held.number[worst]} is {held.interaction[worst]:.0%} of its range from the sum of "
             "their effects; samples tell"
         )

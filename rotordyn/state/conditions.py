@@ -39,14 +39,15 @@ class Event:
 def conditions(step: Step, state: State) -> list[Condition]:
     """All that may end the part that begins with ``state``."""
     rubs = step.network.frictions.limit > 0.0
-    piece, laws = state.piece.tolist(), step.load(0.0).laws
+    laws = step.load(0.0).laws
+    low, high = limits(laws, state.piece)
     return [
         *(Condition("slip+", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
         *(Condition("slip-", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
         *(Condition("halt", k) for k in np.flatnonzero(~state.sticks & rubs).tolist()),
         *(Condition("open" if shut else "close", k) for k, shut in enumerate(state.closed)),
-        *(Condition("fall", k) for k, passed in enumerate(piece) if passed),
-        *(Condition("rise", k) for k, law in enumerate(laws) if piece[k] < len(law.kinks)),
+        *(Condition("fall", k) for k, end in enumerate(low.tolist()) if end > -np.inf),
+        *(Condition("rise", k) for k, end in enumerate(high.tolist()) if end < np.inf),
     ]
 
 

@@ -16,6 +16,7 @@ from bearings.ring import condition, equilibrium, followed_stage
 from bearings.ring.linearised import linearise
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
+from tests.oracles.known_grooves import R24_14, four_point
 
 FAST = 30000.0 * RPM
 FOLDING = dict(
@@ -171,6 +172,13 @@ def test_light_and_absurd_loads_at_rest() -> None:
 def test_nothing_presses_a_ring_that_may_retreat() -> None:
     with pytest.raises(NoEquilibrium, match="unloaded"):
         VEX70.equilibrium(load=[0, 0, 0, None, None], displacement=[None, None, None, 0, 0])
+
+
+def test_remedies_of_a_four_point_bearing_are_a_list_without_clauses() -> None:
+    state = four_point(R24_14).equilibrium(load=[20e3, 0, 0, 0, 0], speed=10.0, kinematics="inner")
+    *_, look, last = condition.remedy(state).split(", ")
+    assert look == 'look at dynamics "frozen" (it counts the contacts of every ball)'
+    assert last == "give a limit of friction or use outer or hybrid kinematics"
 
 
 def test_the_error_travels_and_names_what_helps() -> None:

@@ -142,7 +142,7 @@ def test_contacts_roll_as_the_state_says(kinematics: str) -> None:
         found = motion.spin[:, k] / motion.roll[:, k]
         assert found == pytest.approx(ratio, rel=1e-9, abs=1e-12)
     ball = ball_motion(state)
-    beta = np.arctan(ball.tan_beta)
+    beta = ball.attitude
     surface = ball.rotation * np.cos(state.outer_angle - beta) * 0.5 * VEX70.ball_diameter
     race = ball.orbit * 0.5 * (90e-3 + 9.525e-3 * np.cos(state.outer_angle))
     assert surface == pytest.approx(race, rel=1e-9)
@@ -193,7 +193,7 @@ def test_a_third_contact_loses_what_it_slides(way: float) -> None:
     q = float(state.contact_load[0, third])
     assert q > 10.0
     ball, angle = ball_motion(state), -way * float(state.contact_angle[0, third])
-    orbit, turn, beta = ball.orbit[0], ball.rotation[0], math.atan(ball.tan_beta[0])
+    orbit, turn, beta = ball.orbit[0], ball.rotation[0], ball.attitude[0]
     d, pitch, f = bearing.ball_diameter, bearing.pitch_diameter, bearing.outer_conformity
     roll = turn * math.cos(angle - beta) - orbit * math.cos(angle)
     spin = turn * math.sin(angle - beta) - orbit * math.sin(angle)
@@ -250,7 +250,7 @@ def test_how_far_resultants_are_from_the_balance_of_friction(
         return total * bearing.balls
 
     ball = ball_motion(state)
-    beta, spins = math.atan(ball.tan_beta[0]), float(ball.rotation[0])
+    beta, spins = ball.attitude[0], float(ball.rotation[0])
     here = np.array([ball.orbit[0], spins * math.cos(beta), spins * math.sin(beta)])
     starts = here, np.array([0.436, spins, 0.0])
     simplex = np.vstack([np.zeros(3), np.diag([0.02, 0.2, 0.2])])

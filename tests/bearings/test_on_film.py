@@ -7,10 +7,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
+import rotordyn
 from bearings import STEEL, Lubricant
+from bearings import on_film as on_films
+from bearings.arrays import Array
 from bearings.ball.law import Law
-from bearings.on_film import on_film
+from bearings.geometry import geometry
+from bearings.on_film import grown, on_film
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import R24_14, four_point
 
@@ -49,6 +54,44 @@ def test_films_are_the_growth_of_balls() -> None:
         assert found.displacement[k, 0] == pytest.approx(moved, abs=2e-8)
         without = VEX70.equilibrium(load=LOAD, speed=speed).displacement[0]
         assert abs(moved - without) > 4e-7
+
+
+def test_films_under_radial_load_are_those_of_the_balls_that_carry_it() -> None:
+    """5 of 13 balls: the ring moves as one whose every ball has its own film (so slow that both
+    races of a ball carry alike; Hertz along the radius)."""
+    bearing, force = rotordyn.model("bearings", "6012"), 1000.0
+    load, speed, how = [0.0, force, 0.0, 0.0, 0.0], 3000.0 * RPM, "frozen"
+    given = {"load": load, "speed": speed, "law": Law(dynamics=how), "heating": False}
+    found, g = on_film(bearing, OIL, 50.0, **given), geometry(bearing.grooves)
+    assert (found.state.inner_load > 0.0).sum() == 5
+    cos = np.cos(2.0 * np.pi * np.arange(bearing.balls) / bearing.balls)
+    play = g.free_distance * (1.0 - np.cos(g.free_angle))
+
+    def moved(film: Array) -> float:
+        def left(y: float) -> float:
+            approach = np.maximum(y * cos - play + film, 0.0)
+            return float(g.series_stiffness * (approach**1.5) @ cos - force)
+
+        return float(brentq(left, 0.0, 100e-6, xtol=1e-12))
+
+    films = np.nan_to_num(found.films.central).sum(axis=-1)
+    exact = moved(np.zeros(bearing.balls)) - moved(films)
+    bare = bearing.equilibrium(load=load, speed=speed, dynamics=how).displacement[1]
+    assert bare == pytest.approx(moved(np.zeros(bearing.balls)), rel=5e-3)
+    assert bare - found.displacement[1] == pytest.approx(exact, rel=0.03)
+
+
+def test_a_state_that_its_films_take_away_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to a fold; without films there is a state, and turns do not go on between the two."""
+    given = {"load": [[176.0, 1407.5, 0.0, 0.0, 0.0]], "speed": np.array([22263.6]) * RPM}
+    kinematics = "inner"
+    assert VEX70.equilibrium(**given, kinematics=kinematics).outcome[0] == ""
+    turns = []
+    monkeypatch.setattr(on_films, "grown", lambda *of: turns.append(of) or grown(*of))
+    oil = Lubricant(220e-6, 20e-6)
+    found = on_film(VEX70, oil, 40.0, **given, law=Law(kinematics), heating=False)
+    assert found.state.outcome[0] == "no equilibrium"
+    assert len(turns) < 5
 
 
 def test_a_rigid_mounting_is_loaded_more() -> None:

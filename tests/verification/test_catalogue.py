@@ -285,6 +285,15 @@ def test_rating_of_a_pair_given_for_one_is_doubted(given: dict[str, Any]) -> Non
     assert estimate(**RINGS, contact_angle=0.4, dynamic_rating=40e3).doubt == ""
 
 
+def test_preloads_twice_as_high_are_doubted() -> None:
+    """The sum over both bearings of a pair: fewer, larger balls explain its rigidity, no others."""
+    one = {**KH_6014_E, "dynamic_rating": None}
+    assert estimate(**one).doubt == ""
+    both = estimate(**one | {"preloads": [2.0 * each for each in one["preloads"]]})
+    fill = both.balls * both.ball_diameter / (math.pi * both.pitch_diameter)
+    assert f"balls fill {fill:.0%} of the pitch circle" in both.doubt
+
+
 def test_a_contact_angle_just_above_the_least() -> None:
     assert estimate(**RINGS, contact_angle=math.radians(5.1), dynamic_rating=40e3).doubt == ""
 

@@ -13,6 +13,7 @@ import bearings
 import rotordyn
 from bearings import Follower, InvalidBearing, ThrustBallBearing
 from bearings.geometry import geometry
+from bearings.ring.motion import ball_motion, contact_motion
 
 BEARING = ThrustBallBearing(ball_diameter=10.3e-3, pitch_diameter=64e-3, balls=16)
 THRUST = np.array([5000.0, 0.0, 0.0, 0.0, 0.0])
@@ -50,6 +51,21 @@ def test_tangent_at_speed(kinematics: str) -> None:
     s = BEARING.equilibrium(load=load, speed=500.0, kinematics=kinematics)
     difference = bearings.stiffness(s, "difference")
     assert np.abs(difference - s.stiffness()).max() < 1e-6 * np.abs(difference).max()
+
+
+def test_control_of_either_race_is_its_mirror_image() -> None:
+    """At low speed races of 90° are alike: inner control rolls on the inner race, spins on the
+    outer one and carries as much oil along, its axis is inclined as much beyond 90° as that of
+    outer control is below."""
+    outer, inner = (
+        BEARING.equilibrium(load=THRUST, speed=1.0, kinematics=way) for way in ("outer", "inner")
+    )
+    by_outer, by_inner = contact_motion(outer), contact_motion(inner)
+    assert by_inner.entrainment == pytest.approx(by_outer.entrainment[:, ::-1], rel=1e-6)
+    assert by_inner.spin == pytest.approx(-by_outer.spin[:, ::-1], abs=1e-6)
+    angles = [ball_motion(each).attitude for each in (outer, inner)]
+    assert sum(angles) == pytest.approx(math.pi, abs=1e-6)
+    assert angles[1] == pytest.approx(math.pi - math.atan(64.0 / 10.3), abs=1e-6)
 
 
 @pytest.mark.parametrize(

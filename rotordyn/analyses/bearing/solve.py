@@ -13,6 +13,7 @@ import bearings
 from bearings.bearing import BallBearing
 from bearings.heat.mounted import Heated, Mounting
 from bearings.ring.condition import remedy
+from bearings.ring.motion import ball_motion
 from bearings.ring.state import BearingState
 from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, RadialMapResult
 from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
@@ -77,7 +78,7 @@ def answer(
         slipping=np.where(good, there(state.slipping), ""),
         control=np.where(good, there(state.control), ""),
         control_agrees=good & there(state.control_agrees),
-        attitude=_where(outcome, np.arctan(there(state.tan_beta))),
+        attitude=_where(outcome, there(ball_motion(state).attitude)),
         **balls,
         **_life(bearing, solved, outcome, spec),
         **_heat(bearing, conditions, solved, outcome, spec),

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.result import BearingMapResult, RadialMapResult
 from rotordyn.analyses.bearing.solve import mounted_under, under
 from rotordyn.results.balls import (
     no_film,
@@ -187,9 +187,10 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
     """Axial and radial stiffness by load."""
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
     for k in _shown(result):
+        name = under(result, k)
+        whose = f"{name}, stiffness" if isinstance(result, RadialMapResult) else name
         for i, way in enumerate(("axial", "radial")):
-            name = under(result, k)
-            yield from each_speed(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
+            yield from each_speed(result, whose, STIFFNESS.unit, values[:, k, i, i], part=way)
         lives = result.revolutions[:, k] * 1e-6
         yield from each_speed(result, f"L10r {name}", "1e6", lives, digits=0)
         if np.isfinite(result.viscous_heat[:, k]).any():

@@ -206,6 +206,7 @@ def _oiled(
         friction=lubricant.friction,
         oil_factor=bearings.heat.OIL_FACTORS[lubricant.supply],
         model=spec.heat,
+        static_rating=static,
     )
     pitch = state.operation.grooves.pitch_diameter
     kappa = bearings.life.viscosity_ratio(lubricant.oil.kinematic(at), state.speed, pitch)

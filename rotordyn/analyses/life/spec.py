@@ -15,6 +15,7 @@ from rotordyn.scene.lubrication import ELLIPSE, LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Setting, Spec, placed
 
 RELIABILITIES = (0.90, 0.95, 0.96, 0.97, 0.98, 0.99)
+UNTILTED = (True, True, True, False, False)
 _SUM = 1e-6  # by which shares may miss 1
 
 
@@ -49,7 +50,8 @@ class LifeSpec(Spec):
     ] = field(default_factory=dict)
     static_ratings: Annotated[
         Mapping[Name, Load],
-        "C0 of a catalogue, likewise, for the static safety and Cu of the modified life",
+        "C0 of a catalogue, likewise, for the static safety, Cu of the modified life, and the "
+        "`palmgren` moment",
     ] = field(default_factory=dict)
     reliability: Annotated[float, Choice(RELIABILITIES), "of the modified life"] = 0.90
     target: Annotated[Duration | None, "life that every bearing shall reach, a warning if not"] = (
@@ -76,7 +78,7 @@ class LifeSpec(Spec):
             )
 
     def faults_on(self, setting: Setting) -> Faults:
-        names = [seat.name for seat in setting.spindle.seats]
+        seats = {seat.name: seat.bearing for seat in setting.spindle.seats}
         places: list[tuple[str | int, ...]] = [
             (key, name)
             for key in ("dynamic_ratings", "static_ratings")
@@ -84,6 +86,10 @@ class LifeSpec(Spec):
         ]
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
+            for name in filter(seats.__contains__, step.radial):
+                load = (0.0, step.radial[name], 0.0, 0.0, 0.0)
+                if why := seats[name].refusal(load, UNTILTED):
+                    yield ("spectrum", index, "radial", name), why
             yield from self._loads(setting, index, step)
             if step.speed > setting.top:
                 yield (
@@ -93,7 +99,7 @@ class LifeSpec(Spec):
                     f"{setting.top * RPM.factor:.6g} rpm, or add speeds to the case",
                 )
         for path in places:
-            for sentence in unknown("bearing", str(path[-1]), names):
+            for sentence in unknown("bearing", str(path[-1]), list(seats)):
                 yield path, sentence
         if setting.conditions.bearings == "static":
             yield (), "needs bearings at speed: given conditions.bearings: static"

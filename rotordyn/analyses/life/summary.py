@@ -55,8 +55,8 @@ def summary(result: LifeResult) -> list[str]:
             + (f"; of {steep} none: a_ISO is not known above 45°" if steep else "")
         )
         lines.append(
-            f"heat       [W] {_over_speed(result, result.heat)} (order of magnitude; sliding in "
-            "contacts and oil)"
+            f"heat       [W] {_over_speed(result, result.heat)} (order of magnitude; contacts and "
+            "oil)"
         )
     if np.isfinite(result.ball_temperature).any():
         parts = ", ".join(

@@ -38,12 +38,13 @@ IDENTIFIED = "identifiable"
 ON_A_BOUND = "on a bound"
 UNIDENTIFIABLE = "unidentifiable"
 BY_ITS_PRIOR = "known by its prior alone"
+UNFINISHED = "search not finished"
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Certainty:
     """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI],
-    as far as the ends of the unknowns.
+    as far as the ends of the unknowns; NaN where the search ended by its limit.
 
     ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
     verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
@@ -90,7 +91,7 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
     reduced = fit.cost / max(degrees, 1)
     birge = max(1.0, _by_median(problem, fit, free) if absolute else float(np.sqrt(reduced)))
     covariance = np.zeros((len(scale), len(scale)))
-    covariance[np.ix_(free, free)] = _inverse(rows) * birge**2
+    covariance[np.ix_(free, free)] = np.nan if fit.limited else _inverse(rows) * birge**2
     deviation = scale * np.sqrt(np.diag(covariance))
     quantile = _quantile(birge, max(degrees, 1))
     half = quantile * deviation
@@ -133,11 +134,14 @@ def _quantile(birge: float, degrees: int) -> float:
 
 def _by_median(problem: Problem, fit: Fit, free: Flags) -> float:
     """Deviation of the differences over the stated noise, by the median of absolute ones; as many
-    of the smallest left out as there are ``free`` values, which make these 0 (W. DuMouchel and F.
-    O'Brien, Proc. 21st Symp. Interface, 1989)."""
+    of the smallest left out as there are ``free`` values and nuisances, which make these 0
+    (W. DuMouchel and F. O'Brien, Proc. 21st Symp. Interface, 1989)."""
     pairs = zip(problem.weighings, fit.predicted, strict=True)
-    sizes = np.abs(np.concatenate([w.residual(one) / w.data.deviation for w, one in pairs]))
-    left = np.sort(sizes)[int(free.sum()) :]
+    sizes = np.abs(
+        np.concatenate([w.anew(one).residual(one) / w.data.deviation for w, one in pairs])
+    )
+    zeros = int(free.sum()) + sum(len(m.data.column_names) for m in problem.measurements)
+    left = np.sort(sizes)[zeros:]
     return float(np.median(left)) / QUARTILE if len(left) else 0.0
 
 
@@ -174,6 +178,8 @@ def _soft(data: Array, free: Flags, birge: float) -> tuple[Array, Array]:
 def _word(unknown: Sought, deviation: float, on: bool) -> str:
     if on:
         return ON_A_BOUND
+    if np.isnan(deviation):
+        return UNFINISHED
     share = deviation / unknown.scale
     if unknown.deviation is not None:
         return BY_ITS_PRIOR if share > BY_PRIOR else IDENTIFIED

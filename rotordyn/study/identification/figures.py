@@ -118,7 +118,7 @@ def _curve(axes: Axes, best: Explained, place: int) -> None:
         axes.plot(along[order], line[order], lw=0.9, color=look["color"], label=label)
         label = f"measured, {branch}" if branch else "measured"
         axes.plot(data.at[rows], shown[rows], ls="none", ms=2.2, label=label, **look)
-    _labelled(axes, data, "")
+    _labelled(axes, data, "measured")
 
 
 def _line(best: Explained, place: int) -> tuple[Array, Array, NDArray[np.str_]]:

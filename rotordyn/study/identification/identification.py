@@ -21,6 +21,7 @@ from rotordyn.study.identification.certainty import (
     BY_ITS_PRIOR,
     IDENTIFIED,
     ON_A_BOUND,
+    UNFINISHED,
     UNIDENTIFIABLE,
     Certainty,
     inseparable,
@@ -28,6 +29,7 @@ from rotordyn.study.identification.certainty import (
 from rotordyn.study.identification.criterion import FitCriterion
 from rotordyn.study.identification.measurement import Beside
 from rotordyn.study.identification.models import Model
+from rotordyn.study.identification.outliers import outliers
 from rotordyn.study.identification.prediction import Prediction
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.profile import Profile, remarks
@@ -72,7 +74,9 @@ class Explained:
     @property
     def residuals(self) -> list[Array]:
         """Of every measurement (n,), what machine, tare and drift do not explain [SI]."""
-        pairs = zip(self.problem.weighings, self.fit.predicted, strict=True)
+        pairs = [*zip(self.problem.weighings, self.fit.predicted, strict=True)]
+        if self.fit.absolute is not None:
+            pairs = [(each.anew(one), one) for each, one in pairs]
         return [each.residual(one) for each, one in pairs]
 
     @property
@@ -209,6 +213,11 @@ class Identification:
             whose = "its" if len(limits) == 1 else "their"
             kept += f"; {', '.join(limits)} at {whose} physical limit"
         lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
+        if best.fit.limited:
+            lines.append(
+                f"{UNFINISHED}: it took the most machines allowed, so that no interval is known: "
+                "begin nearer (start), or seek fewer unknowns"
+            )
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
             names = [name for name, each in best.named if each == word]
@@ -221,6 +230,8 @@ class Identification:
                 "that is never met: searches from other starts may find a better one (starts)"
             )
         lines += inseparable(best.problem.unknowns, best.sure)
+        if best.fit.absolute is not None:
+            lines += outliers(best.problem.measurements, best.residuals, best.sure)
         lines += remarks(self.profiles, best.problem, best.sure)
         others = self.surviving
         if len(others) > 1:

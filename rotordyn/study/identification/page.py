@@ -24,7 +24,12 @@ from rotordyn.page.html import Page
 from rotordyn.page.looks import COLOURS, FAINT, axis
 from rotordyn.results.display import sized
 from rotordyn.study.columns import Column, read_columns, table_of
-from rotordyn.study.identification.certainty import BY_ITS_PRIOR, ON_A_BOUND, UNIDENTIFIABLE
+from rotordyn.study.identification.certainty import (
+    BY_ITS_PRIOR,
+    ON_A_BOUND,
+    UNFINISHED,
+    UNIDENTIFIABLE,
+)
 from rotordyn.study.identification.curve_charts import Curves, curve_blocks
 from rotordyn.study.identification.deliver import BEST, DATASET, SUMMARY
 from rotordyn.study.identification.identification import INSUFFICIENT, SURVIVES, UNDECIDED
@@ -34,7 +39,7 @@ from rotordyn.study.identification.summary import MOST_WRITTEN, decimals
 
 FILES = (DATASET, JOURNAL)  # one of which a folder of an identification has
 CELL, ROOM = 34, 190  # px of a row of correlations, and of what surrounds them
-DOUBTS = (UNIDENTIFIABLE, BY_ITS_PRIOR, UNDECIDED)
+DOUBTS = (UNIDENTIFIABLE, BY_ITS_PRIOR, UNDECIDED, UNFINISHED)
 RED_TO_BLUE = [[0.0, COLOURS[0]], [0.5, "#F2F2F2"], [1.0, COLOURS[1]]]
 
 
@@ -155,7 +160,7 @@ def _values(held: Held) -> Table:
         cells += [sized(value, digits, *ends), between]
         if profiled:
             other = [float(of[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
-            cells.append(_between(other, digits, bounds) if np.isfinite(other).all() else "–")
+            cells.append(_between(other, digits, bounds))
         rows.append([*cells, word, of["path"].words[k]])
     head = ["", "value", "95 %", *["by profile"] * profiled, "", "path"]
     return Table("What was found", head, rows)
@@ -163,6 +168,8 @@ def _values(held: Held) -> Table:
 
 def _between(ends: Sequence[float], digits: int, bounds: Sequence[float] = (np.nan, np.nan)) -> str:
     """Both ends, a word before one that is a bound."""
+    if np.isnan(ends).any():
+        return "–"
     pairs = zip(ends, bounds, strict=True)
     return " to ".join(
         AT_BOUND * (e == b) + " " * (e == b) + sized(e, digits, *ends) for e, b in pairs
@@ -260,8 +267,7 @@ def _predictions(held: Held) -> Table:
         cells = [f"{name} [{unit}]" if unit else name, sized(value, digits, low, high)]
         bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
         parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
-        first = "–" if np.isnan(value) else parts[0]
-        cells += [f"–, {bound} {ON_A_BOUND}" if bound else first, *parts[1:]]
+        cells += [f"–, {bound} {ON_A_BOUND}" if bound else parts[0], *parts[1:]]
         known = of["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]

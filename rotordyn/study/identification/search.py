@@ -19,21 +19,24 @@ from rotordyn.study.latin_hypercube import latin_hypercube
 Array = NDArray[np.float64]
 FAR = 1e4  # weighed difference of every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
-MOST = 60  # Jacobians of one search
-ROUNDS, FLOOR = 12, 0.05  # of weighing anew; least difference over noise that weighs no more
+MOST = 60  # machines of one search, without those of Jacobians
+HELD = 1e-3  # deviations by which an unknown is pulled to the start, over what was known before
+ROUNDS = 12  # of weighing anew
 CANDIDATES = 6  # machines tried for each further start
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Fit:
     """The best of a search: ``values`` (p,) [SI], its ``cost`` χ² (sum of squares of all rows),
-    ``predicted`` of every measurement; ``ended``: whether the search came to its end;
+    ``predicted`` of every measurement; ``ended``: whether the search came to its end, ``limited``:
+    by the most machines that it may take;
     ``absolute``: the mean absolute difference, in deviations, where that is made least."""
 
     values: Array
     cost: float
     predicted: list[Array]
     ended: bool = True
+    limited: bool = False
     absolute: float | None = None
 
     @property
@@ -44,21 +47,26 @@ class Fit:
 
 class _Objective:
     """Residuals and Jacobian over scaled unknowns z (p,); keeps the best machine seen, so that an
-    interrupted search has one."""
+    interrupted search has one.
 
-    def __init__(self, problem: Problem) -> None:
+    A weak pull to ``begin`` (p,), which counts in no cost, holds unknowns that no row follows:
+    steps of the search would grow along them, and be cut for all.
+    """
+
+    def __init__(self, problem: Problem, begin: Array) -> None:
         self.problem = problem
+        self.begin = begin
         self.best: Fit | None = None
         self._last: tuple[bytes, list[Array] | None] = (b"", None)
 
-    def at(self, values: Array) -> Fit:
-        """The machine with such values, not ended.
+    def first(self) -> Fit:
+        """The machine to begin with, not ended.
 
         Raises
         ------
         NoSolution : it has none
         """
-        self.rows(values / self.problem.scale)
+        self.rows(self.begin)
         return self.reached
 
     @property
@@ -78,7 +86,7 @@ class _Objective:
         cost = float(rows @ rows)
         if self.best is None or cost < self.best.cost:
             self.best = Fit(values, cost, predicted, ended=False)
-        return rows
+        return np.concatenate([rows, HELD * (z - self.begin)])
 
     def slopes(self, z: Array) -> Array:
         """Derivatives of the rows (n, p)."""
@@ -87,7 +95,9 @@ class _Objective:
         if predicted is None:
             return np.zeros((self._size, len(z)))
         slopes = self.problem.slopes(values, predicted)
-        return np.concatenate([self.problem.weighed_slopes(slopes), self.problem.prior_slopes])
+        held = HELD * np.eye(len(z))
+        rows = self.problem.weighed_slopes(slopes)
+        return np.concatenate([rows, self.problem.prior_slopes, held])
 
     def _predicted(self, values: Array) -> list[Array] | None:
         key = values.tobytes()
@@ -100,7 +110,7 @@ class _Objective:
         rows = sum(
             len(m.data.observed) + len(m.data.column_names) for m in self.problem.measurements
         )
-        return rows + len(self.problem.unknowns)
+        return rows + 2 * len(self.problem.unknowns)
 
 
 def search(problem: Problem, start: Array) -> Fit:
@@ -115,7 +125,7 @@ def search(problem: Problem, start: Array) -> Fit:
         problem.evaluations += blurred.evaluations
         start = led.values
         if not led.ended:
-            return _Objective(problem).at(start)
+            return _Objective(problem, start / problem.scale).first()
     return nearest(problem, start)
 
 
@@ -128,18 +138,18 @@ def nearest(problem: Problem, start: Array) -> Fit:
     """
     from scipy.optimize import least_squares
 
-    goal = _Objective(problem)
     low, high = (end / problem.scale for end in problem.bounds)
     room = 1e-6 * (high - low)  # scipy begins between the ends, on none
     begin = np.clip(start / problem.scale, low + room, high - room)
-    goal.at(begin * problem.scale)
+    goal = _Objective(problem, begin)
+    goal.first()
     try:
-        least_squares(
+        found = least_squares(
             goal.rows, begin, goal.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
         )
     except KeyboardInterrupt:
         return goal.reached
-    return replace(goal.reached, ended=True)
+    return replace(goal.reached, ended=True, limited=found.status == 0)
 
 
 def search_absolute(problem: Problem, start: Array) -> Fit:
@@ -155,7 +165,7 @@ def search_absolute(problem: Problem, start: Array) -> Fit:
     found = _weighed_anew(problem, search(problem, start))
     if not found.ended:
         return found
-    begin = replace(_Objective(problem).at(start), ended=True)
+    begin = replace(_Objective(problem, start / problem.scale).first(), ended=True)
     return min(found, _weighed_anew(problem, begin), key=lambda fit: fit.merit)
 
 
@@ -164,21 +174,23 @@ def _weighed_anew(problem: Problem, begin: Fit) -> Fit:
     ``begin`` among them."""
     best, least, found = begin, np.inf, begin
     for _ in range(ROUNDS):
-        pairs = zip(problem.weighings, found.predicted, strict=True)
-        residuals = [each.residual(one) / each.data.deviation for each, one in pairs]
-        rows, priors = np.concatenate(residuals), problem.prior_rows(found.values)
-        mean = float(np.abs(rows).mean() + priors @ priors / (2.0 * len(rows)))
+        pairs = [*zip(problem.weighings, found.predicted, strict=True)]
+        anew = [(each.anew(one), one) for each, one in pairs]
+        rows = np.concatenate([each.residual(one) / each.data.deviation for each, one in anew])
+        priors = problem.prior_rows(found.values)
+        squares = float(priors @ priors) + sum(each.beside(one) for each, one in anew)
+        mean = float(np.abs(rows).mean()) + squares / (2.0 * len(rows))
         gain = least - mean
         if gain > 0.0:
             best, least = replace(found, absolute=mean), mean
         if not found.ended or gain < 1e-3 * mean:
             break
-        weights = tuple(1.0 / np.sqrt(np.maximum(np.abs(each), FLOOR)) for each in residuals)
-        weighed = replace(problem, weights=weights)
+        weighed = replace(problem, weights=tuple(each.weight for each, _ in anew))
         found = search(weighed, found.values)
         problem.evaluations = weighed.evaluations
     rows = problem.rows(best.predicted, best.values)
-    return replace(best, cost=float(rows @ rows), ended=found.ended)
+    cost = float(rows @ rows)
+    return replace(best, cost=cost, ended=found.ended, limited=found.limited)
 
 
 def begin_at(problem: Problem, start: int, seed: int) -> Array:

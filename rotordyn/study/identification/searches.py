@@ -47,7 +47,8 @@ class Searches:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """A search that came to an end, or was stopped (``ended`` false): ``number`` (model, start);
+    """A search that came to an end (``limited``: by the most machines that it may take), or was
+    stopped (``ended`` false): ``number`` (model, start);
     values, sum of squares, what was made least, machines solved; ``sentence``: why there are
     none."""
 
@@ -57,6 +58,7 @@ class Search:
     merit: float = float("inf")
     evaluations: int = 0
     ended: bool = True
+    limited: bool = False
     sentence: str = ""
 
 
@@ -72,7 +74,15 @@ def searched(packed: bytes, number: tuple[int, int], count: int = 1) -> Search:
     except NoSolution as error:
         return Search(number, sentence=str(error), evaluations=problem.evaluations)
     values = tuple(found.values.tolist())
-    return Search(number, values, found.cost, found.merit, problem.evaluations, found.ended)
+    return Search(
+        number,
+        values,
+        found.cost,
+        found.merit,
+        problem.evaluations,
+        found.ended,
+        found.limited,
+    )
 
 
 @lru_cache(maxsize=1)

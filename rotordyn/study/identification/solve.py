@@ -230,7 +230,7 @@ def identified(
     explained.sort(key=lambda each: each.information)
     best = explained[0]
     parts: dict[str, Any] = {"failed": failed, "stopped": stopped, "left_out": held.left_out}
-    if held.profiles and not stopped:
+    if held.profiles and not stopped and not best.fit.limited:
         parts["profiles"], parts["stopped"] = profiles_of(
             best.problem, best.fit, best.sure, held.profiles, workers or processors(), progress
         )
@@ -249,6 +249,7 @@ def _explained(
     values = np.array(best.values)
     predicted = problem.predicted(values)
     assert predicted is not None, "the search solved it"
-    fit = Fit(values, best.cost, predicted, best.ended)
+    absolute = best.merit if asked.absolute else None
+    fit = Fit(values, best.cost, predicted, best.ended, best.limited, absolute)
     sure = certainty(problem, fit, absolute=asked.absolute)
     return Explained(model, problem, fit, sure, searches)

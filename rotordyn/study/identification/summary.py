@@ -9,7 +9,7 @@ import numpy as np
 
 from rotordyn.results.display import sized
 from rotordyn.results.text import wrapped
-from rotordyn.study.identification.certainty import ON_A_BOUND
+from rotordyn.study.identification.certainty import ON_A_BOUND, UNFINISHED
 from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.unknown import Sought
 from rotordyn.study.summary import without
@@ -79,7 +79,7 @@ def _predictions(found: Identification) -> Iterator[str]:
         )
         heading = f"{each.name} [{each.unit}]" if each.unit else each.name
         between = (f"{least} to {most}",) if several else ()
-        ends = "–" if np.isnan(each.value) else f"{low} to {high}"
+        ends = "–" if np.isnan(each.low) else f"{low} to {high}"
         ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else ends
         rows.append((heading, value, ends, *between, measured))
     yield from _table(rows)
@@ -116,7 +116,7 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
         shown = sized(sizes[-1], digits, *sizes)
         between = (
             ""
-            if word == ON_A_BOUND
+            if word in (ON_A_BOUND, UNFINISHED)
             else " to ".join(
                 f"{AT_BOUND if end == bound else ''} {sized(size, digits, *sizes)}".strip()
                 for end, bound, size in zip(

@@ -35,7 +35,8 @@ def write_tables(folder: Path, found: Identification) -> None:
         ("upper bound", best.problem.bounds[1]),
     ):
         pairs = zip(unknowns, values.tolist(), strict=True)
-        columns.append((name, [f"{u.shown(v):.9g}" for u, v in pairs]))
+        cells = ["" if np.isnan(v) else f"{u.shown(v):.9g}" for u, v in pairs]
+        columns.append((name, cells))
     if found.profiles:
         columns += _ends_of_profiles(found)
         write_table(folder / "profiles.csv", _profiles(found))

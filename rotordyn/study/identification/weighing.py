@@ -7,7 +7,7 @@ Anal. 10, 1973). A prior of a nuisance is one more row that observes it to be ze
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from rotordyn.study.identification.measurement import Data
 
 Array = NDArray[np.float64]
+ROUNDS, SAME = 100, 1e-4  # of weighing anew; change of differences over noise that ends them
+FLOOR = 0.05  # least difference over noise that weighs no more
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +58,21 @@ class Weighing:
         target = self._rows * (self.data.observed - predicted)
         target = np.concatenate([target, np.zeros(len(self.data.column_names))])
         return np.asarray(np.linalg.lstsq(self._columns, target, rcond=None)[0])
+
+    def anew(self, predicted: Array) -> Weighing:
+        """Rows weighed by their differences so that nuisances make the mean absolute one least."""
+        size = np.abs(self.residual(predicted)) / self.data.deviation
+        for _ in range(ROUNDS):
+            found = replace(self, weight=1.0 / np.sqrt(np.maximum(size, FLOOR)))
+            before, size = size, np.abs(found.residual(predicted)) / self.data.deviation
+            if np.abs(size - before).max() < SAME:
+                break
+        return found
+
+    def beside(self, predicted: Array) -> float:
+        """Sum of squares of the rows of the priors of nuisances."""
+        known = self.nuisances(predicted) / self.data.column_deviation
+        return float(known @ known)
 
     def residual(self, predicted: Array) -> Array:
         """What of the observation neither machine nor nuisances explain (n,) [SI]."""

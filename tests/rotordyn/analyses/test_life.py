@@ -52,6 +52,16 @@ def of_grinding(
     return answers(own, rpm, {"life": spec}, kinematics="hybrid")["life"]
 
 
+def test_static_rating_of_a_catalogue_scales_palmgrens_moment() -> None:
+    """f1 ~ C0^−0.33 of angular-contact bearings, in the heat of the bearing that has it."""
+    spec = LifeSpec(OIL, heat="palmgren")
+    plain = of_grinding(spec)
+    rated = of_grinding(replace(spec, static_ratings={"a": 3.0 * plain.static_rating[0]}))
+    for name in ("inner_heat", "outer_heat"):
+        ours, theirs = getattr(rated, name)[0], getattr(plain, name)[0]
+        assert ours == pytest.approx(theirs * [3.0**-0.33, 1.0, 1.0, 1.0])
+
+
 @pytest.mark.parametrize("seat", [0, 2, 4])
 def test_values_of_a_single_bearing(seat: int) -> None:
     """The same bearing alone under the load and growth of its preload state, at 12 000 rpm."""
@@ -377,6 +387,22 @@ def test_stress_of_a_fit_by_hand() -> None:
 def test_impossible_questions(make: Any, sentence: str) -> None:
     with pytest.raises(InvalidInput, match=sentence):
         make()
+
+
+def test_a_radial_load_on_a_thrust_bearing_is_refused_where_it_stands(tmp_path: Any) -> None:
+    import rotordyn
+
+    file = tmp_path / "case.yaml"
+    file.write_text(
+        "spindle: grinding_spindle\nspeeds: [100 rpm]\n"
+        "override: {bearings.d.model: thrust_50x78x22}\nanalyses:\n  life:\n"
+        "    spectrum: [{share: 100 %, speed: 100 rpm, radial: {d: 200 N}}]\n"
+    )
+    with pytest.raises(
+        InvalidInput,
+        match=r"6:\d+: analyses.life.spectrum.1.radial.d: .* no radial load: got 200 N",
+    ):
+        rotordyn.load(file)
 
 
 @pytest.mark.parametrize(

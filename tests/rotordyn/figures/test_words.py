@@ -8,6 +8,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
 
 from rotordyn.analyses.bearing_loads.figures.roses import rose_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
@@ -84,6 +86,23 @@ def test_modes_in_their_bands_bear_their_names():
     assert [text.get_text() for text in axes.texts] == ["bending 1 bw/fw", "bending 2 bw/fw"]
     axes.figure.canvas.draw()
     assert all(t.get_window_extent().x1 <= axes.figure.bbox.x1 for t in axes.texts)
+
+
+def test_marks_at_the_sides_of_bands_are_whole():
+    """Those of few speeds: their bars are drawn beyond the sides, not above or below."""
+    rpm, load = np.array([0.0, 3000.0, 6000.0]), np.array([1.0, 2.0, 3.0])
+    ends = np.column_stack([load - 0.5, load + 0.5])
+    held = SimpleNamespace(
+        curve=("load",), rows_of=lambda k: slice(None), x=rpm, curve_nominal=load,
+        curve_hypotheses=ends, curve_tolerances=ends,
+    )  # fmt: skip
+    (axes,) = bands_figure(held, {"load": Curve("preload", "load", "N", rpm, load)}).axes
+    canvas = FigureCanvasAgg(axes.figure)
+    canvas.draw()
+    pixels, colour = np.asarray(canvas.buffer_rgba())[..., :3], to_rgb(axes.lines[0].get_color())
+    left, right = int(axes.bbox.x0), int(axes.bbox.x1)
+    for beside in (slice(left - 2, left - 1), slice(right + 2, right + 3)):
+        assert (np.abs(pixels[:, beside] / 255.0 - colour).max(axis=-1) < 0.15).any()
 
 
 @pytest.mark.parametrize("least", [3, 8])

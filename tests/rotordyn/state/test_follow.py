@@ -57,6 +57,34 @@ def test_a_rigid_pair_of_equal_bearings_unloads_at_two_to_the_p_times_its_preloa
     assert answers[0]["load"][1] == 0.0
 
 
+def test_a_law_that_never_unloads_is_one_that_unloads_far_away() -> None:
+    """A bearing whose force is constant below its points, beside a rubbing sleeve."""
+    d, path = [0.0, 10e-6, 20e-6, 40e-6], []
+    rng = np.random.default_rng(3)
+    for _ in range(4):
+        shaft, sleeve, shift = rng.uniform(-1.0, 1.0, 3) * (800.0, 200.0, 8e-6)
+        path.append(forces(shaft)[0] | {"shift": {"bearing 1": shift}})
+        path[-1]["force"]["sleeve"] = sleeve
+        path[-1]["law"] = {"0": "stiff" if rng.random() < 0.5 else "soft"}
+    found = []
+    for far in (False, True):
+        at, nothing = ([-1.0, -0.9, *d[1:]], [0.0]) if far else (d, [])
+        laws = {
+            name: {"kind": "table", "d": at, "F": [*nothing, *loads]}
+            for name, loads in (
+                ("soft", [300.0, 300.0, 600.0, 1800.0]),
+                ("stiff", [500.0, 500.0, 700.0, 2500.0]),
+            )
+        }
+        plain = pair(springs=spring(30e6), frictions=[{"body": "sleeve", "limit": LIMIT}])
+        plain["laws"] |= laws
+        del plain["bearings"][0]["preload"]
+        plain["bearings"][0] |= {"law": "soft", "d0": 20e-6}
+        found.append(follow(plain | {"path": path}))
+    for one, other in zip(*found, strict=True):
+        assert one["x"] == pytest.approx(other["x"], abs=1e-15)
+
+
 def test_a_cycle_with_friction_takes_four_times_limit_and_travel() -> None:
     cycle = [500.0, -500.0, 500.0]
     plain = block(

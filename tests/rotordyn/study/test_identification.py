@@ -188,7 +188,9 @@ def test_figures_draw_the_machine_between_the_points_too(case: Case) -> None:
     shaft = twin(case, 1, asked, TRUE[-1:]).measurements[:1]
     found = identify(case, asked, shaft, workers=1)
     (given,), (exact,) = found.explained.problem.measurements, found.explained.fit.predicted
-    drawn = [each for each in found.plot("measured").axes[0].lines if each.get_linestyle() == "-"]
+    axes = found.plot("measured").axes[0]
+    assert axes.get_ylabel() == "measured [µm]"
+    drawn = [each for each in axes.lines if each.get_linestyle() == "-"]
     series = list(dict.fromkeys(given.data.series))
     assert len(drawn) == len(series) == 2 * len(SPEEDS)
     for line, name in zip(drawn, series, strict=True):

@@ -175,6 +175,19 @@ def test_what_some_machines_lack_is_told_where_it_stands() -> None:
     assert "… and 1 more number: interval.csv" in interval_lines(two)
 
 
+def test_a_range_that_interactions_spoil_is_marked() -> None:
+    """And no other; the note names the worst below the same mark, where that has a row."""
+    case = _case(("preload", "campbell"), (12000.0,), tolerances={SPRING: "± 10 %"})
+    held = rotordyn.run(case, interval=True).held_intervals[""]
+    order = held.apart(held.varying())
+    assert len(order) > 1
+    for share, mark in ((0.3, "~"), (0.1, "note")):
+        own = replace(held, interaction=np.where(np.arange(len(held.number)) == order[0], share, 0))
+        *rows, note, _ = [line.rstrip() for line in interval_lines(own)]
+        assert note.startswith(mark)
+        assert sum("~" in row for row in rows) == (mark == "~")
+
+
 def test_why_some_machines_lack_a_number_is_what_is_said_of_it() -> None:
     """Of a stop that some do not meet, and of a bearing of which nothing is said."""
     case = _case(

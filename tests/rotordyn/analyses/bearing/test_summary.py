@@ -82,9 +82,12 @@ def test_the_rating_of_a_pair_is_questioned() -> None:
 def test_most_loaded_ball_in_words() -> None:
     """Case 3 of Lacroix (2014), rigid: 22.4° at 0°, a third contact."""
     spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
-    lines = summary(answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec))
+    found = answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec)
+    lines = summary(found)
     assert lines[0].endswith("tilts blocked, at 1500 rpm")
     assert "0 N radial: axial" in lines[1]
+    names = {each.words for each in numbers(found, None)}  # type: ignore[arg-type]
+    assert "12000 N radial, stiffness axial at 1500 rpm" in names
     assert lines[-1].split(": ", 1)[1].startswith("ball 0 at 0°: ir 4712 N at 22.4°, or 510 N at")
     assert lines[-1].endswith("2 to 3 contacts a ball")
 
