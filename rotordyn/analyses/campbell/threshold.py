@@ -68,7 +68,8 @@ def _grown(
     """Which mode of a subsystem, or ``DIVERGENCE``, grows most just above a speed: the one whose
     pole, straight between the speeds beside, is nearest; of several that grow farther up one has
     begun. Empty where there is no equilibrium."""
-    pole = _fastest(scene, band, subsystem, (1.0 + ABOVE) * speed)
+    above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
+    pole = _fastest(scene, band, subsystem, above)
     if pole is None or not own:
         return ""
     if not swings(np.array([pole]))[0]:
