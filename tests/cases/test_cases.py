@@ -74,7 +74,7 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_touch": ("estimate from catalogue values",),
     "grinding_spindle_warm_up": ("rigid: bearing ", "spring: bearing "),
     "squeeze_film_damper": ("modes are overdamped",),
-    "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C from"),
+    "vex70_warm": ("temperatures reach no balance above", "hotter than 150 °C"),
 }
 
 
