@@ -4,27 +4,29 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from rotordyn.analyses.campbell import summary
+from rotordyn.analyses.campbell import summary, threshold
 from rotordyn.analyses.campbell.figures.damping import damping_figure
 from rotordyn.analyses.campbell.figures.diagram import draw_unstable
 from rotordyn.analyses.campbell.figures.shapes import plane_curve
+from rotordyn.modes.branches import Track
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case
 from tests.rotordyn.analyses.campbell.test_campbell import diagram
 
 
 @cache
-def whipping(*rpm: float) -> Any:
+def whipping(*rpm: float, highest: float = 2500.0) -> Any:
     """A shaft with damping that turns with it, its lowest mode held by dampers at the supports."""
     held = tuple(support(name, x, (3e6, 3e6), 1000.0) for name, x in (("a", 0.1), ("b", 0.9)))
     shaft = uniform(1.0, 0.04, supports=held)
-    return diagram(replace(shaft, rotor_damping=(0.02,), internal_damping=1.0), rpm, 2500.0)
+    return diagram(replace(shaft, rotor_damping=(0.02,), internal_damping=1.0), rpm, highest)
 
 
 def test_the_mode_that_crosses_zero_is_named_though_others_grow_farther_up() -> None:
@@ -37,6 +39,44 @@ def test_the_mode_that_crosses_zero_is_named_though_others_grow_farther_up() -> 
     assert ratio["bending 1 forward"] > 1e-3
     assert found.first_to_grow == "bending 4 forward"
     assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+
+
+def test_what_begins_to_grow_above_the_band_is_left_to_a_wider_one() -> None:
+    """Bending 4, at 506 Hz, which was called bending 3."""
+    wide = whipping(0.0, 40000.0, 80000.0)
+    found = whipping(0.0, 40000.0, 80000.0, highest=400.0)
+    assert wide.first_to_grow not in found.mode
+    assert found.first_to_grow == "bending 1 forward"
+    assert found.stability_threshold > 1.1 * wide.stability_threshold
+    there = whipping(found.stability_threshold / RPM, highest=400.0)
+    ratio = dict(zip(there.mode, there.damping_ratio[0], strict=True))
+    assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("pole", "name"),
+    [
+        (1e-3 + 300.0j, "bending 2 forward"),
+        (1e-3 + 500.0j, "bending 1 forward"),
+        (1e-3 + 0.0j, threshold.DIVERGENCE),
+        (None, ""),
+    ],
+)
+def test_the_mode_whose_pole_grows_is_that_of_its_frequency(
+    pole: complex | None, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two modes whose damping is alike between speeds, lost at the first of these; without
+    equilibrium none."""
+
+    def branch(*poles: complex) -> Any:
+        track = Track(np.array([0.0, 100.0, 200.0]), np.array([np.nan, *poles]), np.empty((3, 0)))
+        return SimpleNamespace(track=track)
+
+    monkeypatch.setattr(threshold, "_fastest", lambda *_: pole)
+    one = branch(-2.0 + 490.0j, 2.0 + 510.0j), "bending 1 forward"
+    other = branch(-2.0 + 310.0j, 2.0 + 290.0j), "bending 2 forward"
+    scene: Any = SimpleNamespace(speed=np.array([0.0, 100.0, 200.0]))
+    assert threshold._grown(scene, 0, 600.0, 150.0, [one, other]) == name
 
 
 def test_it_is_a_headline_number() -> None:
