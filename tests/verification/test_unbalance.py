@@ -407,9 +407,11 @@ def test_a_run_ends_where_no_machine_moves() -> None:
     assert sentence.startswith("unbalance: the run up in 100 s has no solution: the motion grows")
 
 
-def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
-    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190."""
-    rigid = on_two(block(K, K), block(C, C))
+@pytest.mark.parametrize(("damping", "begin"), [(C, 190.0), (0.0, 100.0)])
+def test_where_growth_begins_is_solved_for_between_two_speeds(damping: float, begin: float) -> None:
+    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190. Without
+    damping any makes motion grow."""
+    rigid = on_two(block(K, K), block(damping, damping))
     natural = math.sqrt(K / rotor_inertia(rigid).mass)
     at, limit = (0.0, 100.0, 1000.0), C * natural
     table = {("y", "z"): (0.0, 0.0, 10.0 * limit), ("z", "y"): (0.0, 0.0, -10.0 * limit)}
@@ -419,7 +421,7 @@ def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
     ]
     spindle = replace(rigid, supports=tuple(ends))
     found = solved(spindle, [0.0, 1000.0], Unbalance("disc", U), conditions=RIGID)
-    assert found.unstable_from == pytest.approx([190.0], rel=1e-4)
+    assert found.unstable_from == pytest.approx([begin], rel=1e-4)
     assert found.unstable_to == pytest.approx([1000.0])
 
 

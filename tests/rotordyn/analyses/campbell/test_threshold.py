@@ -101,8 +101,10 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
     at = found.stability_threshold / RPM
     axes = Figure().subplots()
     draw_unstable(axes, found)
-    first = min(line.get_xdata()[np.isfinite(line.get_ydata())].min() for line in axes.get_lines())
-    assert first == pytest.approx(at)
+    bands = [line.get_xydata()[np.isfinite(line.get_ydata())] for line in axes.get_lines()]
+    begin = min((band[0] for band in bands), key=lambda point: point[0])
+    frequency = found.frequency[:, found.mode.index(found.first_to_grow)]
+    assert begin == pytest.approx([at, np.interp(at, found.speed / RPM, frequency)])
     damping = damping_figure(found).axes[0]
     (line,) = (each for each in damping.get_lines() if each.get_label() == found.first_to_grow)
     assert np.interp(at, line.get_xdata(), line.get_ydata()) == pytest.approx(0.0, abs=1e-9)
