@@ -332,6 +332,15 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"LinearSupport a: damping: not a matrix of its DOF: given 2 rows; .*: 6 rows of 6": lambda: (
         LinearSupport("a", 0.0, damping=np.eye(2))
     ),
+    r"LinearSupport a: stiffness: not a matrix of its DOF: given 0 rows": lambda: LinearSupport(
+        "a", 0.0, {"dof": ["y"], "matrix": 5.0}
+    ),
+    r"LinearSupport a: stiffness: not DOF: given 'y, y'; .* different ones of x, y,": lambda: (
+        LinearSupport("a", 0.0, {"dof": ["y", "y"], "matrix": np.eye(2)})
+    ),
+    r"LinearSupport a: stiffness: an entry is given twice": lambda: LinearSupport(
+        "a", 0.0, {"yy": 1.0, ("y", "y"): 2.0}
+    ),
     r"MatricesSpec: ports\.1: unknown direction: given 'tip.q'": lambda: MatricesSpec(
         1e3, ("tip.q",)
     ),
@@ -391,6 +400,11 @@ def test_matrices_and_ports_are_taken_as_files_write_them() -> None:
     whole = {"dof": ["y", "z"], "matrix": [["100 N/um", 0.0], [0.0, 1e8]]}
     for each in ({"yy": 1e8, "zz": "100 N/um"}, whole, every, every.tolist()):
         assert LinearSupport("left", 0.0, each) == SUPPORT
+    over_speed = np.zeros((6, 6, 2))
+    over_speed[1, 1], over_speed[2, 2] = (1e8, 2e6), (1e8, 1e8)
+    for rows in (over_speed, over_speed.tolist(), [*over_speed]):
+        each = LinearSupport("left", 0.0, rows, speeds=(0.0, 100.0))
+        assert each.stiffness == {("y", "y"): (1e8, 2e6), ("z", "z"): (1e8, 1e8)}
     assert FrfSpec((1.0,), (("tip.y", TIP),)) == FrfSpec((1.0,), ((TIP, TIP),))
     assert MatricesSpec(1e3, ("tip.y",)).ports == (TIP,)
     asked = case(analyses={"matrices": MatricesSpec(1e3, (Port("tip", "z"),))})
