@@ -386,6 +386,19 @@ def test_a_peak_that_hardly_anything_damps_is_named(ratio: float, told: bool) ->
         assert "has a damping ratio of 3e-07 only, so that its height means nothing" in sentence
 
 
+def test_lines_between_the_samples_of_either_axis_follow_its_antiresonance() -> None:
+    """Of planes that are unlike: either dips where the orbit does not."""
+    spindle = on_two(block(K, 2.0 * K), block(5.0 * C, 5.0 * C))
+    asked: dict[str, Any] = {"points": ("end",)}
+    found = solved(spindle, [100.0, 2500.0], Unbalance("end", U), **asked)
+    speeds = np.linspace(100.0, 2500.0, 2001)
+    exact = solved(spindle, speeds.tolist(), Unbalance("end", U), **asked).displacement[:, 0]
+    for axis in range(2):
+        level = np.log(np.abs(found.fine_displacement[:, 0, axis]))
+        drawn = np.interp(speeds, found.fine_speed, level)
+        assert np.abs(drawn - np.log(np.abs(exact[:, axis]))).max() < 0.2
+
+
 def test_peaks_of_other_speeds_growth_and_no_limit_are_not_called_hardly_damped() -> None:
     """An infinite peak has a sentence of its own."""
     mass = rotor_inertia(on_two(block(K, K), block(C, C))).mass
