@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -216,6 +217,26 @@ def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:
     assert (held["M"] == np.eye(data.sizes["row"])).all()
     assert held["speed"] == pytest.approx(data.speed.values)
     assert [*held["ports"]] == [*data.port.values]
+
+
+def test_tables_and_dataset_tell_the_unit_of_every_port(tmp_path: Path) -> None:
+    results = rotordyn.run(asked("grinding_spindle_sag"))
+    results.save(tmp_path, figures=False)
+    data = results["matrices"]
+    with (tmp_path / "matrices_receptance.csv").open(encoding="utf-8-sig", newline="") as file:
+        head, *rows = csv.reader(file)
+    cells = np.array(rows, dtype=float).T
+    for k, name in enumerate(data.port.values):
+        unit, factor = ("rad/(N·m)", 1.0) if name.endswith("thz") else ("µm/N", 1e6)
+        column = cells[head.index(f"receptance {name} real [{unit}]")]
+        known = data.receptance.values[:, k].real.ravel() * factor
+        assert column == pytest.approx(known, rel=1e-6)
+    with (tmp_path / "matrices_ports.csv").open(encoding="utf-8-sig", newline="") as file:
+        motion = next(csv.reader(file))[-1]
+    assert motion == "motion of the port by the coordinate [1/√kg, rad/(m √kg)]"
+    assert data.stiffness.attrs["units"] == "s-2"
+    assert data.damping.attrs["units"] == "s-1"
+    assert "units" not in data.motion.attrs
 
 
 def test_errors_are_told_and_warned_of() -> None:
