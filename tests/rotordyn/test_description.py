@@ -400,6 +400,10 @@ def test_matrices_and_ports_are_taken_as_files_write_them() -> None:
     whole = {"dof": ["y", "z"], "matrix": [["100 N/um", 0.0], [0.0, 1e8]]}
     for each in ({"yy": 1e8, "zz": "100 N/um"}, whole, every, every.tolist()):
         assert LinearSupport("left", 0.0, each) == SUPPORT
+    skew = {"dof": ["y", "thz"], "matrix": [[1e8, "5 kN/rad"], [0.0, 1e5]]}
+    for each in (skew, {"yy": 1e8, "y_thz": "5 kN/rad", "thz_thz": 1e5}):
+        own = {("y", "y"): 1e8, ("y", "thz"): 5e3, ("thz", "thz"): 1e5}
+        assert LinearSupport("left", 0.0, each).stiffness == own
     over_speed = np.zeros((6, 6, 2))
     over_speed[1, 1], over_speed[2, 2] = (1e8, 2e6), (1e8, 1e8)
     for rows in (over_speed, over_speed.tolist(), [*over_speed]):
