@@ -47,7 +47,7 @@ class Matrix:
             entries = {_pair(key): each for key, each in value.items()}
             if len(entries) < len(value):
                 raise InvalidInput("an entry is given twice: allowed: once, by name or by pair")
-        elif isinstance(value, list) or getattr(value, "ndim", 0) > 0:
+        elif isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0:
             entries = _whole(DOFS, value)
         else:
             return value
@@ -105,9 +105,9 @@ def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
     rows = [_plain(row) for row in given] if isinstance(given, list | tuple) else []
     lengths = [len(row) if isinstance(row, list | tuple) else 0 for row in rows]
     if lengths != [len(dofs)] * len(dofs):
+        count = f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else shown(given)
         raise InvalidInput(
-            f"not a matrix of its DOF: given {len(rows)} rows; allowed: {len(dofs)} rows of "
-            f"{len(dofs)}"
+            f"not a matrix of its DOF: given {count}; allowed: {len(dofs)} rows of {len(dofs)}"
         )
     pairs = zip(product(dofs, dofs), map(_plain, chain(*rows)), strict=True)
     return {pair: each for pair, each in pairs if acts(each)}
