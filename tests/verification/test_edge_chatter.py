@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.modal_limit import Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import resolving
-from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, PlannedCut, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE, PlannedCut, StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tip import Tip
 from tests.oracles.milling_floquet import Machine
 from tests.oracles.uneven_milling import UnevenMilling
@@ -150,6 +150,28 @@ def test_a_cut_whose_period_doubles_with_edges_both_ways_is_warned_of(tmp_path):
         found = rotordyn.run(case.vary({"analyses.stability_lobes.cut.depth": f"{depth} mm"}))
         assert bool(found["stability_lobes"].cut_is_stable[0])
         assert any("edge forces follow" in each for each in found.warnings) == warned
+
+
+def test_edge_forces_both_ways_are_asked_for_period_doubling_at_the_depth_itself(
+    tmp_path, monkeypatch
+):
+    """Those one way for any chatter, somewhat deeper."""
+    asked, stable = [], Limits.stable
+
+    def seen(limits, process, depth, kind=NONE):
+        edge = process(float(limits.speed[0])).cut.edges[0]
+        asked.append((edge, kind, *depth.tolist()))
+        return stable(limits, process, depth, kind)
+
+    monkeypatch.setattr(Limits, "stable", seen)
+    path = tmp_path / "slot.yaml"
+    path.write_text(SLOT, encoding="utf-8")
+    rotordyn.run(rotordyn.load(path))
+    (half, _, deeper), (whole, _, own) = asked[-2:]
+    assert [kind for _, kind, _ in asked[-2:]] == [NONE, FLIP]
+    assert whole == pytest.approx(2.0 * half)
+    assert own == pytest.approx(0.01726e-3)
+    assert deeper == pytest.approx(1.1 * own)
 
 
 def test_no_period_doubles_below_the_limit_nor_where_that_is_of_another_kind(monkeypatch):
