@@ -100,6 +100,7 @@ def test_unbalance_excites_an_axial_mode_that_supports_couple_to_bending(
     own = found.critical_kind.index("axial")
     assert found.critical_speed[own] == pytest.approx(expected, rel=1e-4)
     assert found.critical_excited[own] == excited
+    assert found.excited_by[found.kind.index("axial")] == ("either" if excited else "")
     moved = unbalance.answer(scene, UnbalanceSpec(("mid",), (Unbalance("mid", u),)))
     at = moved.fine_speed
     dynamic = plain + (1j * damping * at - mass * at**2)[:, None, None] * np.eye(2)

@@ -89,6 +89,7 @@ def test_a_search_that_ends_by_its_limit_gives_no_interval(
     pytest.importorskip("plotly", reason="the extra report is not installed")
     page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
     assert UNFINISHED in page
+    assert "none to none" not in page
 
 
 class Without(Problem):

@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from rotordyn.analyses.campbell import summary, threshold
 from rotordyn.analyses.campbell.figures.damping import damping_figure
 from rotordyn.analyses.campbell.figures.diagram import draw_unstable
-from rotordyn.analyses.campbell.figures.shapes import plane_curve
+from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
+from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Track
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case
@@ -51,6 +52,27 @@ def test_what_begins_to_grow_above_the_band_is_left_to_a_wider_one() -> None:
     there = whipping(found.stability_threshold / RPM, highest=400.0)
     ratio = dict(zip(there.mode, there.damping_ratio[0], strict=True))
     assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+
+
+def test_a_mode_that_has_left_the_band_begins_to_grow_all_the_same() -> None:
+    """Bending 4, at 506 Hz at rest."""
+    wide = whipping(0.0, 40000.0, 80000.0)
+    found = whipping(0.0, 40000.0, 80000.0, highest=510.0)
+    there = whipping(wide.stability_threshold / RPM)
+    assert there.frequency[0, there.mode.index(wide.first_to_grow)] > 510.0
+    assert found.first_to_grow == wide.first_to_grow
+    assert found.stability_threshold == pytest.approx(wide.stability_threshold, rel=1e-4)
+
+
+def test_frequencies_followed_are_those_of_the_band_and_of_modes_that_leave_it() -> None:
+    """About a speed, and little more."""
+    pole = np.array([np.nan, 390.0j, 450.0j])
+    rising: Any = SimpleNamespace(track=Track(np.array([0.0, 10.0, 20.0]), pole, np.empty((3, 0))))
+    band = Band(400.0 / (2.0 * np.pi))
+    assert threshold._up_to(band, [], 5.0) == pytest.approx(400.0)
+    assert threshold._up_to(band, [rising], 10.0) == pytest.approx(400.0)
+    for speed in (12.0, 20.0):
+        assert threshold._up_to(band, [rising], speed) == pytest.approx(454.5)
 
 
 @pytest.mark.parametrize(
@@ -113,3 +135,10 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
 def test_a_mode_that_is_not_there_has_no_line() -> None:
     assert np.isnan(plane_curve(np.full((4, 2), complex(np.nan, np.nan)))).all()
     assert (plane_curve(np.zeros((4, 2), dtype=complex)) == 0.0).all()
+    found = whipping(0.0, 40000.0)
+    shape = found.shape.copy()
+    shape[0] = np.nan
+    for axes in shapes_figure(replace(found, shape=shape)).axes[:2]:
+        missing, there = (np.isnan(line.get_ydata()) for line in axes.get_lines()[:2])
+        assert missing.all()
+        assert not there.any()
