@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, product
@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import Choice, Quantity, suggestion
+from rotordyn.units import shown
 
 DOFS = ("x", "y", "z", "thx", "thy", "thz")
 Dof = Annotated[str, Choice(DOFS)]
@@ -27,7 +28,7 @@ class Matrix:
     """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
 
     They may be written by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns; in
-    Python also as 6 × 6 numbers.
+    Python also as 6 × 6 numbers, or lists of them over the speeds of a table.
     """
 
     kind: str
@@ -41,10 +42,12 @@ class Matrix:
         {('y', 'y'): 8.0, ('thz', 'y'): 1.0, ('thz', 'thz'): 3.0}
         """
         if isinstance(value, Mapping) and set(value) == {*WHOLE}:
-            entries = _whole([*value["dof"]], value["matrix"])
+            entries = _whole(_dofs(value["dof"]), value["matrix"])
         elif isinstance(value, Mapping):
             entries = {_pair(key): each for key, each in value.items()}
-        elif isinstance(value, list) or getattr(value, "ndim", 0) > 0:
+            if len(entries) < len(value):
+                raise InvalidInput("an entry is given twice: allowed: once, by name or by pair")
+        elif isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0:
             entries = _whole(DOFS, value)
         else:
             return value
@@ -86,16 +89,33 @@ def _pair(key: Any) -> Any:
     return ENTRIES[key] if isinstance(key, str) else key
 
 
+def _dofs(given: Any) -> tuple[str, ...]:
+    dofs = tuple(map(str, given)) if isinstance(given, list | tuple) else ()
+    if not dofs or len({*dofs}) < len(dofs) or not {*dofs} <= {*DOFS}:
+        raise InvalidInput(
+            f"not DOF: given {shown(', '.join(dofs) or given)}; allowed: different ones of "
+            f"{', '.join(DOFS)}"
+        )
+    return dofs
+
+
 def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
     """Entries of rows of numbers that are not zero."""
-    rows = [[*row] if isinstance(row, Iterable) else [] for row in matrix]
-    if [len(row) for row in rows] != [len(dofs)] * len(dofs):
+    given = _plain(matrix)
+    rows = [_plain(row) for row in given] if isinstance(given, list | tuple) else []
+    lengths = [len(row) if isinstance(row, list | tuple) else 0 for row in rows]
+    if lengths != [len(dofs)] * len(dofs):
+        count = f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else shown(given)
         raise InvalidInput(
-            f"not a matrix of its DOF: given {len(rows)} rows; allowed: {len(dofs)} rows of "
-            f"{len(dofs)}"
+            f"not a matrix of its DOF: given {count}; allowed: {len(dofs)} rows of {len(dofs)}"
         )
-    pairs = zip(product(dofs, dofs), chain(*rows), strict=True)
-    return {pair: each for pair, each in pairs if each != 0.0}
+    pairs = zip(product(dofs, dofs), map(_plain, chain(*rows)), strict=True)
+    return {pair: each for pair, each in pairs if acts(each)}
+
+
+def _plain(value: Any) -> Any:
+    """Arrays as lists."""
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
@@ -109,9 +129,9 @@ def entry_name(row: str, column: str) -> str:
 ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOFS, DOFS)}
 
 
-def acts(value: Value) -> bool:
+def acts(value: Value | list[float]) -> bool:
     """False for an entry that is zero at all speeds."""
-    return any(value) if isinstance(value, tuple) else value != 0.0
+    return any(value) if isinstance(value, list | tuple) else value != 0.0
 
 
 def no_spring(stiffness: Entries) -> Iterator[str]:

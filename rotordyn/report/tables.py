@@ -94,12 +94,13 @@ def _unit_of(word: tuple[str, ...], across: list[str]) -> Shown | None:
 
 
 def _own_unit(result: Any, name: str, word: tuple[str, ...], across: list[str]) -> Shown | None:
-    """The unit of one place ``across`` where the entries of a field have their own: that of its
-    pair, or the one of all."""
+    """The unit of one place ``across`` where the entries of a field have their own: that of this
+    entry, or the one of all."""
     each = [*result.entry_units(name)] if hasattr(result, "entry_units") else []
     if len(set(each)) == 1:
         return shown(each[0])
-    return shown(each[result.pair.index(word[0])]) if each and across == ["pair"] else None
+    entries = [*getattr(result, across[0])] if len(across) == 1 else []
+    return shown(each[entries.index(word[0])]) if each and len(entries) == len(each) else None
 
 
 def _parts(label: str, to: Shown, values: NDArray[Any]) -> Iterator[Column]:

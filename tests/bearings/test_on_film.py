@@ -81,6 +81,20 @@ def test_films_under_radial_load_are_those_of_the_balls_that_carry_it() -> None:
     assert bare - found.displacement[1] == pytest.approx(exact, rel=0.03)
 
 
+def test_films_of_a_fast_bearing_count_by_the_loads_on_their_own_race() -> None:
+    """Centrifugal forces load the outer race more evenly than the inner one."""
+    load, speed = [300.0, 500.0, 0.0, 0.0, 0.0], 24000.0 * RPM
+    found = on_film(VEX70, OIL, 50.0, load=load, speed=speed)
+    state, films = found.state, found.films
+    inner, outer = (each / each.max() for each in (state.inner_load, state.outer_load))
+    assert (outer - inner).max() > 0.1
+    mean = np.zeros(2)
+    loads = state.inner_load, state.outer_load
+    for each, moved in zip(loads, on_films.moved_races(state, films), strict=True):
+        mean += np.average(moved, axis=0, weights=each)
+    assert np.array(grown(state, films)) == pytest.approx(mean, rel=1e-12)
+
+
 def test_a_state_that_its_films_take_away_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     """Next to a fold; without films there is a state, and turns do not go on between the two."""
     given = {"load": [[176.0, 1407.5, 0.0, 0.0, 0.0]], "speed": np.array([22263.6]) * RPM}

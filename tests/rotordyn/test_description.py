@@ -329,8 +329,17 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"LinearSupport a: stiffness: unknown entry: given 'yq'; .*as yy or y_thz": lambda: (
         LinearSupport("a", 0.0, {"yq": 1.0})
     ),
-    r"LinearSupport a: damping: not a matrix of its DOF: given 2 rows; .*: 6 rows of 6": lambda: (
+    r"LinearSupport a: damping: not a matrix .*: given 2 rows of 2, 2; .*: 6 rows of 6": lambda: (
         LinearSupport("a", 0.0, damping=np.eye(2))
+    ),
+    r"LinearSupport a: stiffness: not a matrix .*: given '5.0'; .*: 1 rows": lambda: LinearSupport(
+        "a", 0.0, {"dof": ["y"], "matrix": 5.0}
+    ),
+    r"LinearSupport a: stiffness: not DOF: given 'y, y'; .* different ones of x, y,": lambda: (
+        LinearSupport("a", 0.0, {"dof": ["y", "y"], "matrix": np.eye(2)})
+    ),
+    r"LinearSupport a: stiffness: an entry is given twice": lambda: LinearSupport(
+        "a", 0.0, {"yy": 1.0, ("y", "y"): 2.0}
     ),
     r"MatricesSpec: ports\.1: unknown direction: given 'tip.q'": lambda: MatricesSpec(
         1e3, ("tip.q",)
@@ -389,8 +398,18 @@ def test_matrices_and_ports_are_taken_as_files_write_them() -> None:
     every = np.zeros((6, 6))
     every[1, 1] = every[2, 2] = 1e8
     whole = {"dof": ["y", "z"], "matrix": [["100 N/um", 0.0], [0.0, 1e8]]}
-    for each in ({"yy": 1e8, "zz": "100 N/um"}, whole, every, every.tolist()):
+    rows = tuple(map(tuple, every))
+    for each in ({"yy": 1e8, "zz": "100 N/um"}, whole, every, every.tolist(), rows):
         assert LinearSupport("left", 0.0, each) == SUPPORT
+    skew = {"dof": ["y", "thz"], "matrix": [[1e8, "5 kN/rad"], [0.0, 1e5]]}
+    for each in (skew, {"yy": 1e8, "y_thz": "5 kN/rad", "thz_thz": 1e5}):
+        own = {("y", "y"): 1e8, ("y", "thz"): 5e3, ("thz", "thz"): 1e5}
+        assert LinearSupport("left", 0.0, each).stiffness == own
+    over_speed = np.zeros((6, 6, 2))
+    over_speed[1, 1], over_speed[2, 2] = (1e8, 2e6), (1e8, 1e8)
+    for rows in (over_speed, over_speed.tolist(), [*over_speed]):
+        each = LinearSupport("left", 0.0, rows, speeds=(0.0, 100.0))
+        assert each.stiffness == {("y", "y"): (1e8, 2e6), ("z", "z"): (1e8, 1e8)}
     assert FrfSpec((1.0,), (("tip.y", TIP),)) == FrfSpec((1.0,), ((TIP, TIP),))
     assert MatricesSpec(1e3, ("tip.y",)).ports == (TIP,)
     asked = case(analyses={"matrices": MatricesSpec(1e3, (Port("tip", "z"),))})

@@ -292,6 +292,9 @@ def test_preloads_twice_as_high_are_doubted() -> None:
     both = estimate(**one | {"preloads": [2.0 * each for each in one["preloads"]]})
     fill = both.balls * both.ball_diameter / (math.pi * both.pitch_diameter)
     assert f"balls fill {fill:.0%} of the pitch circle" in both.doubt
+    given = {"balls": both.balls, "ball_diameter": both.ball_diameter}
+    known = estimate(**one | given)
+    assert "of the pitch circle" not in known.doubt
 
 
 def test_a_contact_angle_just_above_the_least() -> None:

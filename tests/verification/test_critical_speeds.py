@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.modes import roots
+from rotordyn.modes.character import across
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
@@ -98,6 +100,7 @@ def test_unbalance_excites_an_axial_mode_that_supports_couple_to_bending(
     own = found.critical_kind.index("axial")
     assert found.critical_speed[own] == pytest.approx(expected, rel=1e-4)
     assert found.critical_excited[own] == excited
+    assert found.excited_by[found.kind.index("axial")] == ("either" if excited else "")
     moved = unbalance.answer(scene, UnbalanceSpec(("mid",), (Unbalance("mid", u),)))
     at = moved.fine_speed
     dynamic = plain + (1j * damping * at - mass * at**2)[:, None, None] * np.eye(2)
@@ -107,6 +110,15 @@ def test_unbalance_excites_an_axial_mode_that_supports_couple_to_bending(
     assert near.any() == excited
     along = np.abs(closed[at > 0.9 * expected, 0]).max()
     assert (along > 10.0 * u / mass) == excited
+
+
+def test_a_mode_moves_across_the_axis_if_it_does_at_any_speed() -> None:
+    """From a thousandth of its energy on."""
+    linear: Any = SimpleNamespace(energy_of=lambda kind: np.array([True, False]))
+    along, hardly, coupled = [0.0, 1.0], [0.03, 1.0], [0.04, 1.0]
+    assert not across(linear, np.array([along, hardly], dtype=complex))
+    assert across(linear, np.array([along, coupled], dtype=complex))
+    assert across(linear, 1j * np.array(coupled))
 
 
 def stiffness(kx: float, ky: float, coupling: float) -> dict[tuple[str, str], float]:

@@ -12,10 +12,12 @@ import rotordyn
 from rotordyn.analyses.stability_lobes import cutting
 from rotordyn.analyses.stability_lobes.as_modes import as_modes
 from rotordyn.analyses.stability_lobes.cutting import Cut
-from rotordyn.analyses.stability_lobes.modal_limit import Process, modal_limit
+from rotordyn.analyses.stability_lobes.limits import Limits
+from rotordyn.analyses.stability_lobes.modal_limit import Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import resolving
-from rotordyn.analyses.stability_lobes.spec import PlannedCut, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE, PlannedCut, StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.tip import Tip
 from tests.oracles.milling_floquet import Machine
 from tests.oracles.uneven_milling import UnevenMilling
 from tests.verification import test_milled_surface as surface
@@ -148,6 +150,40 @@ def test_a_cut_whose_period_doubles_with_edges_both_ways_is_warned_of(tmp_path):
         found = rotordyn.run(case.vary({"analyses.stability_lobes.cut.depth": f"{depth} mm"}))
         assert bool(found["stability_lobes"].cut_is_stable[0])
         assert any("edge forces follow" in each for each in found.warnings) == warned
+
+
+def test_edge_forces_both_ways_are_asked_for_period_doubling_at_the_depth_itself(
+    tmp_path, monkeypatch
+):
+    """Those one way for any chatter, somewhat deeper."""
+    asked, stable = [], Limits.stable
+
+    def seen(limits, process, depth, kind=NONE):
+        edge = process(float(limits.speed[0])).cut.edges[0]
+        asked.append((edge, kind, *depth.tolist()))
+        return stable(limits, process, depth, kind)
+
+    monkeypatch.setattr(Limits, "stable", seen)
+    path = tmp_path / "slot.yaml"
+    path.write_text(SLOT, encoding="utf-8")
+    rotordyn.run(rotordyn.load(path))
+    (half, _, deeper), (whole, _, own) = asked[-2:]
+    assert [kind for _, kind, _ in asked[-2:]] == [NONE, FLIP]
+    assert whole == pytest.approx(2.0 * half)
+    assert own == pytest.approx(0.01726e-3)
+    assert deeper == pytest.approx(1.1 * own)
+
+
+def test_no_period_doubles_below_the_limit_nor_where_that_is_of_another_kind(monkeypatch):
+    """Of a receptance that is no sum of modes, whose least limit alone is known."""
+    known = [Limit(2e-3, 900.0, HOPF), Limit(2e-3, 900.0, FLIP), Limit(5e-3, 900.0, FLIP)]
+    monkeypatch.setattr(Tip, "modes", None)
+    monkeypatch.setattr(Tip, "tops", np.ones(3))
+    monkeypatch.setattr(Limits, "_sampled_limit", lambda own, tip, row, cut: known[row])
+    limits = Limits(Tip(None, "nose", 0.0, 1e4), np.arange(3), np.ones(3))
+    depth = np.full(3, 3e-3)
+    assert limits.stable(lambda speed: None, depth).tolist() == [False, False, True]
+    assert limits.stable(lambda speed: None, depth, FLIP).tolist() == [True, False, True]
 
 
 SLOT = """\

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -14,10 +16,14 @@ from scipy.io import loadmat
 
 import rotordyn
 from rotordyn.analyses import CampbellSpec, FrfSpec, MatricesSpec, TimeResponseSpec
-from rotordyn.analyses.matrices.summary import warnings
+from rotordyn.analyses.matrices import solve
+from rotordyn.analyses.matrices.figures import headline_curves
+from rotordyn.analyses.matrices.figures.ports import ports_figure
+from rotordyn.analyses.matrices.summary import numbers, warnings
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.time_response.spec import ForceOverTime
 from rotordyn.errors import InvalidInput
+from rotordyn.results.described import Shown
 
 RPM = math.pi / 30.0
 MACHINES = {  # name of a case -> ports, highest frequency [Hz]
@@ -136,6 +142,69 @@ def test_receptances_of_the_result_are_those_of_its_matrices_up_to_their_peaks()
     )
 
 
+def test_lines_between_the_samples_of_receptances_follow_them() -> None:
+    """In straight lines of their logarithm, up to the highest frequency and no farther."""
+    data = rotordyn.run(asked("grinding_spindle_sag"))["matrices"]
+    known, motion = data.frequency.values, data.motion.values
+    assert (np.diff(known) > 0.0).all()
+    assert known[-1] == float(data.max_frequency)
+    fine = np.linspace(known[0], known[-1], 3001)
+    for row in range(2):
+        k, c = data.stiffness.values[row], data.damping.values[row]
+        exact = [
+            motion[0] @ np.linalg.solve(k + s * c + s * s * np.eye(len(k)), motion[0])
+            for s in 2j * math.pi * fine
+        ]
+        drawn = np.interp(fine, known, np.log(np.abs(data.receptance.values[row, 0])))
+        assert np.abs(drawn - np.log(np.abs(exact))).max() < 0.1
+
+
+def test_numbers_and_figures_show_the_receptance_of_each_port_at_its_speed() -> None:
+    results = rotordyn.run(asked("grinding_spindle_sag"))
+    part = results.parts[""]
+    result = part.results["matrices"]
+    size = np.abs(result.receptance)
+    values = {each.words: (each.value, each.unit) for each in numbers(result, part.case)}
+    axes = ports_figure(result).axes
+    curves = [*headline_curves(None, Shown("", result, (), None))]
+    for k, name in enumerate(result.port):
+        unit, factor = ("rad/(N·m)", 1.0) if name.endswith("thz") else ("µm/N", 1e6)
+        for row, rpm in enumerate((0, 3000)):
+            highest = pytest.approx(size[row, k].max() * factor)
+            assert values[f"{name} at {rpm} rpm"] == (highest, unit)
+            drawn = axes[k].get_lines()[row].get_ydata()
+            assert drawn == pytest.approx(size[row, k] * factor)
+        assert axes[k].get_ylabel() == f"amplitude [{unit}]"
+        assert curves[k].y == pytest.approx(size[-1, k] * factor)
+        assert (curves[k].panel, curves[k].unit) == (name, unit)
+
+
+def test_a_speed_without_a_state_has_no_matrices() -> None:
+    machine = rotordyn.load("deep_groove_lobes").variants["at_speed"]
+    spec = MatricesSpec(2000.0, (port("nose.y"),))
+    speeds = (0.0, 3000.0 * RPM, 110000.0 * RPM)
+    data = rotordyn.run(replace(machine, analyses={"matrices": spec}, speeds=speeds))["matrices"]
+    assert data.outcome.values[:2].tolist() == ["", ""]
+    assert "unloaded at 110000 rpm" in str(data.outcome.values[2])
+    for each in (data.stiffness, data.damping):
+        assert np.isnan(each.values).any(axis=(1, 2)).tolist() == [False, False, True]
+    assert data.shown_speed.values == pytest.approx(speeds[:2])
+    assert np.isfinite(data.receptance.values).all()
+
+
+def test_what_grows_and_what_nothing_damps_is_warned_of() -> None:
+    for name, speed, words in (
+        ("friswell_oil_films", 3000.0, "unstable at 2 of 2 speeds, first at 2500 rpm"),
+        ("friswell_cross_coupled", 3000.0, "nothing in the machine is damped"),
+    ):
+        given = rotordyn.load(name)
+        assert given.spindle is not None
+        spec = MatricesSpec(120.0, (Port(next(iter(given.spindle.places)), "y"),))
+        speeds = (2500.0 * RPM, speed * RPM)
+        case = replace(given, analyses={"matrices": spec}, speeds=speeds, variants={})
+        assert any(words in each for each in rotordyn.run(replace(case, references=())).warnings)
+
+
 def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:
     results = rotordyn.run(asked("friswell_oil_films"))
     results.save(tmp_path / "o", figures=False)
@@ -150,6 +219,26 @@ def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:
     assert [*held["ports"]] == [*data.port.values]
 
 
+def test_tables_and_dataset_tell_the_unit_of_every_port(tmp_path: Path) -> None:
+    results = rotordyn.run(asked("grinding_spindle_sag"))
+    results.save(tmp_path, figures=False)
+    data = results["matrices"]
+    with (tmp_path / "matrices_receptance.csv").open(encoding="utf-8-sig", newline="") as file:
+        head, *rows = csv.reader(file)
+    cells = np.array(rows, dtype=float).T
+    for k, name in enumerate(data.port.values):
+        unit, factor = ("rad/(N·m)", 1.0) if name.endswith("thz") else ("µm/N", 1e6)
+        column = cells[head.index(f"receptance {name} real [{unit}]")]
+        known = data.receptance.values[:, k].real.ravel() * factor
+        assert column == pytest.approx(known, rel=1e-6)
+    with (tmp_path / "matrices_ports.csv").open(encoding="utf-8-sig", newline="") as file:
+        motion = next(csv.reader(file))[-1]
+    assert motion == "motion of the port by the coordinate [1/√kg, rad/(m √kg)]"
+    assert data.stiffness.attrs["units"] == "s-2"
+    assert data.damping.attrs["units"] == "s-1"
+    assert "units" not in data.motion.attrs
+
+
 def test_errors_are_told_and_warned_of() -> None:
     coarse = rotordyn.run(asked("grinding_spindle_sag"))
     data = coarse["matrices"]
@@ -158,8 +247,51 @@ def test_errors_are_told_and_warned_of() -> None:
     assert "frequencies of the matrices within" in coarse.summary
     result = coarse.parts[""].results["matrices"]
     assert warnings(result) == []
-    (sentence,) = warnings(replace(result, receptance_error=2e-2))
-    assert "2e-02" in sentence
+    for error in ({"receptance_error": 2e-2}, {"frequency_error": 2e-2}):
+        (sentence,) = warnings(replace(result, **error))
+        assert "2e-02" in sentence
+
+
+@pytest.mark.parametrize("errors", [(1e-4, 0.0), (0.0, 1e-3)], ids=["poles", "receptances"])
+def test_the_model_is_refined_where_either_error_is_too_large(
+    errors: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once; a relative error of poles counts ten times."""
+    found, told = [], [(0.0, 0.0), errors, (0.0, 0.0)]
+    monkeypatch.setattr(solve, "_errors", lambda spec, scene: told.pop(0))
+    for _ in range(2):
+        case = asked("friswell_coaxial")
+        case = replace(
+            case, conditions=replace(case.conditions, accuracy=5e-5, element_length=None)
+        )
+        found.append(rotordyn.run(case)["matrices"].sizes["column"])
+    assert not told
+    assert found[1] > found[0]
+
+
+def test_the_error_of_poles_counts_those_that_either_model_lacks() -> None:
+    """Those of the finer one just below the highest frequency apart; slow ones over a thousandth of
+    that frequency."""
+
+    def error(coarse: tuple[float, ...], fine: tuple[float, ...]) -> float:
+        one, other = (
+            SimpleNamespace(pole=2j * math.pi * np.array([[*hertz, math.nan]]))
+            for hertz in (coarse, fine)
+        )
+        scene: Any = SimpleNamespace(
+            usable=[0],
+            owner=lambda *_: 0,
+            system_at=lambda *_: one,
+            refined=SimpleNamespace(system_at=lambda *_: other),
+        )
+        spec = MatricesSpec(500.0, (port("nose.y"),))
+        return solve._pole_error(scene, spec, 2.0 * math.pi * 500.0)
+
+    assert error((100.0, 400.0), (100.1, 400.0)) == pytest.approx(1e-3)
+    assert error((100.0, 250.0, 400.0), (100.0, 400.0)) == pytest.approx(0.6)
+    assert error((100.0, 400.0), (100.0, 250.0, 400.0)) == pytest.approx(0.6)
+    assert error((100.0, 400.0), (100.0, 400.0, 480.0)) == 0.0
+    assert error((0.1, 400.0), (0.2, 400.0)) == pytest.approx(0.2)
 
 
 @pytest.mark.parametrize("name", ["friswell_coaxial", "grinding_spindle_sag"])

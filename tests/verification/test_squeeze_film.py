@@ -212,9 +212,12 @@ def test_engine_orders_whirl_at_their_multiple_of_the_speed() -> None:
     assert min(abs(each / expected - 1.0) for each in found) < 1e-7
     spec = FrfSpec((), pairs("mid.y/mid.y"), engine_orders=(3.0,))
     line: Any = frf.answer(one, spec)
-    whirl = 3.0 * SPEED
-    exact = 1.0 / (2.0 * (SPRING + stiffness * whirl + 1j * whirl * damping) - mass * whirl**2)
-    np.testing.assert_allclose(np.squeeze(line.line_value), exact, rtol=1e-7)
+    fine = np.squeeze(line.line_speed)
+    assert len(fine) > len(SPEED)
+    for speed, values in ((SPEED, line.line_value), (fine, line.line_curve)):
+        whirl = 3.0 * speed
+        exact = 1.0 / (2.0 * (SPRING + stiffness * whirl + 1j * whirl * damping) - mass * whirl**2)
+        np.testing.assert_allclose(np.squeeze(values), exact, rtol=1e-7)
 
 
 def critical_speeds_of(scene: Scene, order: float) -> list[float]:

@@ -14,6 +14,9 @@ import rotordyn
 from bearings import Follower, InvalidBearing, ThrustBallBearing
 from bearings.geometry import geometry
 from bearings.ring.motion import ball_motion, contact_motion
+from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.scene.conditions import Conditions
 
 BEARING = ThrustBallBearing(ball_diameter=10.3e-3, pitch_diameter=64e-3, balls=16)
 THRUST = np.array([5000.0, 0.0, 0.0, 0.0, 0.0])
@@ -66,6 +69,13 @@ def test_control_of_either_race_is_its_mirror_image() -> None:
     angles = [ball_motion(each).attitude for each in (outer, inner)]
     assert sum(angles) == pytest.approx(math.pi, abs=1e-6)
     assert angles[1] == pytest.approx(math.pi - math.atan(64.0 / 10.3), abs=1e-6)
+
+
+def test_inclined_axes_beyond_90_degrees_are_results_of_the_bearing() -> None:
+    spec = BearingMapSpec((THRUST[0],))
+    found = answer(BEARING, Conditions(kinematics="inner"), np.array([1.0]), spec)
+    expected = math.pi - math.atan(64.0 / 10.3)
+    assert np.asarray(found.attitude).ravel() == pytest.approx(expected, abs=1e-5)
 
 
 @pytest.mark.parametrize(

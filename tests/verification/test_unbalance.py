@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import rotordyn
 from bearings import Material
@@ -385,6 +386,35 @@ def test_a_peak_that_hardly_anything_damps_is_named(ratio: float, told: bool) ->
         assert "has a damping ratio of 3e-07 only, so that its height means nothing" in sentence
 
 
+def test_lines_between_the_samples_of_either_axis_follow_its_antiresonance() -> None:
+    """Of planes that are unlike: either dips where the orbit does not."""
+    spindle = on_two(block(K, 2.0 * K), block(5.0 * C, 5.0 * C))
+    asked: dict[str, Any] = {"points": ("end",)}
+    found = solved(spindle, [100.0, 2500.0], Unbalance("end", U), **asked)
+    speeds = np.linspace(100.0, 2500.0, 2001)
+    exact = solved(spindle, speeds.tolist(), Unbalance("end", U), **asked).displacement[:, 0]
+    for axis in range(2):
+        level = np.log(np.abs(found.fine_displacement[:, 0, axis]))
+        drawn = np.interp(speeds, found.fine_speed, level)
+        assert np.abs(drawn - np.log(np.abs(exact[:, axis]))).max() < 0.2
+
+
+def test_peaks_of_other_speeds_growth_and_no_limit_are_not_called_hardly_damped() -> None:
+    """An infinite peak has a sentence of its own."""
+    mass = rotor_inertia(on_two(block(K, K), block(C, C))).mass
+    damping = 6e-7 * math.sqrt(K * mass)
+    found, endless = (
+        solved(on_two(block(K, K), block(c, c)), [0.0, 600.0], Unbalance("disc", U))
+        for c in (damping, 0.0)
+    )
+    assert np.isinf(endless.peak_amplitude).any()
+    grown = replace(found, critical_damping=np.full_like(found.critical_damping, -1e-3))
+    beside = replace(found, critical_speed=1.01 * found.critical_speed)
+    for each, told in ((found, True), (grown, False), (beside, False), (endless, False)):
+        said = unbalance_warnings(each)
+        assert any("its height means nothing" in sentence for sentence in said) == told
+
+
 def test_a_run_ends_where_no_machine_moves() -> None:
     """Follower stiffness q = 6 c ω Ω / 1440 lets motion grow from 240 rad/s on: a slow run passes
     0.1 m before it ends, a short one does not."""
@@ -400,16 +430,34 @@ def test_a_run_ends_where_no_machine_moves() -> None:
     found = solved(spindle, [0.0, 1440.0], Unbalance("disc", U), **asked)
     assert found.run_outcome[0] == ""
     assert np.nanmax(found.run_amplitude[0]) < 0.1
-    told = r"the motion grows by itself beyond 100 mm, from \d+ rpm on"
-    assert re.fullmatch(told, found.run_outcome[1])
+    told = r"the motion grows by itself beyond 100 mm, from (\d+) rpm on"
+    said = re.fullmatch(told, found.run_outcome[1])
+    assert said
+    mass, acceleration = rotor_inertia(rigid).mass, 1440.0 / 100.0
+
+    def slope(t: float, x: Any) -> list[complex]:
+        spin = acceleration * t
+        force = U * (spin**2 - 1j * acceleration) * np.exp(0.5j * spin * t)
+        swirl = 6j * limit * spin / 1440.0
+        return [x[1], (force - C * x[1] - (K - swirl) * x[0]) / mass]
+
+    def wide(_: float, x: Any) -> float:
+        return float(abs(x[0])) - 0.1
+
+    wide.terminal = True  # type: ignore[attr-defined]
+    span, still = (0.0, 100.0), np.zeros(2, dtype=complex)
+    path = solve_ivp(slope, span, still, "DOP853", events=wide, rtol=1e-8, atol=1e-12)
+    assert float(said[1]) * RPM == pytest.approx(acceleration * path.t[-1], rel=2e-3)
     assert np.isnan(found.run_amplitude[1]).all()
     (sentence,) = (each for each in unbalance_warnings(found) if "no solution" in each)
     assert sentence.startswith("unbalance: the run up in 100 s has no solution: the motion grows")
 
 
-def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
-    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190."""
-    rigid = on_two(block(K, K), block(C, C))
+@pytest.mark.parametrize(("damping", "begin"), [(C, 190.0), (0.0, 100.0)])
+def test_where_growth_begins_is_solved_for_between_two_speeds(damping: float, begin: float) -> None:
+    """Follower stiffness that is 0 up to 100 rad/s and 10 c ω at 1000: it is c ω at 190. Without
+    damping any makes motion grow."""
+    rigid = on_two(block(K, K), block(damping, damping))
     natural = math.sqrt(K / rotor_inertia(rigid).mass)
     at, limit = (0.0, 100.0, 1000.0), C * natural
     table = {("y", "z"): (0.0, 0.0, 10.0 * limit), ("z", "y"): (0.0, 0.0, -10.0 * limit)}
@@ -419,7 +467,7 @@ def test_where_growth_begins_is_solved_for_between_two_speeds() -> None:
     ]
     spindle = replace(rigid, supports=tuple(ends))
     found = solved(spindle, [0.0, 1000.0], Unbalance("disc", U), conditions=RIGID)
-    assert found.unstable_from == pytest.approx([190.0], rel=1e-4)
+    assert found.unstable_from == pytest.approx([begin], rel=1e-4)
     assert found.unstable_to == pytest.approx([1000.0])
 
 

@@ -1,14 +1,15 @@
 """The speed from which some motion grows by itself, solved for.
 
-What is led to zero is the largest growth of all modes of a system: where two modes meet and part
-into one that grows and one that decays, no single one could be followed there. A motion that grows
-without swinging, a divergence, is none of the followed modes and counts as well.
+What is led to zero is the largest growth of all modes of a system up to the highest frequency
+followed: where two modes meet and part into one that grows and one that decays, no single one could
+be followed there. A motion that grows without swinging, a divergence, is none of the followed modes
+and counts as well.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from rotordyn.arrays import Array, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in
+from rotordyn.modes.branches import MOTIONS, Branch, found_in
 from rotordyn.numerics.modes import grows, swings
 from rotordyn.scene.scene import Scene
 
@@ -24,6 +25,7 @@ DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
 ABOVE = 1e-6  # of the speed: what begins to grow has begun
 ROUNDING = 1e-12  # of |pole|: growth that is none
+HIGHER = 1.01  # than at the speeds beside: between them a mode may be so much
 
 
 def stability_threshold(
@@ -38,8 +40,12 @@ def stability_threshold(
     def onset(subsystem: int, speed: Array, growing: Flags, known: Flags) -> float:
         row = int(growing.argmax())
         if row and known[row - 1]:
-            return _begin(scene, band, subsystem, float(speed[row - 1]), float(speed[row]))
+            low, high = float(speed[row - 1]), float(speed[row])
+            return _begin(scene, subsystem, followed(subsystem, high), low, high)
         return float(speed[row])
+
+    def followed(subsystem: int, speed: float) -> float:
+        return _up_to(band, [each for each in branches if each.subsystem == subsystem], speed)
 
     onsets: list[tuple[float, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
@@ -59,17 +65,28 @@ def stability_threshold(
         return math.inf, ""
     first, name, subsystem = min(onsets)
     own = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
-    return first, _grown(scene, band, subsystem, first, own) or name
+    return first, _grown(scene, subsystem, followed(subsystem, first), first, own) or name
+
+
+def _up_to(band: Band, branches: Iterable[Branch], speed: float) -> float:
+    """The highest frequency followed about a speed [rad/s]: that of the band, or of modes that
+    leave it."""
+    highest = band.highest
+    for track in (branch.track for branch in branches):
+        at = int(np.searchsorted(track.speed, speed))
+        beside = track.pole.imag[max(at - 1, 0) : at + 1]
+        highest = float(np.fmax.reduce(HIGHER * beside, initial=highest))
+    return highest
 
 
 def _grown(
-    scene: Scene, band: Band, subsystem: int, speed: float, own: Sequence[tuple[Branch, str]]
+    scene: Scene, subsystem: int, highest: float, speed: float, own: Sequence[tuple[Branch, str]]
 ) -> str:
     """Which mode of a subsystem, or ``DIVERGENCE``, grows most just above a speed: the one whose
     pole, straight between the speeds beside, is nearest; of several that grow farther up one has
     begun. Empty where there is no equilibrium."""
     above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
-    pole = _fastest(scene, band, subsystem, above)
+    pole = _fastest(scene, subsystem, highest, above)
     if pole is None or not own:
         return ""
     if not swings(np.array([pole]))[0]:
@@ -77,7 +94,7 @@ def _grown(
 
     def away(branch: Branch) -> float:
         track = branch.track
-        known = np.isfinite(track.pole) & ~track.lost
+        known = ~track.lost
         if not known.any():
             return math.inf
         return float(abs(np.interp(speed, track.speed[known], track.pole[known]) - pole))
@@ -90,7 +107,7 @@ def _diverging(motions: FreeMotions) -> Flags:
     return np.asarray(motions.growing & ~swings(motions.pole))
 
 
-def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) -> float:
+def _begin(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
     """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
     jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
     way, the lowest speed known to grow."""
@@ -99,7 +116,7 @@ def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) ->
     growing = [high]
 
     def growth(speed: float) -> float:
-        value = _growth(scene, band, subsystem, speed)
+        value = _growth(scene, subsystem, highest, speed)
         if not math.isfinite(value):
             raise NoSolution(f"no equilibrium at {speed:.6g} rad/s")
         if value > 0.0:
@@ -115,22 +132,22 @@ def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) ->
         return min(growing)
 
 
-def _growth(scene: Scene, band: Band, subsystem: int, speed: float) -> float:
-    """Largest Re λ over |λ| of what swings in the band or diverges, below zero of a motion that
-    rounding alone would let grow; NaN where there is no equilibrium."""
-    pole = _fastest(scene, band, subsystem, speed)
+def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float:
+    """Largest Re λ over |λ| of what swings below the ``highest`` frequency [rad/s] or diverges,
+    below zero of a motion that rounding alone would let grow; NaN where there is no equilibrium."""
+    pole = _fastest(scene, subsystem, highest, speed)
     if pole is None:
         return math.nan
     ratio = pole.real / abs(pole)
     return -ROUNDING if abs(ratio) <= ROUNDING else ratio
 
 
-def _fastest(scene: Scene, band: Band, subsystem: int, speed: float) -> complex | None:
-    """The pole of that motion, −1 where nothing is in the band; None without equilibrium."""
+def _fastest(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
+    """The pole of that motion, −1 where there is none; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return None
     motions = other.system(subsystem)
-    inside = (found_in(motions, MARGIN * band.highest) | _diverging(motions))[0]
+    inside = (found_in(motions, highest) | _diverging(motions))[0]
     pole = np.append(motions.pole[0][inside], -1.0)
     return complex(pole[(pole.real / np.abs(pole)).argmax()])

@@ -16,11 +16,11 @@ MODAL = "of coordinates with mass 1: those of a displacement in m are m √kg"
 class MatricesResult:
     """q̈ + C q̇ + K q = Lᵀ f, u = L q at every speed: forces f and motions u at the ports, mass 1.
 
-    ``stiffness`` K and ``damping`` C as in the fixed frame, neither symmetric; ``damping`` includes
-    Ω times ``gyroscopic``. ``motion`` L. ``receptance``: of every port to a force at itself, by
-    these matrices, at the first and the last speed with a state. ``frequency_error``: relative, of
-    the poles up to ``max_frequency``; ``receptance_error``: over the largest one, of receptances
-    between the ports with a damping ratio of 5 % more.
+    ``stiffness`` K and ``damping`` C are those of the fixed frame and need not be symmetric;
+    ``damping`` includes Ω times ``gyroscopic``. ``motion`` L. ``receptance``: of every port to a
+    force at itself, by these matrices, at the first and the last speed with a state.
+    ``frequency_error``: relative, of the poles up to ``max_frequency``; ``receptance_error``: over
+    the largest one, of receptances between the ports with a damping ratio of 5 % more.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -30,15 +30,15 @@ class MatricesResult:
     shown_speed: Array = coordinate("shown_speed", unit="rad/s", label="speed")
     frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
     outcome: Words = quantity("speed", unit="", label="outcome")
-    stiffness: Array = quantity(*SQUARE, unit="1", label="stiffness [1/s²]", comment=MODAL)
-    damping: Array = quantity(*SQUARE, unit="1", label="damping [1/s]", comment=MODAL)
+    stiffness: Array = quantity(*SQUARE, unit="s⁻²", label="stiffness", comment=MODAL)
+    damping: Array = quantity(*SQUARE, unit="s⁻¹", label="damping", comment=MODAL)
     gyroscopic: Array = quantity(
         "row", "column", unit="1", label="gyroscopic effect per speed", comment=MODAL
     )
     motion: Array = quantity(
         "port",
         "column",
-        unit="1",
+        unit="",
         label="motion of the port by the coordinate [1/√kg, rad/(m √kg)]",
     )
     receptance: Complex = quantity(

@@ -90,8 +90,8 @@ class Limits:
         return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
 
     def stable(self, process: Callable[[float], Process], depth: Array, kind: str = NONE) -> Flags:
-        """Whether cuts by speed are stable at a ``depth`` (s,) [m], of machines that are without a
-        cut; of the ``kind`` ``FLIP`` as far as period doubling goes.
+        """Whether cuts by speed are stable at a ``depth`` (s,) [m], of machines that are stable
+        without a cut; of the ``kind`` ``FLIP`` whether no period doubles.
 
         Raises
         ------
@@ -102,7 +102,9 @@ class Limits:
         def radius(row: int, top: float, cut: Process, depth: float) -> float:
             if isinstance(self.tip, Tip) and self.tip.modes is None:
                 limit = self._sampled_limit(self.tip, row, cut)
-                return 0.0 if kind == FLIP != limit.kind else depth / limit.depth
+                if kind == FLIP and limit.kind != FLIP:
+                    return 0.0
+                return depth / limit.depth
             assert self.tip.modes is not None
             found = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
             if kind == FLIP:

@@ -29,8 +29,8 @@ CANDIDATES = 6  # machines tried for each further start
 class Fit:
     """The best of a search: ``values`` (p,) [SI], its ``cost`` χ² (sum of squares of all rows),
     ``predicted`` of every measurement; ``ended``: whether the search came to its end, ``limited``:
-    by the most machines that it may take;
-    ``absolute``: the mean absolute difference, in deviations, where that is made least."""
+    by the most machines that it may take; ``absolute``: the mean absolute difference, in
+    deviations, with half of the squares of what is known before, where that is made least."""
 
     values: Array
     cost: float

@@ -48,9 +48,8 @@ class Searches:
 @dataclass(frozen=True, slots=True)
 class Search:
     """A search that came to an end (``limited``: by the most machines that it may take), or was
-    stopped (``ended`` false): ``number`` (model, start);
-    values, sum of squares, what was made least, machines solved; ``sentence``: why there are
-    none."""
+    stopped (``ended`` false): ``number`` (model, start); values, sum of squares, what was made
+    least, machines solved; ``sentence``: why there are none."""
 
     number: tuple[int, int]
     values: tuple[float, ...] = ()

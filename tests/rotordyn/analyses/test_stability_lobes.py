@@ -881,14 +881,17 @@ def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion
     assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
 
 
-def test_period_doubling_along_the_feed_lies_above_the_waves_of_a_period(tmp_path, monkeypatch):
+@pytest.mark.parametrize("beyond", [", 8000 rpm", ""])
+def test_period_doubling_along_the_feed_lies_above_the_waves_of_a_period(
+    tmp_path, monkeypatch, beyond
+):
     """In down-milling more than 2.5 waves of 640 Hz, which are those of 7680 rpm, are least stable
-    there: in the step before that of this speed."""
+    there: in the step before that of this speed, or before all."""
     monkeypatch.setattr(converged, "_change", unchecked)
     mode = "frequency: 640 Hz, damping: 1.5 %, stiffness: 2 N/um, direction: 0 deg"
     wall = f"workpiece_modes: [{{{mode}}}]"
     found = []
-    for speeds in ("[7200 rpm, 7600 rpm, 8000 rpm]", "{from: 7440 rpm, to: 7520 rpm, count: 17}"):
+    for speeds in (f"[7200 rpm, 7600 rpm{beyond}]", "{from: 7440 rpm, to: 7520 rpm, count: 17}"):
         path = tmp_path / "milling.yaml"
         text = CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}")
         path.write_text(text, encoding="utf-8")
@@ -919,6 +922,23 @@ def test_period_doubling_far_from_the_waves_of_its_mode_is_found(tmp_path, monke
     assert fine.loss.values[row] == "flip"
     assert fine.depth.values[row] < 0.85 * coarse.depth.values.min()
     assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
+
+
+def test_period_doubling_by_half_a_wave_is_found(tmp_path, monkeypatch):
+    """In a period of the teeth, which a mode of 140 Hz makes at 8400 rpm: the fastest lobe."""
+    monkeypatch.setattr(converged, "_change", unchecked)
+    wall = "workpiece_modes: [{frequency: 140 Hz, damping: 1.5 %, stiffness: 0.2 N/um}]"
+    found = []
+    for speeds in ("[7800 rpm, 8200 rpm, 8900 rpm]", "{from: 8490 rpm, to: 8560 rpm, count: 15}"):
+        path = tmp_path / "milling.yaml"
+        path.write_text(CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}"), "utf-8")
+        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
+    coarse, fine = found
+    row = int(fine.depth.values.argmin())
+    assert fine.loss.values[row] == "flip"
+    assert fine.depth.values[row] < 0.6 * coarse.depth.values.min()
+    assert coarse.flip_depth.values[1] == pytest.approx(float(fine.depth[row]), rel=0.03)
+    assert coarse.flip_speed.values[1] == pytest.approx(float(fine.cutting_speed[row]), rel=2e-3)
 
 
 def test_period_doubling_is_not_looked_for_where_lobes_are_passed_over(case, monkeypatch):

@@ -63,3 +63,18 @@ def test_lines_between_samples_follow_an_antiresonance() -> None:
     drawn = np.interp(fine, x, np.log(np.abs(values[:, 0])))
     assert np.abs(drawn - np.log(np.abs(solve(fine)[0][:, 0]))).max() < 0.2
     assert len(x) < 120
+
+
+def test_straight_lines_of_uneven_samples_and_rounding_are_not_sampled_closer() -> None:
+    """A curve of less than 10⁻⁹ of the largest one is rounding."""
+    x = np.array([0.5, 0.6, 1.0, 1.1, 2.0, 2.05, 4.0])
+    noise = np.array([3.0, 1.0, 5.0, 1.0, 2.0, 0.5, 9.0])
+
+    def both(curve: Array) -> Array:
+        def solve(at: Array) -> list[Array]:
+            return [np.column_stack([100.0 * np.exp(2.0 * at), np.interp(at, x, curve)])]
+
+        return sampled(x, solve, lambda arrays: np.abs(arrays[0]))[0]
+
+    assert both(1e-10 * noise).tolist() == x.tolist()
+    assert len(both(noise)) > len(x)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.stability import fastest_growth
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, mfw2310, pairs, scene, undamped
 
@@ -217,6 +219,23 @@ def test_growth_is_told_at_speeds_with_fewer_poles() -> None:
     )
     (sentence,) = solved(uniform(0.5, 0.05, supports=ends)).warnings
     assert sentence.startswith("unstable at 1 of 2 speeds, first at 1000 rpm: the machine vibrates")
+
+
+def test_growth_that_is_told_is_the_fastest_of_all_subsystems() -> None:
+    """In the band; of what grows beyond it alone the slowest."""
+
+    def growing(*pole: complex) -> Any:
+        fine = SimpleNamespace(frequency=400.0)
+        linear = SimpleNamespace(structure=SimpleNamespace(fine=fine))
+        row = np.array(pole)[:, None]
+        return SimpleNamespace(pole=row, growing=row.real > 0.0, linear=linear)
+
+    inside, outside = 2j * math.pi * 300.0, 2j * math.pi * 500.0
+    one = growing(5.0 + inside, 9.0 + outside, 9.0 + outside, -1.0 + inside)
+    other = growing(3.0 + inside, 3.0 + inside, 1.0 + 1.1 * outside, -2.0 + inside)
+    told = [5.0 + inside, 3.0 + inside, 9.0 + outside, 0.0]
+    for systems in ([one, other], [other, one]):
+        assert fastest_growth(systems, 4).tolist() == told
 
 
 @pytest.mark.parametrize("spindle", [mfw2310(), undamped(mfw2310())], ids=["damped", "undamped"])

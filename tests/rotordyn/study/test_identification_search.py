@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import linprog
+from scipy.optimize import linprog, minimize
 
 import rotordyn
 from rotordyn import Unknown, identify
@@ -89,17 +89,37 @@ def test_a_search_that_ends_by_its_limit_gives_no_interval(
     pytest.importorskip("plotly", reason="the extra report is not installed")
     page = rotordyn.write_report(tmp_path, tmp_path / "page.html").read_text(encoding="utf-8")
     assert UNFINISHED in page
+    assert "none to none" not in page
+
+
+class Without(Problem):
+    """No machine of more than 500 N has a solution."""
+
+    def predicted(self, values: Array) -> list[Array] | None:
+        return None if values[0] > 500.0 else [values[0] * ALONG]
+
+
+def test_machines_without_a_solution_have_as_many_rows(case: Case) -> None:
+    unknowns = sought(case, {P1: Unknown("0 N", "1 kN", start="400 N"), P2: Unknown("0 N", "1 kN")})
+    problem = Without(case, unknowns, (Tared(300.0 * ALONG, 1.0),))
+    goal = searching._Objective(problem, problem.start / problem.scale)
+    with_one, without = (np.array([size, 100.0]) / problem.scale for size in (400.0, 600.0))
+    assert goal.rows(without).shape == goal.rows(with_one).shape
+    assert goal.slopes(without).shape == goal.slopes(with_one).shape
+    assert goal.rows(without).min() == searching.FAR
 
 
 @dataclass(frozen=True, eq=False)
 class Tared(MadeUp):
-    """Numbers with one tare, of which nothing is known before."""
+    """Numbers with one tare, of which this deviation is known before."""
+
+    known: float = np.inf
 
     @property
     def data(self) -> Data:
         n = len(self.observed)
         tare = {"columns": np.ones((n, 1)), "column_names": ("tare",)}
-        return replace(super().data, **tare, column_deviation=np.array([np.inf]))
+        return replace(super().data, **tare, column_deviation=np.array([self.known]))
 
 
 class Straight(Problem):
@@ -128,6 +148,47 @@ def test_least_absolute_differences_bear_outliers_in_their_tare(case: Case) -> N
     sure = certainty(problem, there, absolute=True)
     left = np.sort(np.abs(observed - forms[:, :2] @ least.x[:2]))[2:]
     assert sure.birge == pytest.approx(np.median(left) / QUARTILE, rel=0.05)
+
+
+def test_what_is_known_of_a_tare_counts_beside_least_absolute_differences(case: Case) -> None:
+    """Half of its square, as one of the rows' differences does; another method finds the same."""
+    rng = np.random.default_rng(8)
+    observed = 400.0 * ALONG + 50.0 + rng.normal(0.0, 1.0, len(ALONG))
+    observed[[2, 5, 8]] += (90.0, 60.0, 75.0)
+
+    def mean(both: Array) -> float:
+        left = np.abs(observed - both[0] * ALONG - both[1]).sum()
+        return float(left + 0.5 * (both[1] / 3.0) ** 2) / len(ALONG)
+
+    best = minimize(mean, [400.0, 40.0], method="Nelder-Mead", tol=1e-9)
+    unknowns = sought(case, {P1: Unknown("0 N", "1 kN", start="900 N")})
+    problem = Straight(case, unknowns, (Tared(observed, 1.0, known=3.0),))
+    fit = search_absolute(problem, problem.start)
+    assert best.x[1] < 45.0
+    assert fit.merit == pytest.approx(best.fun, rel=2e-3)
+
+
+@dataclass(frozen=True, eq=False)
+class TaredDecay(Decay, Tared):
+    """The same with a tare."""
+
+
+def test_residuals_beside_least_absolute_differences_have_the_tare_of_these(case: Case) -> None:
+    asked = {P1: Unknown("1 N", "1 kN", start="500 N"), P2: Unknown("20 N", "600 N", start="100 N")}
+    observed = _decaying(400.0, 0.8) + np.random.default_rng(5).normal(0.0, 2.0, len(ALONG))
+    observed[[3, 7]] += (90.0, 90.0)
+    found = identify(case, asked, [TaredDecay(observed, 2.0)], minimise="absolute", workers=1)
+    (residual,) = found.explained.residuals
+    assert np.abs(residual).mean() / 2.0 == pytest.approx(found.explained.fit.absolute, rel=1e-3)
+
+
+def test_points_are_not_far_off_where_the_others_are_as_far(case: Case) -> None:
+    """A stated noise that is a tenth of the true one."""
+    asked = {P1: Unknown("1 N", "1 kN", start="500 N"), P2: Unknown("20 N", "600 N", start="100 N")}
+    observed = _decaying(400.0, 0.8) + np.random.default_rng(5).normal(0.0, 2.0, len(ALONG))
+    found = identify(case, asked, [Decay(observed, 0.2)], minimise="absolute", workers=1)
+    assert np.abs(found.explained.residuals[0]).max() > 5.0 * 0.2
+    assert not [line for line in found.verdict if line.startswith("points that stand off")]
 
 
 def test_points_that_stand_off_are_named_beside_least_absolute_differences(case: Case) -> None:

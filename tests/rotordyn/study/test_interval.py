@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+import re
 import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -185,7 +186,9 @@ def test_a_range_that_interactions_spoil_is_marked() -> None:
         own = replace(held, interaction=np.where(np.arange(len(held.number)) == order[0], share, 0))
         *rows, note, _ = [line.rstrip() for line in interval_lines(own)]
         assert note.startswith(mark)
-        assert sum("~" in row for row in rows) == (mark == "~")
+        marked = [row for row in rows if "~" in row]
+        assert len(marked) == (mark == "~")
+        assert all(re.search(r" –  +\S+\.\.\S+~ ", row) for row in marked), "of tolerances"
 
 
 def test_why_some_machines_lack_a_number_is_what_is_said_of_it() -> None:

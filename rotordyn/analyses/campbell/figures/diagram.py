@@ -118,13 +118,13 @@ def draw_unstable(axes: Axes, result: CampbellResult) -> None:
         growing = np.where(result.unstable[:, k], result.frequency[:, k], np.nan)
         at, curve = result.speed, growing
         if name == result.first_to_grow:
-            at, curve = with_threshold(result, growing, result.frequency[:, k])
+            at, curve = _with_threshold(result, growing, result.frequency[:, k])
         if np.isfinite(curve).any():
             axes.plot(at * RPM.factor, curve, marker="o", ms=6.0, mec="none", label=label, **look)
             label = "_"
 
 
-def with_threshold(result: CampbellResult, curve: Array, known: Array) -> tuple[Array, Array]:
+def _with_threshold(result: CampbellResult, curve: Array, known: Array) -> tuple[Array, Array]:
     """Speeds and the ``curve`` over them of the mode that grows first, with the threshold among
     them: there it is what ``known`` is, straight between the speeds beside."""
     start, there = result.stability_threshold, np.isfinite(known)

@@ -399,5 +399,31 @@ def test_critical_speeds_of_unbalance_keep_their_names_where_planes_become_hardl
     assert other.keys() <= listed
 
 
+@pytest.mark.parametrize("ratio", [1.5, -1.5])
+def test_whirl_against_another_rotor_is_numbered_apart(ratio: float) -> None:
+    """On the line of a rotor that turns the other way that is whirl forward; a whirl that is
+    neither is among the others."""
+    found = diagram(overhung(), [0, 15000, 30000], 2000.0)
+    names = ("bending 1 backward", "bending 1 forward", "bending 2")
+    line = replace(
+        found,
+        critical=names,
+        critical_speed=np.array([1000.0, 1100.0, 1200.0]),
+        critical_rotor=("quill",) * 3,
+        critical_order=np.ones(3),
+        critical_kind=("bending",) * 3,
+        critical_whirl=("backward", "forward", "mixed"),
+        critical_damping=np.zeros(3),
+        critical_excited=np.ones(3, dtype=bool),
+        rotor=("spindle", "quill"),
+        speed_ratio=np.array([1.0, ratio]),
+    )
+    values = {n.words: n.value * RPM for n in summary.numbers(line, case()) if "quill" in n.words}
+    kinds = {name.partition("bending")[2]: value for name, value in values.items()}
+    backward, forward = (" (1)", " forward (1)") if ratio < 0.0 else (" backward (1)", " (1)")
+    assert kinds == pytest.approx({backward: 1000.0, forward: 1100.0, " (2)": 1200.0})
+    assert values.keys() <= {n.words for n in summary.lacking(line)}
+
+
 def test_a_band_below_all_bending_modes_has_no_numbers() -> None:
     assert [*summary.numbers(diagram(mfw2310(), [0, 24000], 100.0), case())] == []

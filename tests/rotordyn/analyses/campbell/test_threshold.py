@@ -4,27 +4,30 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from rotordyn.analyses.campbell import summary
+from rotordyn.analyses.campbell import summary, threshold
 from rotordyn.analyses.campbell.figures.damping import damping_figure
 from rotordyn.analyses.campbell.figures.diagram import draw_unstable
-from rotordyn.analyses.campbell.figures.shapes import plane_curve
+from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import Track
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case
 from tests.rotordyn.analyses.campbell.test_campbell import diagram
 
 
 @cache
-def whipping(*rpm: float) -> Any:
+def whipping(*rpm: float, highest: float = 2500.0) -> Any:
     """A shaft with damping that turns with it, its lowest mode held by dampers at the supports."""
     held = tuple(support(name, x, (3e6, 3e6), 1000.0) for name, x in (("a", 0.1), ("b", 0.9)))
     shaft = uniform(1.0, 0.04, supports=held)
-    return diagram(replace(shaft, rotor_damping=(0.02,), internal_damping=1.0), rpm, 2500.0)
+    return diagram(replace(shaft, rotor_damping=(0.02,), internal_damping=1.0), rpm, highest)
 
 
 def test_the_mode_that_crosses_zero_is_named_though_others_grow_farther_up() -> None:
@@ -37,6 +40,65 @@ def test_the_mode_that_crosses_zero_is_named_though_others_grow_farther_up() -> 
     assert ratio["bending 1 forward"] > 1e-3
     assert found.first_to_grow == "bending 4 forward"
     assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+
+
+def test_what_begins_to_grow_above_the_band_is_left_to_a_wider_one() -> None:
+    """Bending 4, at 506 Hz, which was called bending 3."""
+    wide = whipping(0.0, 40000.0, 80000.0)
+    found = whipping(0.0, 40000.0, 80000.0, highest=400.0)
+    assert wide.first_to_grow not in found.mode
+    assert found.first_to_grow == "bending 1 forward"
+    assert found.stability_threshold > 1.1 * wide.stability_threshold
+    there = whipping(found.stability_threshold / RPM, highest=400.0)
+    ratio = dict(zip(there.mode, there.damping_ratio[0], strict=True))
+    assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+
+
+def test_a_mode_that_has_left_the_band_begins_to_grow_all_the_same() -> None:
+    """Bending 4, at 506 Hz at rest."""
+    wide = whipping(0.0, 40000.0, 80000.0)
+    found = whipping(0.0, 40000.0, 80000.0, highest=510.0)
+    there = whipping(wide.stability_threshold / RPM)
+    assert there.frequency[0, there.mode.index(wide.first_to_grow)] > 510.0
+    assert found.first_to_grow == wide.first_to_grow
+    assert found.stability_threshold == pytest.approx(wide.stability_threshold, rel=1e-4)
+
+
+def test_frequencies_followed_are_those_of_the_band_and_of_modes_that_leave_it() -> None:
+    """About a speed, and little more."""
+    pole = np.array([np.nan, 390.0j, 450.0j])
+    rising: Any = SimpleNamespace(track=Track(np.array([0.0, 10.0, 20.0]), pole, np.empty((3, 0))))
+    band = Band(400.0 / (2.0 * np.pi))
+    assert threshold._up_to(band, [], 5.0) == pytest.approx(400.0)
+    assert threshold._up_to(band, [rising], 10.0) == pytest.approx(400.0)
+    for speed in (12.0, 20.0):
+        assert threshold._up_to(band, [rising], speed) == pytest.approx(454.5)
+
+
+@pytest.mark.parametrize(
+    ("pole", "name"),
+    [
+        (1e-3 + 300.0j, "bending 2 forward"),
+        (1e-3 + 500.0j, "bending 1 forward"),
+        (1e-3 + 0.0j, threshold.DIVERGENCE),
+        (None, ""),
+    ],
+)
+def test_the_mode_whose_pole_grows_is_that_of_its_frequency(
+    pole: complex | None, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two modes whose damping is alike between speeds, lost at the first of these; without
+    equilibrium none."""
+
+    def branch(*poles: complex) -> Any:
+        track = Track(np.array([0.0, 100.0, 200.0]), np.array([np.nan, *poles]), np.empty((3, 0)))
+        return SimpleNamespace(track=track)
+
+    monkeypatch.setattr(threshold, "_fastest", lambda *_: pole)
+    one = branch(-2.0 + 490.0j, 2.0 + 510.0j), "bending 1 forward"
+    other = branch(-2.0 + 310.0j, 2.0 + 290.0j), "bending 2 forward"
+    scene: Any = SimpleNamespace(speed=np.array([0.0, 100.0, 200.0]))
+    assert threshold._grown(scene, 0, 600.0, 150.0, [one, other]) == name
 
 
 def test_it_is_a_headline_number() -> None:
@@ -61,8 +123,10 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
     at = found.stability_threshold / RPM
     axes = Figure().subplots()
     draw_unstable(axes, found)
-    first = min(line.get_xdata()[np.isfinite(line.get_ydata())].min() for line in axes.get_lines())
-    assert first == pytest.approx(at)
+    bands = [line.get_xydata()[np.isfinite(line.get_ydata())] for line in axes.get_lines()]
+    begin = min((band[0] for band in bands), key=lambda point: point[0])
+    frequency = found.frequency[:, found.mode.index(found.first_to_grow)]
+    assert begin == pytest.approx([at, np.interp(at, found.speed / RPM, frequency)])
     damping = damping_figure(found).axes[0]
     (line,) = (each for each in damping.get_lines() if each.get_label() == found.first_to_grow)
     assert np.interp(at, line.get_xdata(), line.get_ydata()) == pytest.approx(0.0, abs=1e-9)
@@ -71,3 +135,10 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
 def test_a_mode_that_is_not_there_has_no_line() -> None:
     assert np.isnan(plane_curve(np.full((4, 2), complex(np.nan, np.nan)))).all()
     assert (plane_curve(np.zeros((4, 2), dtype=complex)) == 0.0).all()
+    found = whipping(0.0, 40000.0)
+    shape = found.shape.copy()
+    shape[0] = np.nan
+    for axes in shapes_figure(replace(found, shape=shape)).axes[:2]:
+        missing, there = (np.isnan(line.get_ydata()) for line in axes.get_lines()[:2])
+        assert missing.all()
+        assert not there.any()
