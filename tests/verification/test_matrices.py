@@ -18,6 +18,10 @@ from rotordyn.analyses.matrices.summary import warnings
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.time_response.spec import ForceOverTime
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.rotors import uniform
 
 RPM = math.pi / 30.0
 MACHINES = {  # name of a case -> ports, highest frequency [Hz]
@@ -134,6 +138,25 @@ def test_receptances_of_the_result_are_those_of_its_matrices_up_to_their_peaks()
     assert highest == pytest.approx(
         np.nanmax(np.abs(frf.peak_value.values[:, 0]), axis=1), rel=0.01
     )
+
+
+def test_peaks_far_below_the_highest_frequency_are_found() -> None:
+    """Of a shaft on an axial spring, which it swings on at 1.4 Hz, in matrices up to 2 kHz."""
+    size, damping, radial = 1e3, 10.0, {("y", "y"): 2e7, ("z", "z"): 2e7}
+    front = LinearSupport("front", 0.1, {**radial, ("x", "x"): size}, {("x", "x"): damping})
+    shaft = uniform(0.6, 0.06, supports=(front, LinearSupport("rear", 0.5, radial)))
+    shaft = replace(shaft, points={"nose": 0.0})
+    spec = MatricesSpec(2000.0, (port("nose.x"),))
+    case = replace(
+        asked("friswell_coaxial"),
+        spindle=shaft,
+        conditions=Conditions(),
+        analyses={"matrices": spec},
+    )
+    data = rotordyn.run(case)["matrices"]
+    omega = math.sqrt(size / rotor_inertia(shaft).mass)
+    highest = np.abs(data.receptance.values[0]).max()
+    assert highest == pytest.approx(1.0 / (damping * omega), rel=2e-2)
 
 
 def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:
