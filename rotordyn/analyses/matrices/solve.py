@@ -36,7 +36,7 @@ SLOW = 1e-3  # of the highest frequency: slower poles count as that fast
 POINTS = 200  # of a receptance from zero to the highest frequency, besides those about its poles
 ABOUT = np.array([-20.0, -6.0, -2.5, -1.0, -0.4, 0.0, 0.4, 1.0, 2.5, 6.0, 20.0])  # half widths
 FREE = 1e-5  # of the highest frequency: a slower pole is that of what is free at zero
-NARROW = 1e-6  # of the frequency: half the width of a peak, at least
+NARROW = 1e-6  # of the frequency: half the width of a peak; the top of a narrower one is left out
 
 
 def answer(scene: Scene, spec: MatricesSpec) -> MatricesResult:
@@ -127,8 +127,10 @@ def _frequencies(scene: Scene, spec: MatricesSpec, rows: Indices) -> Array:
     poles = [scene.system_at(k, rows).pole.ravel() for k in _systems(scene, spec)]
     pole = np.concatenate(poles) / (2.0 * math.pi)
     pole = pole[np.abs(pole) > FREE * spec.max_frequency]
-    width = np.maximum(np.abs(pole.real), NARROW * np.abs(pole.imag))
-    about = (pole.imag[:, None] + width[:, None] * ABOUT).ravel()
+    width = np.abs(pole.real)
+    sharp = width < NARROW * np.abs(pole.imag)
+    width = np.where(sharp, NARROW * np.abs(pole.imag), width)[:, None]
+    about = (pole.imag[:, None] + width * ABOUT)[~sharp[:, None] | (ABOUT != 0.0)]
     least = 0.1 * min(10.0 * even[0], float(np.abs(pole).min(initial=math.inf)))
     every = np.unique(np.concatenate([[least], even, about]))
     return every[(every >= least) & (every <= spec.max_frequency)]
