@@ -23,7 +23,11 @@ from rotordyn.analyses.matrices.summary import numbers, warnings
 from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.time_response.spec import ForceOverTime
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.support import LinearSupport
 from rotordyn.results.described import Shown
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.rotors import support, uniform
 
 RPM = math.pi / 30.0
 MACHINES = {  # name of a case -> ports, highest frequency [Hz]
@@ -203,6 +207,41 @@ def test_what_grows_and_what_nothing_damps_is_warned_of() -> None:
         speeds = (2500.0 * RPM, speed * RPM)
         case = replace(given, analyses={"matrices": spec}, speeds=speeds, variants={})
         assert any(words in each for each in rotordyn.run(replace(case, references=())).warnings)
+
+
+def of_shaft(port: str, *supports: LinearSupport) -> Any:
+    """Matrices of a shaft of 0.6 m up to 2 kHz, with a port at its front end."""
+    shaft = replace(uniform(0.6, 0.06, supports=supports), points={"nose": 0.0})
+    spec = MatricesSpec(2000.0, (Port("nose", port),))
+    case = replace(
+        asked("friswell_coaxial"),
+        spindle=shaft,
+        conditions=Conditions(),
+        analyses={"matrices": spec},
+    )
+    return shaft, rotordyn.run(case)
+
+
+def test_peaks_far_below_the_highest_frequency_are_found() -> None:
+    """Of a shaft on an axial spring, which it swings on at 1.4 Hz."""
+    size, damping, radial = 1e3, 10.0, {("y", "y"): 2e7, ("z", "z"): 2e7}
+    front = LinearSupport("front", 0.1, {**radial, ("x", "x"): size}, {("x", "x"): damping})
+    shaft, results = of_shaft("x", front, LinearSupport("rear", 0.5, radial))
+    omega = math.sqrt(size / rotor_inertia(shaft).mass)
+    highest = np.abs(results["matrices"].receptance.values[0]).max()
+    assert highest == pytest.approx(1.0 / (damping * omega), rel=2e-2)
+
+
+def test_panels_show_receptances_of_machines_without_damping() -> None:
+    """Of a free shaft, between its peaks, which have no height."""
+    _, results = of_shaft("y", support("free", 0.1, (1e-15, 1e-15)))
+    result = results.parts[""].results["matrices"]
+    (axes,) = ports_figure(result).axes
+    low, high = axes.get_ylim()
+    drawn = 1e6 * np.abs(result.receptance[0, 0])
+    even = np.isin(result.frequency, np.linspace(0.0, 2000.0, 201))
+    assert np.mean((low < drawn[even]) & (drawn[even] < high)) > 0.5
+    assert drawn.max() < 1e6 * high
 
 
 def test_a_file_of_matlab_holds_them(tmp_path: Path) -> None:

@@ -274,10 +274,8 @@ def _dropped(result: CampbellResult) -> list[str]:
 
 def _unstable_modes(result: CampbellResult) -> list[str]:
     sentences = []
-    first = [name == result.first_to_grow for name in result.mode]
-    lasting = result.unstable[-1, first] if any(first) else result.unstable[-1]
-    onward = " on" if lasting.any() else ""  # or stable again before the top speed
     if 0.0 < result.stability_threshold < result.speed[-1]:
+        onward = " on" if _lasting(result) else ""
         sentences.append(
             f"{result.first_to_grow} grows by itself from "
             f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
@@ -290,6 +288,16 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
             sentences.append(
                 f"{name} is unstable at {result.speed[at[0]] * RPM.factor:.0f} rpm"
                 + (f" and {at.size - 1} more of the speeds" if at.size > 1 else "")
-                + f" (damping ratio down to {np.nanmin(ratio) * 100.0:.2g} %)"
+                + f" (damping ratio down to {percent(np.nanmin(ratio))})"
             )
     return sentences
+
+
+def _lasting(result: CampbellResult) -> bool:
+    """Whether what grows first does so at all speeds above, and is not stable again at some."""
+    above = np.flatnonzero(result.speed >= result.stability_threshold)
+    first = np.array([name == result.first_to_grow for name in result.mode])
+    those = np.ix_(above, np.flatnonzero(first if first.any() else ~first))
+    growing = np.atleast_1d(result.unstable[those].any(axis=1))
+    known = np.isfinite(result.frequency[those]).any(axis=1)
+    return bool(known.any() and growing[known].all())

@@ -35,7 +35,8 @@ BESIDE = 0.05  # damping ratio that these receptances have more
 SLOW = 1e-3  # of the highest frequency: slower poles count as that fast
 POINTS = 200  # of a receptance from zero to the highest frequency, besides those about its poles
 ABOUT = np.array([-20.0, -6.0, -2.5, -1.0, -0.4, 0.0, 0.4, 1.0, 2.5, 6.0, 20.0])  # half widths
-NARROW = 1e-6  # of the frequency: half the width of a peak, at least
+FREE = 1e-5  # of the highest frequency: a slower pole is that of what is free at zero
+NARROW = 1e-6  # of the frequency: half the width of a peak; the top of a narrower one is left out
 
 
 def answer(scene: Scene, spec: MatricesSpec) -> MatricesResult:
@@ -120,16 +121,19 @@ def _pole_error(scene: Scene, spec: MatricesSpec, highest: float) -> float:
 
 
 def _frequencies(scene: Scene, spec: MatricesSpec, rows: Indices) -> Array:
-    """From zero to the highest one [Hz], evenly and about the poles of some ``rows``, without the
-    poles of what is free at zero."""
+    """Up to the highest one [Hz], evenly and about the poles of some ``rows``, from a tenth of the
+    slowest on; without poles at zero of what is free."""
     even = np.linspace(0.0, spec.max_frequency, POINTS + 1)[1:]
     poles = [scene.system_at(k, rows).pole.ravel() for k in _systems(scene, spec)]
     pole = np.concatenate(poles) / (2.0 * math.pi)
-    pole = pole[np.isfinite(pole)]
-    width = np.maximum(np.abs(pole.real), NARROW * np.abs(pole.imag))
-    about = (pole.imag[:, None] + width[:, None] * ABOUT).ravel()
-    every = np.unique(np.concatenate([even, about]))
-    return every[(every >= even[0]) & (every <= spec.max_frequency)]
+    pole = pole[np.abs(pole) > FREE * spec.max_frequency]
+    width = np.abs(pole.real)
+    sharp = width < NARROW * np.abs(pole.imag)
+    width = np.where(sharp, NARROW * np.abs(pole.imag), width)[:, None]
+    about = (pole.imag[:, None] + width * ABOUT)[~sharp[:, None] | (ABOUT != 0.0)]
+    least = 0.1 * min(10.0 * even[0], float(np.abs(pole).min(initial=math.inf)))
+    every = np.unique(np.concatenate([[least], even, about]))
+    return every[(every >= least) & (every <= spec.max_frequency)]
 
 
 def _receptances(stiffness: Array, damping: Array, motion: Array, s: Any) -> Complex:

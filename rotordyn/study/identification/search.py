@@ -21,7 +21,8 @@ FAR = 1e4  # weighed difference of every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
 MOST = 60  # machines of one search, without those of Jacobians
 HELD = 1e-3  # deviations by which an unknown is pulled to the start, over what was known before
-ROUNDS = 12  # of weighing anew
+ROUNDS = 40  # of weighing anew
+GAIN = 1e-3  # of the median difference, which outliers leave alone: a smaller gain ends them
 CANDIDATES = 6  # machines tried for each further start
 
 
@@ -183,7 +184,7 @@ def _weighed_anew(problem: Problem, begin: Fit) -> Fit:
         gain = least - mean
         if gain > 0.0:
             best, least = replace(found, absolute=mean), mean
-        if not found.ended or gain < 1e-3 * mean:
+        if not found.ended or gain < GAIN * float(np.median(np.abs(rows))):
             break
         weighed = replace(problem, weights=tuple(each.weight for each, _ in anew))
         found = search(weighed, found.values)

@@ -24,7 +24,7 @@ from tests.rotordyn.study.made_up import MadeUp
 
 P1, P2 = FRONT + "spring.preload", REAR + "spring.preload"
 FRICTION = FRONT + "friction"
-ALONG = np.linspace(0.0, 3.0, 12)
+ALONG, MANY = np.linspace(0.0, 3.0, 12), np.linspace(0.0, 3.0, 24)
 
 
 @pytest.fixture(scope="module")
@@ -189,6 +189,34 @@ def test_points_are_not_far_off_where_the_others_are_as_far(case: Case) -> None:
     found = identify(case, asked, [Decay(observed, 0.2)], minimise="absolute", workers=1)
     assert np.abs(found.explained.residuals[0]).max() > 5.0 * 0.2
     assert not [line for line in found.verdict if line.startswith("points that stand off")]
+
+
+class Waved(Problem):
+    """A line through zero and a wave, of two unknowns [N]."""
+
+    def predicted(self, values: Array) -> list[Array]:
+        return [values[0] * MANY + values[1] * np.sin(2.0 * MANY)]
+
+
+def test_least_absolute_differences_are_as_near_beside_large_outliers(case: Case) -> None:
+    """Of which 5 in 24 points are some 2000 times the noise: values of linear programming, within a
+    part of the interval."""
+    rng, count, away = np.random.default_rng(1), len(MANY), []
+    columns = np.column_stack([MANY, np.sin(2.0 * MANY), np.ones(count)])
+    forms = np.hstack([columns, np.eye(count), -np.eye(count)])
+    cost = np.append(np.zeros(3), np.ones(2 * count))
+    ends = [(None, None)] * 3 + [(0.0, None)] * (2 * count)
+    unknowns = {P1: Unknown("0 N", "1 kN", start="900 N"), P2: Unknown("0 N", "600 N")}
+    for _ in range(12):
+        observed = columns @ [400.0, 150.0, 50.0] + rng.normal(0.0, 1.0, count)
+        observed[rng.choice(count, 5, replace=False)] += rng.normal(0.0, 2000.0, 5)
+        least = linprog(cost, A_eq=forms, b_eq=observed, bounds=ends)
+        problem = Waved(case, sought(case, unknowns), (Tared(observed, 1.0),))
+        fit = search_absolute(problem, problem.start)
+        deviation = certainty(problem, fit, absolute=True).deviation
+        away.append(np.abs(fit.values - least.x[:2]) / deviation)
+    assert np.max(away) < 1.0
+    assert np.mean(away) < 0.3
 
 
 def test_points_that_stand_off_are_named_beside_least_absolute_differences(case: Case) -> None:

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 MOST = 6  # ports that are drawn
 ACROSS = 2
+EVEN = 200  # frequencies between which peaks may lie
+HIGH = 1e2  # times what is there: a higher peak, as without damping, leaves the panel
 
 
 def ports_figure(result: MatricesResult) -> Figure:
@@ -49,6 +51,13 @@ def ports_figure(result: MatricesResult) -> Figure:
             axes.plot(result.frequency, curve, lw=1.1, label=name, **line_of(place))
         axes.set_xlim(0.0, top)
         axes.set_xticks(round_ticks(0.0, top, 4))
-        decades(axes)
+        decades(axes, HIGH * _between(result, port) * printed.factor)
     top_legend(figure, *figure.axes)
     return figure
+
+
+def _between(result: MatricesResult, port: int) -> float:
+    """The highest receptance of a port at evenly spaced frequencies."""
+    even = result.max_frequency * np.arange(1, EVEN + 1) / EVEN
+    curves = np.abs(result.receptance[:, port])
+    return max(float(np.nanmax(np.interp(even, result.frequency, one))) for one in curves)

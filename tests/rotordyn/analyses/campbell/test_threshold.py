@@ -118,6 +118,18 @@ def test_a_mode_that_is_stable_again_does_not_grow_on() -> None:
     assert any(w.endswith("grows by itself from 43792 rpm") for w in summary.warnings(again))
 
 
+def test_a_mode_that_is_stable_between_speeds_of_growth_does_not_grow_on() -> None:
+    """Damping of a mode that falls beyond it is told as a share."""
+    found = whipping(0.0, 40000.0, 60000.0, 80000.0)
+    ratio, first = found.damping_ratio.copy(), found.mode.index(found.first_to_grow)
+    ratio[2:, first] = 0.01, -1.0
+    between = summary.warnings(replace(found, damping_ratio=ratio))
+    assert any(w.endswith("grows by itself from 43792 rpm") for w in between)
+    assert any(
+        w.endswith("is unstable at 80000 rpm (damping ratio down to -100 %)") for w in between
+    )
+
+
 def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
     found = whipping(0.0, 40000.0, 80000.0)
     at = found.stability_threshold / RPM
