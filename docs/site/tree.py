@@ -24,8 +24,8 @@ GROUPS = {
     "How to": _in(
         "howto",
         "bearing_data preload compare studies optimum report measured_frf measured_spindle "
-        "rotor_from_responses life stability_lobes over_time rotors hypotheses intervals identification "
-        "editor",
+        "rotor_from_responses life stability_lobes over_time rotors hypotheses intervals "
+        "identification editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),
