@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-12  # of the largest amplitude
+LINEAR, PALE_GREY = "linear scale, logarithmic beyond", "#E4E4E4"
 SHARP = 300.0  # times the median: peaks so high leave nothing else to be seen
 
 
@@ -94,7 +95,8 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
 
 def _scale(axes: Axes, largest: float) -> None:
     """The axis of a real or imaginary part: linear; logarithmic to both sides of zero where peaks
-    are so much higher than the rest that nothing else would be seen; said where it is zero."""
+    are so much higher than the rest that nothing else would be seen, linear in a band; said where
+    it is zero."""
     drawn = [np.abs(np.asarray(line.get_ydata(), float)) for line in axes.get_lines()]
     values = np.concatenate([np.zeros(1), *drawn])
     high = float(values.max())
@@ -114,12 +116,7 @@ def _scale(axes: Axes, largest: float) -> None:
         return
     least = 10.0 ** math.floor(math.log10(usual))
     axes.set_yscale("symlog", linthresh=least, linscale=0.5)
-    axes.annotate(
-        f"logarithmic beyond ±{_power_of_ten(least)}",
-        (0.02, 0.04),
-        xycoords="axes fraction",
-        fontsize=FONT_SIZE - 1.5,
-    )
+    axes.axhspan(-least, least, color=PALE_GREY, lw=0.0, zorder=0, label=LINEAR)
     decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
     shown_ones = decades[1 :: 1 + len(decades) // 4]
     axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])
