@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from rotordyn.analyses import (
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.frf.result import FrfResult
 from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.unbalance import growth
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
@@ -652,3 +654,11 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
     np.testing.assert_allclose(
         found.critical_damping, modes.critical_damping[own], rtol=1e-6, atol=1e-12
     )
+
+
+@pytest.mark.parametrize("pole", [-1.0 + 100.0j, 1.0 + 100.0j])
+def test_ends_of_growth_that_rounding_alone_tells_apart_are_those_known(monkeypatch, pole):
+    """Solved anew, both speeds decay, or both grow."""
+    monkeypatch.setattr(growth, "slowest_pole", lambda scene, spec: np.array([pole]))
+    anywhere = SimpleNamespace(at=lambda speed: SimpleNamespace(outcome=("",)))
+    assert growth._edge(anywhere, None, 100.0, 200.0) == 200.0

@@ -61,7 +61,7 @@ def growth_of(scene: Scene, spec: UnbalanceSpec, speed: Array, pole: Complex) ->
 
 def _edge(scene: Scene, spec: UnbalanceSpec, calm: float, growing: float) -> float:
     """Where motion begins to grow between a speed at which none grows and one at which some does;
-    the latter where the machine has no state on the way."""
+    the latter where the machine has no state on the way, and where rounding alone tells which."""
     from scipy.optimize import brentq
 
     def growth(speed: float) -> float:
@@ -73,6 +73,8 @@ def _edge(scene: Scene, spec: UnbalanceSpec, calm: float, growing: float) -> flo
         return float(ratio) if ratio > 0.0 else min(float(ratio), NONE)
 
     try:
+        if not growth(calm) < 0.0 < growth(growing):
+            return growing
         return float(brentq(growth, calm, growing, xtol=CLOSE * max(calm, growing)))
     except NoSolution:
         return growing
