@@ -187,7 +187,9 @@ def test_a_speed_without_a_state_has_no_matrices() -> None:
     machine = rotordyn.load("deep_groove_lobes").variants["at_speed"]
     spec = MatricesSpec(2000.0, (port("nose.y"),))
     speeds = (0.0, 3000.0 * RPM, 110000.0 * RPM)
-    data = rotordyn.run(replace(machine, analyses={"matrices": spec}, speeds=speeds))["matrices"]
+    results = rotordyn.run(replace(machine, analyses={"matrices": spec}, speeds=speeds))
+    assert "1 port at 2 speeds" in " ".join(results.summary.split())
+    data = results["matrices"]
     assert data.outcome.values[:2].tolist() == ["", ""]
     assert "unloaded at 110000 rpm" in str(data.outcome.values[2])
     for each in (data.stiffness, data.damping):

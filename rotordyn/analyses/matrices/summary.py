@@ -15,12 +15,12 @@ from rotordyn.scene.refinement import RESPONSES
 
 
 def summary(result: MatricesResult) -> list[str]:
-    """How many coordinates and ports they have."""
-    count, ports = len(result.column), len(result.port)
+    """How many coordinates and ports they have, and at how many speeds there are any."""
+    count, ports, speeds = len(result.column), len(result.port), result.outcome.count("")
     return [
         f"matrices   {count} coordinates with mass 1, for frequencies up to "
-        f"{result.max_frequency:g} Hz, and {ports} port{'s' * (ports > 1)} at {len(result.speed)} "
-        f"speed{'s' * (len(result.speed) > 1)}: results.nc, matrices.mat"
+        f"{result.max_frequency:g} Hz, and {ports} port{'s' * (ports > 1)} at {speeds} "
+        f"speed{'s' * (speeds > 1)}: results.nc, matrices.mat"
     ]
 
 
