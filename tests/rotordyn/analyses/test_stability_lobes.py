@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
-from types import SimpleNamespace
+from types import MappingProxyType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -881,6 +881,23 @@ def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion
     assert f"{beside:.2f} mm and more: add speeds there" in told[0][0]
 
 
+def coarse_and_fine(folder, mode, coarse, fine, instead=MappingProxyType({})):
+    """Lobes of a flexible workpiece cut at 5 % of immersion at few speeds and at many, and of these
+    the row of the least depth, which is one of period doubling."""
+    found = []
+    for speeds in (coarse, fine):
+        asked = f"{speeds}, workpiece_modes: [{{{mode}}}]"
+        text = CUTTER.format(immersion="5 %", speeds=asked)
+        for old, new in instead.items():
+            text = text.replace(old, new)
+        path = folder / "milling.yaml"
+        path.write_text(text, encoding="utf-8")
+        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
+    row = int(found[1].depth.values.argmin())
+    assert found[1].loss.values[row] == "flip"
+    return *found, row
+
+
 @pytest.mark.parametrize("beyond", [", 8000 rpm", ""])
 def test_period_doubling_along_the_feed_lies_above_the_waves_of_a_period(
     tmp_path, monkeypatch, beyond
@@ -889,16 +906,8 @@ def test_period_doubling_along_the_feed_lies_above_the_waves_of_a_period(
     there: in the step before that of this speed, or before all."""
     monkeypatch.setattr(converged, "_change", unchecked)
     mode = "frequency: 640 Hz, damping: 1.5 %, stiffness: 2 N/um, direction: 0 deg"
-    wall = f"workpiece_modes: [{{{mode}}}]"
-    found = []
-    for speeds in (f"[7200 rpm, 7600 rpm{beyond}]", "{from: 7440 rpm, to: 7520 rpm, count: 17}"):
-        path = tmp_path / "milling.yaml"
-        text = CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}")
-        path.write_text(text, encoding="utf-8")
-        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
-    coarse, fine = found
-    row = int(fine.depth.values.argmin())
-    assert fine.loss.values[row] == "flip"
+    speeds = f"[7200 rpm, 7600 rpm{beyond}]", "{from: 7440 rpm, to: 7520 rpm, count: 17}"
+    coarse, fine, row = coarse_and_fine(tmp_path, mode, *speeds)
     assert fine.depth.values[row] < 0.8 * coarse.depth.values[:2].min()
     assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
     assert coarse.flip_speed.values[0] == pytest.approx(float(fine.cutting_speed[row]), rel=1e-3)
@@ -909,17 +918,9 @@ def test_period_doubling_far_from_the_waves_of_its_mode_is_found(tmp_path, monke
     makes at 19386 rpm, below all speeds."""
     monkeypatch.setattr(converged, "_change", unchecked)
     mode = "frequency: 2423.3 Hz, damping: 1.532 %, stiffness: 0.0271 N/um"
-    wall = f"workpiece_modes: [{{{mode}}}]"
-    found = []
-    for speeds in ("[20600 rpm, 21300 rpm]", "{from: 20640 rpm, to: 20840 rpm, count: 11}"):
-        path = tmp_path / "milling.yaml"
-        text = CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}")
-        text = text.replace("teeth: 2", "teeth: 3").replace("9000 rpm", "24000 rpm")
-        path.write_text(text.replace("2500 Hz", "3000 Hz"), encoding="utf-8")
-        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
-    coarse, fine = found
-    row = int(fine.depth.values.argmin())
-    assert fine.loss.values[row] == "flip"
+    speeds = "[20600 rpm, 21300 rpm]", "{from: 20640 rpm, to: 20840 rpm, count: 11}"
+    faster = {"teeth: 2": "teeth: 3", "9000 rpm": "24000 rpm", "2500 Hz": "3000 Hz"}
+    coarse, fine, row = coarse_and_fine(tmp_path, mode, *speeds, instead=faster)
     assert fine.depth.values[row] < 0.85 * coarse.depth.values.min()
     assert coarse.flip_depth.values[0] == pytest.approx(float(fine.depth[row]), rel=0.03)
 
@@ -927,15 +928,9 @@ def test_period_doubling_far_from_the_waves_of_its_mode_is_found(tmp_path, monke
 def test_period_doubling_by_half_a_wave_is_found(tmp_path, monkeypatch):
     """In a period of the teeth, which a mode of 140 Hz makes at 8400 rpm: the fastest lobe."""
     monkeypatch.setattr(converged, "_change", unchecked)
-    wall = "workpiece_modes: [{frequency: 140 Hz, damping: 1.5 %, stiffness: 0.2 N/um}]"
-    found = []
-    for speeds in ("[7800 rpm, 8200 rpm, 8900 rpm]", "{from: 8490 rpm, to: 8560 rpm, count: 15}"):
-        path = tmp_path / "milling.yaml"
-        path.write_text(CUTTER.format(immersion="5 %", speeds=f"{speeds}, {wall}"), "utf-8")
-        found.append(rotordyn.run(rotordyn.load(path))["stability_lobes"])
-    coarse, fine = found
-    row = int(fine.depth.values.argmin())
-    assert fine.loss.values[row] == "flip"
+    mode = "frequency: 140 Hz, damping: 1.5 %, stiffness: 0.2 N/um"
+    speeds = "[7800 rpm, 8200 rpm, 8900 rpm]", "{from: 8490 rpm, to: 8560 rpm, count: 15}"
+    coarse, fine, row = coarse_and_fine(tmp_path, mode, *speeds)
     assert fine.depth.values[row] < 0.6 * coarse.depth.values.min()
     assert coarse.flip_depth.values[1] == pytest.approx(float(fine.depth[row]), rel=0.03)
     assert coarse.flip_speed.values[1] == pytest.approx(float(fine.cutting_speed[row]), rel=2e-3)
