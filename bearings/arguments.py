@@ -1,4 +1,4 @@
-"""Arguments of public functions held against their annotations, before anything is computed.
+"""Check of the arguments of public functions against their annotations, before any computation.
 
 ``float``, ``int``: one number; ``ArrayLike``, ``Array``: real numbers of any shape, NaN where there
 are none; ``str``, ``bool``; a class by its name. Numbers beyond any unit are refused: their powers
@@ -29,8 +29,8 @@ Check = Callable[[Any], bool]
 
 
 def checked(function: Callable[P, R]) -> Callable[P, R]:
-    """``function``, which raises InvalidBearing for arguments that its annotations exclude, that do
-    not fit one another in shape, or for which it has no finite value."""
+    """Make ``function`` raise InvalidBearing for arguments that its annotations exclude, whose
+    shapes do not agree, or for which it has no finite value."""
     call = typed(InvalidBearing)(function)
 
     @wraps(function)
@@ -51,12 +51,12 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
 def typed(
     refuse: Callable[[str], Exception], besides: Sequence[str] = ()
 ) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """A function that raises what ``refuse`` makes of a sentence about an argument that its
-    annotations exclude; ``besides``: those that it looks at itself."""
+    """Return a decorator: the function raises ``refuse(sentence)`` for an argument that its
+    annotations exclude; ``besides``: names of arguments that it checks itself."""
 
-    def hold(function: Callable[P, R]) -> Callable[P, R]:
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
         parameters = inspect.signature(function).parameters
-        tests = {name: _test(str(each.annotation)) for name, each in parameters.items()}
+        tests = {name: _test(str(parameter.annotation)) for name, parameter in parameters.items()}
         tests |= dict.fromkeys(besides, ("", ()))
         order = tuple(tests)
 
@@ -69,27 +69,27 @@ def typed(
 
         return call
 
-    return hold
+    return decorate
 
 
 def one_each(values: Any, shape: tuple[int, ...], name: str) -> Array:
-    """Values for a batch of states of a ``shape``: one each, or one for all.
+    """Return values for a batch of states of a ``shape`` as an array: one each, or one for all.
 
     Raises InvalidBearing for other shapes.
     """
     import numpy as np
 
-    given = np.asarray(values, float)
+    array = np.asarray(values, float)
     try:
-        fits = np.broadcast_shapes(given.shape, shape) == shape
+        fits = np.broadcast_shapes(array.shape, shape) == shape
     except ValueError:
         fits = False
     if not fits:
         states = f"a batch of shape {shape}" if shape else "a single state"
         raise InvalidBearing(
-            f"{name} of shape {given.shape} does not fit {states}: give one for all, or one each"
+            f"{name} of shape {array.shape} does not fit {states}: give one for all, or one each"
         )
-    return given
+    return array
 
 
 def check_fields(description: Any) -> None:
@@ -106,28 +106,28 @@ def _refusal(value: object, words: str, tests: Sequence[Check]) -> str:
 
 @cache
 def _test(annotation: str) -> tuple[str, tuple[Check, ...]]:
-    """What an annotation takes, in words, and a test for each of its forms; none if it is open."""
+    """Describe what an annotation accepts, with a test per form of it; no test if it is open."""
     forms = re.split(r" \| (?![^\[]*\])", annotation)
-    found = [_FORMS.get(form) or _class(form) for form in forms]
-    if None in found:
+    entries = [_FORMS.get(form) or _class(form) for form in forms]
+    if None in entries:
         return "", ()
-    known = [each for each in found if each is not None]
+    known = [entry for entry in entries if entry is not None]
     return " or ".join(words for words, _ in known), tuple(test for _, test in known)
 
 
 def _class(form: str) -> tuple[str, Check] | None:
-    """A mapping, a list of instances, or an instance of a class of that name, whose module need not
-    be loaded."""
+    """Return text and test of a mapping, of a list of instances, or of an instance of a class named
+    ``form``, whose module need not be loaded."""
     if form.startswith("Mapping["):
         return "a mapping", lambda value: isinstance(value, Mapping)
     if listed := re.fullmatch(r"(?:Sequence|Iterable)\[(\w+)\]", form):
-        one = _FORMS.get(listed[1]) or _class(listed[1])
-        if one is None:
+        item = _FORMS.get(listed[1]) or _class(listed[1])
+        if item is None:
             return None
-        return f"a list, each {one[0]}", lambda value: _listed(value) and all(map(one[1], value))
+        return f"a list, each {item[0]}", lambda value: _listed(value) and all(map(item[1], value))
     if not re.fullmatch(r"[A-Z]\w+", form) or form == "Any":
         return None
-    return f"a {form}", lambda value: any(each.__name__ == form for each in type(value).__mro__)
+    return f"a {form}", lambda value: any(base.__name__ == form for base in type(value).__mro__)
 
 
 def _listed(value: object) -> bool:
@@ -135,7 +135,7 @@ def _listed(value: object) -> bool:
 
 
 def finite(value: object) -> TypeGuard[float]:
-    """A finite real number that a float can hold."""
+    """Whether a value is a finite real number that a float can hold."""
     if isinstance(value, bool) or not isinstance(value, Real):
         return False
     try:
@@ -160,14 +160,14 @@ def _whole(value: Any) -> bool:
 
 
 def real_numbers(value: Any) -> Array | None:
-    """An array of floats, NaN for None; None where there is text, True or False among them."""
+    """Convert to an array of floats, NaN for None; return None for text, True or False in it."""
     import numpy as np
 
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "fiu" or isinstance(value, list | tuple):
-            for each in np.asarray(value, dtype=object).flat:
-                if each is not None and (isinstance(each, bool) or not isinstance(each, Real)):
+            for item in np.asarray(value, dtype=object).flat:
+                if item is not None and (isinstance(item, bool) or not isinstance(item, Real)):
                     return None
         return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
@@ -183,7 +183,7 @@ def _numbers(value: Any) -> bool:
 
 def _row(value: Any, absent: bool) -> bool:
     listed = isinstance(value, list | tuple) or getattr(value, "ndim", 0) == 1
-    return listed and all(_number(each) or (absent and each is None) for each in value)
+    return listed and all(_number(item) or (absent and item is None) for item in value)
 
 
 def _pair(value: Any) -> bool:

@@ -67,8 +67,8 @@ class LinearBallGuide:
         column = 2.0 / self.column_diameter
         bore = -2.0 / (self.column_diameter + 2.0 * self.ball_diameter)
         races = [contact(ball + c, abs(c) / (ball + c), compliance) for c in (column, bore)]
-        both: float = sum(race.stiffness ** (-2.0 / 3.0) for race in races)
-        return both**-1.5
+        series: float = sum(race.stiffness ** (-2.0 / 3.0) for race in races)
+        return series**-1.5
 
     @property
     def stiffness(self) -> float:
@@ -94,7 +94,7 @@ class LinearBallGuide:
     def linear_range(self, share: float = 0.01) -> float:
         """Displacement up to which F/δy is within ``share`` of the stiffness [m]; 0 with clearance.
 
-        Of 1 % it is 0.55 s, of 4 % s, where the first ball lifts off; 2 s is the most it gives.
+        It is 0.55 s for 1 %, and s for 4 %, where the first ball lifts off; at most 2 s.
         """
         from scipy.optimize import brentq
 
@@ -112,5 +112,5 @@ class LinearBallGuide:
     def _pressed(self, displacement: Array | float) -> tuple[Array, Array]:
         """Cos ψ of the balls, shape (balls,), and their compression, shape (…, balls) [m]."""
         cosine = np.cos(2.0 * np.pi * np.arange(self.balls) / self.balls)
-        moved = np.asarray(displacement, dtype=float)[..., None] * cosine
-        return cosine, np.maximum(moved + self.interference, 0.0)
+        approach = np.asarray(displacement, dtype=float)[..., None] * cosine
+        return cosine, np.maximum(approach + self.interference, 0.0)

@@ -1,9 +1,9 @@
-"""What every ball bearing is, whatever its kind; and the contract for whoever adds a kind.
+"""Base class of every ball bearing, and the contract that a new kind fulfils.
 
 A kind is one frozen dataclass derived from ``BallBearing``, in a file of its own in
 ``bearings/kinds``, and its lines in ``bearings/kinds/__init__.py``. It keeps this contract:
 
-1. **Fields.** What a maker's drawing says beside the common fields, declared with ``measured``:
+1. **Fields.** Data of a maker's drawing besides the common fields, declared with ``measured``:
    quantity, range, meaning and default stand on the field. Python, files, JSON Schema and key
    reference read them from there. A common field is declared again where its default differs.
 2. **Grooves.** ``grooves`` gives the places of the groove centres (``bearings.grooves.Grooves``):
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """What a field takes: ``quantity`` ("length", "angle", "number", "count" or "material").
+    """Values a field accepts: ``quantity`` ("length", "angle", "number", "count" or "material").
 
     ``low`` and ``high`` [SI] bound it, ``open_low``: the lower bound itself is excluded; ``unit``:
     in which drawings give it; ``meaning``: a phrase for documents and editors.
@@ -61,10 +61,10 @@ class Measure:
     unit: str = ""
 
     def refusal(self, name: str, value: object) -> str:
-        """Why a field does not take a value; empty where it does."""
+        """Return why a field rejects a value; empty where it accepts it."""
         if self.quantity == "material":
-            taken = isinstance(value, Material)
-            return "" if taken else f"{name} must be a bearings.Material, got {shown(value)}"
+            accepted = isinstance(value, Material)
+            return "" if accepted else f"{name} must be a bearings.Material, got {shown(value)}"
         if not finite(value):
             return f"{name} must be a finite number, got {shown(value)}"
         number = float(value)
@@ -86,7 +86,7 @@ class Measure:
         return f"{value:g} m" if self.quantity == "length" else f"{value:g}"
 
     def drawn(self, value: float) -> str:
-        """A value in the unit of drawings."""
+        """Format a value in the unit of drawings."""
         scale, unit = {"deg": (math.pi / 180.0, "°"), "um": (1e-6, " µm"), "mm": (1e-3, " mm")}[
             self.unit
         ]
@@ -94,7 +94,7 @@ class Measure:
 
 
 def measured(measure: Measure, default: Any = MISSING) -> Any:
-    """A dataclass field that takes what ``measure`` says."""
+    """Declare a dataclass field whose values ``measure`` bounds."""
     return field(default=default, metadata={"measure": measure})
 
 
@@ -161,7 +161,7 @@ class BallBearing:
 
     @classmethod
     def measures(cls) -> dict[str, Measure]:
-        """What every field takes, by name."""
+        """``Measure`` of every field, by name."""
         return {f.name: f.metadata["measure"] for f in fields(cls) if "measure" in f.metadata}
 
     def _overlaps(self) -> Iterator[str]:
@@ -173,7 +173,7 @@ class BallBearing:
             )
 
     def _shoulder_faults(self) -> Iterator[str]:
-        """A groove ends between its bottom and the circle of ball centres."""
+        """Yield a sentence for a shoulder not between groove bottom and circle of ball centres."""
         if self.inner_shoulder_diameter is None and self.outer_shoulder_diameter is None:
             return
         bottoms = self.grooves.bottoms
@@ -197,11 +197,11 @@ class BallBearing:
                 outline(grooves, ring, inner=inner)
 
     def _faults(self) -> Iterator[str]:
-        """Sentences about data that contradict one another (contract 3)."""
+        """Yield sentences about data that contradict one another (contract 3)."""
         yield from ()
 
     def drawn(self, name: str, value: float | None = None) -> str:
-        """A field and its value, or another one, in the unit of drawings."""
+        """Format a field with its value, or with another ``value``, in the unit of drawings."""
         if str(name) not in self.measures():
             raise InvalidBearing(f"no field {shown(name)}: there are {', '.join(self.measures())}")
         value = getattr(self, name) if value is None else value
@@ -210,15 +210,15 @@ class BallBearing:
         return f"{name} {self.measures()[name].drawn(value)}"
 
     def _exactly_one(self, names: Sequence[str]) -> Iterator[str]:
-        """A sentence where not exactly one of some data is given that fix one another."""
+        """Yield a sentence unless exactly one of several data that fix one another is given."""
         given = [name for name in names if getattr(self, name) is not None]
         if len(given) != 1:
-            words = "; ".join(self.drawn(name) + self._meaning(name) for name in given) or "none"
+            listing = "; ".join(self.drawn(name) + self._meaning(name) for name in given) or "none"
             rule = f"give exactly one of {', '.join(names)}, since each fixes the others"
-            yield f"{rule}: got {words}"
+            yield f"{rule}: got {listing}"
 
     def _meaning(self, name: str) -> str:
-        """What one of such data means for the others."""
+        """Consequence of one of these data for the others, as text; empty by default."""
         return ""
 
     @property
@@ -239,7 +239,7 @@ class BallBearing:
 
     @property
     def estimated(self) -> str:
-        """Which data of its inside are estimates, with their spread; empty of data that are given.
+        """Estimated internal data with their spread, as text; empty where all data are given.
 
         See ``bearings.estimate``.
         """
@@ -267,7 +267,7 @@ class BallBearing:
 
     @property
     def contact_lines(self) -> tuple[float, ...]:
-        """Angles from the radial direction of the lines along which a ball can carry [rad].
+        """Angles from the radial direction of the lines along which a ball can carry load [rad].
 
         Positive as seen along the thrust that loads them; what a drawing of the section shows.
         """
@@ -286,12 +286,12 @@ class BallBearing:
 
     @property
     def ring_limits(self) -> tuple[float, float]:
-        """Largest bore and least outside diameter that leave rings beside the balls [m]."""
+        """Largest bore and least outside diameter that leave the rings walls at the balls [m]."""
         return ring_limits(self.pitch_diameter, self.ball_diameter, self.free_angle)
 
     @property
     def largest_static_growth(self) -> float:
-        """Static growth that takes the whole contact angle of a bearing counted from touching [m].
+        """Static growth that reduces the contact angle to zero [m], counted from touching.
 
         Infinite for kinds whose displacement is counted from the centred position.
         """
@@ -302,10 +302,10 @@ class BallBearing:
 
     @property
     def smallest_static_growth(self) -> float:
-        """Static growth below which the grooves are open beyond any contact angle taken [m]."""
-        known = self.grooves
-        least = WIDEST - 1.0 if known.touching and known.free_angle > STEEP else WIDEST
-        return float(least * known.free_distance - known.radial_gap)
+        """Static growth below which the contact angle would exceed its largest valid value [m]."""
+        grooves = self.grooves
+        least = WIDEST - 1.0 if grooves.touching and grooves.free_angle > STEEP else WIDEST
+        return float(least * grooves.free_distance - grooves.radial_gap)
 
     def equilibrium(  # noqa: PLR0913 - all of it describes one question
         self,
@@ -322,7 +322,7 @@ class BallBearing:
         start: BearingState | None = None,
         compiled: bool | None = None,
     ) -> BearingState:
-        """The physical state under a load or a displacement of the inner ring, or a mix of both.
+        """Return the physical state under a load or a displacement of the inner ring, or a mix.
 
         Parameters
         ----------
@@ -333,8 +333,8 @@ class BallBearing:
         static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
         growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
         kinematics, moment_sharing, friction, dynamics : as in ``bearings.Law``
-        start : a state of the same batch shape close to the one sought; only speeds the search up,
-            and is not used with kinematics that know two branches ("inner", "geometric")
+        start : a nearby state of the same batch shape; it only speeds up the solution, and is
+            not used with kinematics that have two branches ("inner", "geometric")
         compiled : solve state by state with compiled functions; None: where that pays, with the
             time for loading or compiling them
 

@@ -26,7 +26,7 @@ from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
 from bearings.ring.operation import LARGEST
 
-LOWEST, HIGHEST = 1e-2, 1e2  # x for which A and n are meant
+LOWEST, HIGHEST = 1e-2, 1e2  # range of x in which A and n hold
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
 LEAST_SPEED = 1e-3  # rad/s
@@ -46,7 +46,7 @@ class PowerLaw(NamedTuple):
 def deflection(y: ArrayLike, ratio: ArrayLike) -> Array:
     """x of a ball that carries ``y`` ≥ 0, exact (6); ``ratio`` is ki/ke. Broadcasts.
 
-    InvalidBearing for y < 0, ratios not above zero, and what is no finite number.
+    InvalidBearing for y < 0, ratios not above zero, and non-finite numbers.
     """
     return _deflection(np.cbrt(_numbers("y", y, 0.0)) ** 2, _numbers("ratio", ratio))
 
@@ -54,15 +54,15 @@ def deflection(y: ArrayLike, ratio: ArrayLike) -> Array:
 def load(x: ArrayLike, ratio: ArrayLike) -> Array:
     """y of a ball pressed by ``x``, the inverse of ``deflection``; 0 where x ≤ 0. Broadcasts.
 
-    InvalidBearing for ratios not above zero, and what is no finite number.
+    InvalidBearing for ratios not above zero, and non-finite numbers.
     """
     from scipy.optimize import elementwise
 
     pressed = np.maximum(_numbers("x", x, -math.inf), 0.0)
-    wanted, k = np.broadcast_arrays(pressed, _numbers("ratio", ratio))
-    top = wanted / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
+    target, k = np.broadcast_arrays(pressed, _numbers("ratio", ratio))
+    top = target / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
     root = elementwise.find_root(
-        lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(wanted, k)
+        lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(target, k)
     )
     return np.asarray(root.x) ** 1.5
 
@@ -113,8 +113,8 @@ def distribution(peak: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Distributi
     turn = (nodes + 1.0) * math.pi / 4.0  # θ = θ0 sin(turn): smooth where the load zone ends
     zone = np.arccos(gap / (gap + x))
     angle, weight = zone * np.sin(turn), weights / 4.0 * zone * np.cos(turn)
-    each = PowerLaw(*(np.asarray(part)[..., None] for part in law))
-    y = each(x - (x + gap) * 2.0 * np.sin(angle / 2.0) ** 2)
+    ball_law = PowerLaw(*(np.asarray(part)[..., None] for part in law))
+    y = ball_law(x - (x + gap) * 2.0 * np.sin(angle / 2.0) ** 2)
     outside = 1.0 - zone[..., 0] / math.pi
     return Distribution(
         zone=zone[..., 0],
@@ -128,16 +128,16 @@ def distribution(peak: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Distributi
 def peak(radial: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Array:
     """x of the most loaded ball under Fr/(z Fc) = ``radial``, shape (…).
 
-    NaN where it lies outside ``LOWEST`` to ``HIGHEST``: the law of the ball is not meant there.
+    NaN where it lies outside ``LOWEST`` to ``HIGHEST``, the range in which the power law holds.
     """
     from scipy.optimize import elementwise
 
-    wanted, factor, exponent = np.broadcast_arrays(np.asarray(radial, float), *law)
-    ends = (np.full_like(wanted, math.log(end)) for end in (LOWEST, HIGHEST))
+    target, factor, exponent = np.broadcast_arrays(np.asarray(radial, float), *law)
+    ends = (np.full_like(target, math.log(end)) for end in (LOWEST, HIGHEST))
     root = elementwise.find_root(
         lambda u, f, a, n: distribution(np.exp(u), PowerLaw(a, n), gap).radial / f - 1.0,
         tuple(ends),
-        args=(wanted, factor, exponent),
+        args=(target, factor, exponent),
     )
     return np.where(root.success, np.exp(root.x), np.nan)
 
@@ -180,7 +180,7 @@ def _mean_of_cosine(power: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class RadialRing:
-    """What the approximation takes of a bearing.
+    """Data of a bearing that the approximation needs.
 
     ``inner_compliance``, ``outer_compliance``: ki, ke of δ = k Q^(2/3) [m/N^(2/3)]; ``ball_mass``
     [kg]; diameters [m]; conformities: groove radii over ball diameter; ``clearance``: diametral,
@@ -216,7 +216,7 @@ class RadialRing:
 
     @classmethod
     def of(cls, bearing: BallBearing) -> RadialRing:
-        """The ring of a bearing of any kind; InvalidBearing where balls do not run mid-groove."""
+        """Build from a bearing of any kind; InvalidBearing where balls do not run mid-groove."""
         grooves = bearing.grooves
         if len(grooves.contacts) != 2 or (grooves.touching and grooves.free_angle > 0.0):
             raise InvalidBearing(
@@ -249,9 +249,9 @@ class RadialRing:
 
 @dataclass(frozen=True, slots=True)
 class Approximation:
-    """A loaded ring: ``displacement`` δr [m], ``zone`` θ0 [rad], forces [N].
+    """Solution for a loaded ring: ``displacement`` δr [m], ``zone`` θ0 [rad], forces [N].
 
-    The displacement of the original variant keeps his misprinted δc and is absurd as a length.
+    The displacement of the original variant keeps the misprinted δc and is absurd as a length.
 
     ``peak``: x of the most loaded ball, whose loads are ``inner_peak`` and ``outer_peak``.
     ``static_equivalent`` P0 and ``dynamic_equivalent`` P: radial loads at rest with the same
@@ -271,11 +271,11 @@ class Approximation:
 def approximate(
     ring: RadialRing | BallBearing, load: float, speed: float, variant: str = "corrected"
 ) -> Approximation:
-    """The ring under a radial ``load`` [N] while its inner ring turns at ``speed`` [rad/s].
+    """Solve a ring under a radial ``load`` [N] while its inner ring turns at ``speed`` [rad/s].
 
     ``variant`` "original" keeps what is wrong in the report: Fc = m ω² D/2, ω half the speed,
     δc = (Fc/ke)^(2/3) and P0 = 0.2334 z Q; it has no clearance. Its displacement keeps the misprint
-    of δc and is absurd as a length (metres); loads and x are those of his tables.
+    of δc and is absurd as a length (metres); loads and x are those of the report's tables.
 
     Raises
     ------
@@ -350,12 +350,12 @@ def _check_conformities(inner: float, outer: float) -> None:
 
 
 def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:
-    """Finite numbers from ``low`` up, or above zero."""
+    """Return an array of finite numbers from ``low`` up, or above zero; InvalidBearing if not."""
     array = real_numbers(values)
     if array is None:
         raise InvalidBearing(f"{name} must be numbers, got {shown(values)}")
-    good = array > 0.0 if low is None else array >= low
-    if not (np.isfinite(array) & good).all():
+    in_range = array > 0.0 if low is None else array >= low
+    if not (np.isfinite(array) & in_range).all():
         least = "above zero" if low is None else f"from {low:g} up"
         least = "" if low == -math.inf else f" {least}"
         raise InvalidBearing(f"{name} must be finite numbers{least}, got {shown(values)}")

@@ -14,7 +14,7 @@ from typing import Any
 
 
 def shown(value: object, most: int = 60) -> str:
-    """A value as messages quote it: on one line of ``most`` characters."""
+    """Quote a value for messages, on one line of at most ``most`` characters."""
     try:
         text = " ".join(repr(value).split())
     except ValueError:  # an integer of more digits than Python writes
@@ -31,14 +31,14 @@ class InvalidBearing(BearingError, ValueError):
 
 
 class NoEquilibrium(BearingError):
-    """No physical state exists for the load or displacement asked for.
+    """No physical state exists for the given load or displacement.
 
     Parameters
     ----------
     outcome : what happened, in a few words (``"unloaded"``, ``"no equilibrium"`` …)
     speed : rotation speed of the inner ring [rad/s]
     remedy : what the user can do about it, one sentence
-    look : finds what ends the state, and above which speed, when the sentence is first read
+    look : returns what ends the state, and above which speed; called when the message is read
     """
 
     def __init__(
@@ -60,9 +60,9 @@ class NoEquilibrium(BearingError):
         return f"{why} at {self.speed * 30.0 / math.pi:.6g} rpm: {self.remedy}"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.outcome, self.speed, self.remedy, self.ending)
+        return _unpickled, (self.outcome, self.speed, self.remedy, self.ending)
 
 
-def _again(outcome: str, speed: float, remedy: str, ending: str) -> NoEquilibrium:
-    """The same error in another process."""
+def _unpickled(outcome: str, speed: float, remedy: str, ending: str) -> NoEquilibrium:
+    """Rebuild a pickled error, in another process."""
     return NoEquilibrium(outcome, speed=speed, remedy=remedy, look=lambda: ending)

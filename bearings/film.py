@@ -28,10 +28,10 @@ _BY_LOAD = 0.067  # exponent of the load in the central film thickness
 class Film:
     """Films of a state, by contact (…, balls, contacts); NaN where there is no state.
 
-    ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them, 0 without load or
-    speed; ``heating``: φT, by which it thins them, 0 where its formula has no value;
+    ``least``, ``central``: thicknesses h_min and h_c [m], with inlet heating, 0 without load or
+    speed; ``heating``: φT, the factor of inlet heating, 0 where its formula has no value;
     ``stiffness``: dQ/dh at constant speed [N/m], in series with that of the contact. ``growth``
-    (…, balls) [m]: by which the films make a ball appear larger, hi + ho of the most loaded contact
+    (…, balls) [m]: apparent growth of a ball by its films, hi + ho of the most loaded contact
     of each race; with four contacts a ball grows along both its diagonals.
     """
 
@@ -62,27 +62,27 @@ def hamrock_dowson(
     equivalent ball along rolling; ``modulus`` E' [Pa]: 2/Σ((1 − ν²)/E), twice the reduced one;
     ``ellipticity``: a/b, a across rolling; ``viscosity`` η [Pa·s]; ``pressure_viscosity`` [1/Pa].
     """
-    q, u, rx = (np.asarray(each, float) for each in (load, entrainment, radius))
+    q, u, rx = (np.asarray(value, float) for value in (load, entrainment, radius))
     k, eta = np.asarray(ellipticity, float), np.asarray(viscosity, float)
-    some = q > 0.0
+    loaded = q > 0.0
     speed, material = eta * u / (modulus * rx), pressure_viscosity * modulus
-    weight = np.where(some, q, 1.0) / (modulus * rx**2)
+    weight = np.where(loaded, q, 1.0) / (modulus * rx**2)
     least = 3.63 * rx * speed**0.68 * material**0.49 * weight**-0.073 * -np.expm1(-0.68 * k)
     central = 2.69 * rx * speed**0.67 * material**0.53 * weight**-_BY_LOAD
     central = central * (1.0 - 0.61 * np.exp(-0.73 * k))
-    return np.where(some, least, 0.0), np.where(some, central, 0.0)
+    return np.where(loaded, least, 0.0), np.where(loaded, central, 0.0)
 
 
 @checked
 def inlet_heating(
     pressure: ArrayLike, modulus: float, loading: ArrayLike, slip: ArrayLike = 0.0
 ) -> Array:
-    """Factor φT on the film thickness, Gupta (1992); 0 where the formula ends, from
-    13.2 (p/E') L^0.42 = 1 on.
+    """Factor φT of inlet heating on the film thickness, Gupta (1992); 0 beyond the range of the
+    formula, which ends at 13.2 (p/E') L^0.42 = 1.
 
     ``pressure``: peak [Pa]; ``loading`` L = η β u²/k; ``slip`` S: sliding over entrainment.
     """
-    p, heat, s = (np.asarray(each, float) for each in (pressure, loading, slip))
+    p, heat, s = (np.asarray(value, float) for value in (pressure, loading, slip))
     top = 1.0 - 13.2 * (p / modulus) * heat**0.42
     return np.asarray(np.maximum(top, 0.0) / (1.0 + 0.213 * (1.0 + 2.23 * s**0.83) * heat**0.64))
 
@@ -132,9 +132,9 @@ def film(
     if heating:
         parameter = eta * lubricant.thinning(celsius) * u**2 / lubricant.conductivity
         factor = inlet_heating(state.contact_pressure, modulus, parameter)
-    there = (np.asarray(state.outcome) == "")[..., None, None]
+    exists = (np.asarray(state.outcome) == "")[..., None, None]
     least, central = (
-        np.where(there, each * factor * starvation, np.nan) for each in (least, central)
+        np.where(exists, thickness * factor * starvation, np.nan) for thickness in (least, central)
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         stiffness = np.where(central > 0.0, load / (_BY_LOAD * central), np.inf)
@@ -143,6 +143,6 @@ def film(
 
 
 def _heaviest(load: Array, thickness: Array, race: Flags) -> Array:
-    """Film of the most loaded of the contacts where ``race`` is true."""
+    """Film thickness (…, balls) of the most loaded of the contacts where ``race`` is true."""
     most = load[..., race].argmax(axis=-1, keepdims=True)
     return np.take_along_axis(thickness[..., race], most, axis=-1)[..., 0]

@@ -38,7 +38,7 @@ _J = (3, 4, 5, 7, 9, 11, 13)  # below the zero line, j5 and j6
 _WORD = re.compile(r"([a-z]{1,2}|[A-Z]{1,2})(\d+)")
 _SHAFTS = ("f", "g", "h", "j", "js", "k", "m", "n", "p")
 _HOLES = ("F", "G", "H", "JS", "K", "M", "N", "P")
-_TIGHT = ("K", "M", "N", "P")  # holes with the deviations of shafts, turned round
+_TIGHT = ("K", "M", "N", "P")  # holes with the deviations of shafts, their signs reversed
 # Rings of bearings below their nominal diameter [µm], ISO 492: by class and size.
 _BORE = {
     "normal": (8, 10, 12, 15, 20, 25, 30),
@@ -51,7 +51,7 @@ _OUTSIDE = {
 
 
 class Interference(NamedTuple):
-    """Of a shaft in a bore, on the diameter [m]; negative: clearance.
+    """Interference of a shaft in a bore, on the diameter [m]; negative: clearance.
 
     ``least`` … ``most``: of all parts within tolerance; ``mean``; ``probable``: mean ± half the
     root of the squared tolerances, within which nearly all assemblies lie (SKF prints these).
@@ -63,9 +63,9 @@ class Interference(NamedTuple):
     probable: tuple[float, float]
 
     def reduced(self, smoothing: float) -> Interference:
-        """Less the ``smoothing`` of both surfaces when they are pressed together."""
+        """Subtract the ``smoothing`` of both surfaces when they are pressed together."""
         low, high = self.probable
-        least, most, mean = (each - smoothing for each in self[:3])
+        least, most, mean = (value - smoothing for value in self[:3])
         return Interference(least, most, mean, (low - smoothing, high - smoothing))
 
 
@@ -138,7 +138,7 @@ def bearing_outside(diameter: float, grade: str = "P4") -> tuple[float, float]:
 
 @checked
 def interference(shaft: tuple[float, float], bore: tuple[float, float]) -> Interference:
-    """Of a shaft in a bore of the same nominal diameter, by the deviations of both [m]."""
+    """Interference of shaft and bore of one nominal diameter, from the deviations of both [m]."""
     (s1, s2), (b1, b2) = shaft, bore
     middle = 0.5 * (s1 + s2 - b1 - b2)
     half = 0.5 * ((s2 - s1) ** 2 + (b2 - b1) ** 2) ** 0.5
@@ -166,7 +166,7 @@ def smoothing(shaft_roughness: float, bore_roughness: float, rule: str = "DIN 71
 
 
 def _size(diameter: float) -> int:
-    """Number of the range of sizes a diameter [m] lies in."""
+    """Index of the range of sizes a diameter [m] lies in."""
     size = diameter * 1e3
     if not SIZES[0] < size <= SIZES[-1] + 1e-9:
         raise InvalidBearing(

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Followed(NamedTuple):
-    """``load`` (…, 5), ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``converged`` (…).
+    """States: ``load``, ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``converged`` (…).
 
     SI, as in ``BearingState``; NaN where there is no state.
     """
@@ -35,17 +35,17 @@ class Followed(NamedTuple):
 
 
 class Follower:
-    """One bearing at a speed, every state started from the last.
+    """Solver of one bearing at a speed, which starts every state from the last.
 
     Load, displacement and tangent only, by the compiled solver, which the first call of a process
     loads and the first of all compiles (what that costs: benchmarks). Under inner control and the
-    geometric hypothesis, where a light ball may be loaded or lost at the same place, every state is
-    found on its own instead.
+    geometric hypothesis, where a light ball may be loaded or free at the same place, every state is
+    solved independently instead.
 
     Parameters
     ----------
     bearing, static_growth, growth : as in ``BallBearing.equilibrium``, single values
-    law : what is assumed of the balls
+    law : hypotheses about the balls
     speed : [rad/s], where a call gives none
 
     Raises
@@ -62,9 +62,9 @@ class Follower:
         growth: float | None = None,
         law: Law = STANDARD,
     ) -> None:
-        for given, kind in ((bearing, BallBearing), (law, Law)):
-            if not isinstance(given, kind):
-                raise InvalidBearing(f"a follower takes a {kind.__name__}, got {shown(given)}")
+        for argument, kind in ((bearing, BallBearing), (law, Law)):
+            if not isinstance(argument, kind):
+                raise InvalidBearing(f"a follower takes a {kind.__name__}, got {shown(argument)}")
         static = finite_numbers("static_growth", static_growth, single=True)
         total = static if growth is None else finite_numbers("growth", growth, single=True)
         self._bearing = bearing
@@ -84,8 +84,8 @@ class Follower:
         InvalidBearing : numbers that are not finite, shapes
         NoEquilibrium : a single state does not exist
         """
-        given = five_numbers("displacement", displacement)
-        return self._followed(given, np.zeros_like(given), speed, free=False)
+        displacements = five_numbers("displacement", displacement)
+        return self._followed(displacements, np.zeros_like(displacements), speed, free=False)
 
     def displacement(self, load: ArrayLike, speed: ArrayLike | None = None) -> Followed:
         """Displacements (…, 5) under loads (…, 5); the rest as for ``load``.
@@ -94,9 +94,9 @@ class Follower:
         ------
         InvalidBearing : also for a load that this kind cannot carry
         """
-        given = five_numbers("load", load)
-        self._bearing.check_load(given.reshape(-1, 5), np.ones(5, dtype=bool))
-        return self._followed(np.zeros_like(given), given, speed, free=True)
+        loads = five_numbers("load", load)
+        self._bearing.check_load(loads.reshape(-1, 5), np.ones(5, dtype=bool))
+        return self._followed(np.zeros_like(loads), loads, speed, free=True)
 
     def _followed(
         self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool
@@ -105,11 +105,11 @@ class Follower:
         if speed is None:
             omega = np.full(shape, abs(self.speed)).reshape(-1)
         else:
-            turning = np.abs(finite_numbers("speed", speed))
+            speeds = np.abs(finite_numbers("speed", speed))
             try:
-                omega = np.broadcast_to(turning, shape).reshape(-1)
+                omega = np.broadcast_to(speeds, shape).reshape(-1)
             except ValueError as error:
-                what = f"speed {turning.shape} does not fit states {shape}"
+                what = f"speed {speeds.shape} does not fit states {shape}"
                 raise InvalidBearing(what) from error
         if not omega.size:
             return Followed(load, move, np.zeros((*shape, 5, 5)), np.zeros(shape, dtype=bool))
@@ -119,19 +119,19 @@ class Follower:
             self._solved(move[a:b], load[a:b], omega[a:b], free=free, turning=bool(turn[a]))
             for a, b in itertools.pairwise(ends)
         ]
-        whole = parts[0]
+        states = parts[0]
         if len(parts) > 1:
-            whole = [np.concatenate(part) for part in zip(*parts, strict=True)]
-        converged = whole[-1]
+            states = [np.concatenate(part) for part in zip(*parts, strict=True)]
+        converged = states[-1]
         if shape == () and not converged[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
-        return Followed(*[part.reshape((*shape, *part.shape[1:])) for part in whole])
+        return Followed(*[part.reshape((*shape, *part.shape[1:])) for part in states])
 
     def _solved(
         self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
     ) -> Followed:
-        """States that are all at rest or all turning."""
+        """Solve states that are all at rest or all turning."""
         problem = Problem(
             geometry=self._geometry,
             law=self._law,
@@ -143,13 +143,15 @@ class Follower:
             turning=turning,
             compliances=self._compliances,
         )
-        near, chained = None, self._law.one_branch
+        last_ball, chained = None, self._law.one_branch
         if self._last is not None and chained:
-            there, near = self._last
-            move = np.repeat(there, len(omega), axis=0) if free else move
+            last_displacement, last_ball = self._last
+            move = np.repeat(last_displacement, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        d, ball, carried, stiffness, converged = one_by_one(problem, move, near, chained=chained)[0]
+        d, ball, carried, stiffness, converged = one_by_one(
+            problem, move, last_ball, chained=chained
+        )[0]
         if free and self._geometry.touching:
             converged &= load.any(axis=1)
         self._last = (d[-1:], ball[:, -1:]) if converged[-1] else None

@@ -1,6 +1,6 @@
-"""What a bearing's description implies: grooves, contacts, ball mass. Computed once a bearing.
+"""Constants derived from a bearing's description: grooves, contacts, ball mass.
 
-Plain numbers in tuples, which the compiled solver takes as they are.
+Computed once a bearing: plain numbers in tuples, which the compiled solver takes as they are.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from bearings.grooves import STEEP, WIDEST, Grooves
 class Groove(NamedTuple):
     """One groove: k of Q = k δ^1.5 [N/m^1.5], distance ℓ of its centre
     from that of a ball that just touches, and axial place of its centre [m]. ``along``, ``rise``:
-    how far a deformed ring has shifted that centre, axially and radially.
+    axial and radial shift of that centre by the deformation of the ring.
 
-    ``walls``: sides (−1, +1) on which the groove goes on straight from 90°, where it presses a ball
-    along the axis alone; () of bearings whose displacement counts from touching, a whole circle. A
-    tuple, since its length is known when a function is compiled: the circle costs no choice.
+    ``walls``: sides (−1, +1) on which the groove continues straight from 90°, where it presses a
+    ball along the axis alone; () where displacement counts from touching, a full circle. A tuple,
+    since its length is known when a function is compiled: the circle costs no branch.
     """
 
     stiffness: float
@@ -130,8 +130,8 @@ def geometry(bearing: Grooves) -> Geometry:
 
 
 def acting(g: Geometry, dynamics: str) -> Geometry:
-    """The same where balls are without inertia of rotation ("centrifugal": Fc alone) or without
-    weight on their orbit ("gyroscopic": Mg alone)."""
+    """Set the inertia of rotation of the balls to zero ("centrifugal": Fc alone) or their orbital
+    factor ("gyroscopic": Mg alone)."""
     if dynamics == "centrifugal":
         return g._replace(ball_inertia=0.0)
     return g._replace(orbital_factor=0.0) if dynamics == "gyroscopic" else g
@@ -143,11 +143,11 @@ def frozen_force(g: Geometry, squared: Any) -> Any:
 
 
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
-    """Middle of the inner groove (2, …) at zero displacement, seen from that of the outer one.
+    """Middle of the inner groove (2, …) at zero displacement, relative to that of the outer one.
 
     Counted from touching, its axial part is zeroed with the STATIC growth; counted from the centre
-    it is 0. The radial part carries the growth at speed. NaN where growth leaves no contact angle:
-    takes the whole of it, or opens the grooves beyond ``WIDEST``.
+    it is 0. The radial part has the growth at speed. NaN where growth leaves no contact angle,
+    or opens the grooves beyond ``WIDEST``.
     """
     radial = g.radial_gap + growth
     if not g.touching:
@@ -173,5 +173,5 @@ def _race_contact(bearing: Grooves, conformity: float, side: float) -> HertzCont
 
 
 def _race_weight(race: HertzContact) -> float:
-    """Q a E of a race per (δ²): Q a E = k^(4/3) a₁ E δ², a₁ the major semi-axis at unit load."""
+    """Q a E of a race over δ²: Q a E = k^(4/3) a₁ E δ², a₁ the major semi-axis at unit load."""
     return race.stiffness ** (4.0 / 3.0) * race.semi_axis_major * race.second_integral

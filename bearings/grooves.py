@@ -1,4 +1,4 @@
-"""Where the groove centres of a bearing lie: all that a kind tells the solver about itself."""
+"""Places of the groove centres of a bearing: the only data of a kind that the solver uses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from bearings.materials import Material
 
 STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
-WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
+WIDEST = 0.2  # cos of the largest free contact angle that growth may leave, 78°
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Grooves:
         radial_gap: float | None = None,
         **centres: Any,
     ) -> Grooves:
-        """Of a kind with the common fields, one of αf and Ri − Ro = BD cos αf given or both."""
+        """Build from a kind with the common fields and αf, Ri − Ro = BD cos αf, or both."""
         distance = float(bearing.free_distance)
         if free_angle is None:
             assert radial_gap is not None

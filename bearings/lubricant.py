@@ -1,4 +1,4 @@
-"""A lubricating oil: its viscosity over temperature, and what films ask of it."""
+"""A lubricating oil: viscosity over temperature, and the properties that films depend on."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ class Lubricant:
 
     def __post_init__(self) -> None:
         check_fields(self)
-        for each in fields(self):
-            value = getattr(self, each.name)
+        for item in fields(self):
+            value = getattr(self, item.name)
             if not (math.isfinite(value) and value > 0.0):
-                raise InvalidBearing(f"lubricant: {each.name} must be positive, got {shown(value)}")
+                raise InvalidBearing(f"lubricant: {item.name} must be positive, got {shown(value)}")
         if not self.viscosity_100 < self.viscosity_40:
             raise InvalidBearing(
                 f"lubricant: viscosity_100 {self.viscosity_100 * 1e6:g} mm²/s must be below "

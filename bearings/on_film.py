@@ -2,9 +2,9 @@
 
 A film of thickness h between ball and race shortens the distance of the groove centres by h along
 the contact line, as a larger ball would. A state with films hence is the state without them whose
-inner groove stands farther by Σ h (cos α, sin α): the two have one and the same ball loads. Films
-differ little from ball to ball (h ~ Q^−0.067); their mean over each race, by the loads on it, moves
-the ring, which is exact where balls are alike.
+inner groove is shifted by Σ h (cos α, sin α): both have the same ball loads. Films differ little
+from ball to ball (h ~ Q^−0.067); their mean over each race, weighted by the loads on it, moves
+the ring, which is exact where all balls are loaded equally.
 
 At constant speed a film is a spring of dQ/dh = Q/(0.067 h) in series with its contact.
 """
@@ -39,9 +39,9 @@ MOST = 20  # iterations of state and films; 3 or 4 are usual, since h ~ Q^−0.0
 
 @dataclass(frozen=True, eq=False)
 class OnFilm:
-    """A bearing on its films, of leading shape (…).
+    """States of a bearing on its films, of leading shape (…).
 
-    ``state``: its contacts as they are; the displacement and growth in it are those of grooves
+    ``state``: with the true contact loads; its displacement and growth are those of grooves
     without films. ``films``; ``growth``, ``axial`` (…) [m]: apparent growth and axial shift of the
     inner groove by films; ``displacement`` (…, 5): of the ring itself; ``stiffness`` (…, 5, 5):
     with films in series with the contacts.
@@ -70,7 +70,7 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
     starvation: float = 1.0,
     heating: bool = True,
 ) -> OnFilm:
-    """The state under a load or a displacement of the inner ring, films between balls and races.
+    """Solve the state under a load or a displacement of the inner ring, balls on their films.
 
     Arguments of ``BallBearing.equilibrium`` and of ``film``, with their errors; the axial
     displacement is counted as without films.
@@ -83,54 +83,54 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
         "load": load,
         **asdict(law),
     }
-    more, axial = np.zeros(()), np.zeros(())
+    apparent, axial = np.zeros(()), np.zeros(())
     for _ in range(MOST):
-        place = None if displacement is None else _moved(displacement, axial)
-        state = bearing.equilibrium(**common, displacement=place, growth=total + more)
+        shifted = None if displacement is None else _axially_shifted(displacement, axial)
+        state = bearing.equilibrium(**common, displacement=shifted, growth=total + apparent)
         films = film(state, lubricant, temperature, starvation=starvation, heating=heating)
-        before = more, axial
-        more, axial = kept(grown(state, films), before)
-        if max(np.abs(more - before[0]).max(), np.abs(axial - before[1]).max()) < CLOSE:
+        previous = apparent, axial
+        apparent, axial = kept(grown(state, films), previous)
+        if max(np.abs(apparent - previous[0]).max(), np.abs(axial - previous[1]).max()) < CLOSE:
             break
-    moved = _moved(state.displacement, -axial)
-    return OnFilm(state, films, more, axial, moved, softened(state, films))
+    ring_displacement = _axially_shifted(state.displacement, -axial)
+    return OnFilm(state, films, apparent, axial, ring_displacement, softened(state, films))
 
 
-def _moved(displacement: ArrayLike, axial: Array) -> Array:
-    given = np.asarray(displacement, float)
-    shape = np.broadcast_shapes(given.shape[:-1], axial.shape)
-    moved = np.broadcast_to(given, (*shape, 5)).copy()
-    moved[..., 0] += axial
-    return moved
+def _axially_shifted(displacement: ArrayLike, axial: Array) -> Array:
+    displacements = np.asarray(displacement, float)
+    shape = np.broadcast_shapes(displacements.shape[:-1], axial.shape)
+    shifted = np.broadcast_to(displacements, (*shape, 5)).copy()
+    shifted[..., 0] += axial
+    return shifted
 
 
 def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
-    """Apparent radial growth and axial shift of the inner groove by films (…) [m], mean over the
-    balls by their loads on either race; NaN where there is no state."""
+    """Apparent radial growth and axial shift of the inner groove by films (…) [m], means over the
+    balls weighted by their loads on either race; NaN where there is no state."""
     split, mean = len(state.operation.geometry.inner_grooves), np.zeros(2)
     parts = slice(split), slice(split, None)
-    for moved, part in zip(moved_races(state, films), parts, strict=True):
+    for separation, part in zip(moved_races(state, films), parts, strict=True):
         load = np.nan_to_num(state.contact_load)[..., part].sum(axis=-1)
-        whole = load.sum(axis=-1)
-        share = load / np.where(whole > 0.0, whole, 1.0)[..., None]
-        mean = mean + (share[..., None] * moved).sum(axis=-2)
-    known = np.asarray(state.outcome) == ""
-    return np.where(known, mean[..., 0], np.nan), np.where(known, mean[..., 1], np.nan)
+        total = load.sum(axis=-1)
+        share = load / np.where(total > 0.0, total, 1.0)[..., None]
+        mean = mean + (share[..., None] * separation).sum(axis=-2)
+    exists = np.asarray(state.outcome) == ""
+    return np.where(exists, mean[..., 0], np.nan), np.where(exists, mean[..., 1], np.nan)
 
 
-def kept(found: tuple[Array, Array], before: tuple[Array, Array]) -> tuple[Array, Array]:
-    """Growth and shift ``found``; those ``before`` where films leave no state, which has none
-    then, though without films it may have one."""
-    growth, axial = (np.where(np.isnan(a), b, a) for a, b in zip(found, before, strict=True))
+def kept(current: tuple[Array, Array], previous: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Return the current growth and shift, the previous ones where they are NaN: with its films the
+    bearing has no state there, though it may have one without them."""
+    growth, axial = (np.where(np.isnan(a), b, a) for a, b in zip(current, previous, strict=True))
     return growth, axial
 
 
 def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:
-    """Radial and axial distance by which films part the inner race, and the outer one, from every
-    ball (…, balls, 2) [m].
+    """Radial and axial distance by which films separate the inner race, and the outer one, from
+    every ball (…, balls, 2) [m].
 
-    Along the normal of a single contact; of two, by the films along both normals, which have one
-    solution.
+    It is along the normal of a single contact; of two contacts it is the one vector whose
+    components along both normals are their films.
     """
     loaded = np.asarray(state.contact_load) > 0.0
     geometry = state.operation.geometry
@@ -149,13 +149,13 @@ def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:
 def softened(state: BearingState, films: Film) -> Array:
     """Tangent (…, 5, 5) of a state whose contacts have their films in series, at constant speed.
 
-    Each contact is replaced by one of equal load whose slope is that of both springs. Bearings of
-    one groove a ring; others keep their tangent.
+    Each contact is replaced by one of equal load whose slope is that of contact and film in series.
+    This covers bearings of one groove a ring; others keep their tangent.
     """
     operation = state.operation
     g, speed = operation.geometry, state.speed.reshape(-1)
-    good = turns(g, speed) & (state.outcome.reshape(-1) == "")
-    rows = np.flatnonzero(good)
+    turning = turns(g, speed) & (state.outcome.reshape(-1) == "")
+    rows = np.flatnonzero(turning)
     if not (rows.size and g.single):
         return np.asarray(state.complete_stiffness)
     part = Problem.of(operation, full_assembly).take(rows)
@@ -176,8 +176,8 @@ def softened(state: BearingState, films: Film) -> Array:
 
 
 def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
-    """A contact of the same load at the same place, with the slope of it and ``spring`` in series
-    (states, balls)."""
+    """Replace a contact by one of the same load at the same place, with the slope of contact and
+    ``spring`` (states, balls) in series."""
     length = np.hypot(vector[0], facing_radius(groove, vector[1]))
     approach = np.maximum(length - groove.centre_distance, 0.0)
     load = groove.stiffness * approach**1.5

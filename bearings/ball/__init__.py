@@ -1,1 +1,1 @@
-"""One ball between its grooves: what its contacts and its motion do to it and to the rings."""
+"""One ball between its grooves: the forces of its contacts and its motion on it and the rings."""

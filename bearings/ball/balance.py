@@ -1,11 +1,11 @@
-"""One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
+"""One ball between its grooves: its balance, its forces on the inner ring, and all derivatives.
 
 The law of a ball over its contacts, whatever the kind of bearing (with Fc fixed, and at rest:
-``bearings.ball.potential``): the contacts of each race make a resultant (``bearings.ball.race``),
-directions and loads of the resultants make Fc and Mg. Plain expressions of floats or arrays (any
-shape), which compile as they stand: choices between balls are made by ``where``. Plane vectors are
+``bearings.ball.potential``): the contacts of each race have a resultant (``bearings.ball.race``),
+directions and loads of the resultants give Fc and Mg. Plain expressions of floats or arrays (any
+shape), which compile as they are: ``where`` distinguishes cases between balls. Plane vectors are
 (axial, radial); X is the ball centre, A the middle of the inner groove (with the tilt of the ring
-there as its third part), both seen from the middle of the outer groove.
+there as its third part), both relative to the middle of the outer groove.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from bearings.geometry import Geometry
 
 
 class Balance(NamedTuple):
-    """State of a ball at given A and X, linearised.
+    """Linearised balance of a ball at given A and X.
 
     ``forces`` on the ball and on the ring; loads [N] and directions (sin, cos) of the races'
     resultants, Fc [N], Mg [N·m], and λi.
@@ -54,8 +54,8 @@ class Balance(NamedTuple):
 
 
 class Rolled(NamedTuple):
-    """What a ball that rolls puts on its inner ring (``axial`` and ``radial`` force, moment
-    ``turning`` by friction) and what its own balance lacks (``level``, ``rise``), by the races."""
+    """Forces of a rolling ball on its inner ring (``axial``, ``radial``; ``turning``: moment by
+    friction) and its residual forces (``level`` axial, ``rise`` radial), by the races."""
 
     inner: Race
     outer: Race
@@ -127,7 +127,7 @@ def _rolled(
     blend: Any,
     vary: float,
 ) -> Rolled:
-    """The races, and what they put on a ball that rolls between them."""
+    """Compute both races and the forces they exert on a ball that rolls between them."""
     inner = race(c.inner_grooves, against(centre, ball), 1.0)
     outer = race(c.outer_grooves, ball, -1.0)
     si, ci, so, co = inner.sin, inner.cos, outer.sin, outer.cos
@@ -178,39 +178,41 @@ def by_grooves(
     blend: Any,
     vary: float,
 ) -> tuple[tuple[tuple[Pair, ...], tuple[Pair, ...]], ...]:
-    """For every contact of a ball between two grooves a ring, in their order: derivatives of the
-    forces on the ball (two rows) and of the action on the ring (three) by a shift of its groove.
+    """Derivatives of the forces on a ball between two grooves a ring (two rows) and of its action
+    on the ring (three rows) by a shift of the groove of each contact, in their order.
 
     Arguments as for ``turning_balance``.
     """
     r = _rolled(c, law, centre, ball, squared, blend, vary)
-    still = (0.0, 0.0)
-    held = r.inner._replace(angle_by=still, approach_by=still, middle_by=still)
-    free = r.outer._replace(angle_by=still, approach_by=still, middle_by=still)
-    pairs = [(each, free) for each in by_groove(c.inner_grooves, against(centre, ball), 1.0)]
-    pairs += [(held, each) for each in by_groove(c.outer_grooves, ball, -1.0)]
-    found = []
+    zero = (0.0, 0.0)
+    fixed_inner = r.inner._replace(angle_by=zero, approach_by=zero, middle_by=zero)
+    fixed_outer = r.outer._replace(angle_by=zero, approach_by=zero, middle_by=zero)
+    pairs = [
+        (shifted, fixed_outer) for shifted in by_groove(c.inner_grooves, against(centre, ball), 1.0)
+    ]
+    pairs += [(fixed_inner, shifted) for shifted in by_groove(c.outer_grooves, ball, -1.0)]
+    derivatives = []
     for inner, outer in pairs:
         # A shift of an inner groove leads away from the ball, one of an outer groove towards it.
-        side = -1.0 if inner is held else 1.0
+        side = -1.0 if inner is fixed_inner else 1.0
         level, rise, axial, radial, turning = (
             _by_vectors(part, inner, outer, side)
             for part in (r.level, r.rise, r.axial, r.radial, r.turning)
         )
         middle = combined(r.inner.middle, radial, r.radial.value, inner.middle_by)
-        found.append(((level, rise), (axial, radial, plus(turning, middle))))
-    return tuple(found)
+        derivatives.append(((level, rise), (axial, radial, plus(turning, middle))))
+    return tuple(derivatives)
 
 
 def _by_vectors(p: Polar, inner: Race, outer: Race, side: float) -> Pair:
-    """Derivative of a value by a shift on which the races depend as they say."""
-    one = combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
-    two = combined(p.by[2], outer.angle_by, p.by[3], outer.approach_by)
-    return side * (one[0] + two[0]), side * (one[1] + two[1])
+    """Derivative of a value by a shift of a groove, through the derivatives of both races."""
+    by_inner = combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
+    by_outer = combined(p.by[2], outer.angle_by, p.by[3], outer.approach_by)
+    return side * (by_inner[0] + by_outer[0]), side * (by_inner[1] + by_outer[1])
 
 
 def _about_the_middle(inner: Race, radial: Moving, tilting: Moving) -> Moving:
-    """The moment of the radial force added, which acts beside the middle of two grooves."""
+    """Add the moment of the radial force, which acts off the middle of the two grooves."""
     by, middle, force = inner.middle_by, inner.middle, radial.value
     if len(by) == 2:
         return tilting
@@ -224,38 +226,38 @@ def _about_the_middle(inner: Race, radial: Moving, tilting: Moving) -> Moving:
 
 
 def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Condensed]:
-    """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
-    each = resting_reaction(c, centre)[1]
+    """Balance of balls at rest, and the same with the balls eliminated, in closed form."""
+    eliminated = resting_reaction(c, centre)[1]
     sin, cos, _, _ = facing(both_grooves(c), centre)
-    load = np.hypot(each.action[0], each.action[1])
+    load = np.hypot(eliminated.action[0], eliminated.action[1])
     zero = np.zeros_like(load)
-    nothing = (zero, zero)
+    zeros = (zero, zero)
     forces = Forces(
-        residual=nothing,
+        residual=zeros,
         residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
-        residual_by_centre=each.follow,
-        action=each.action,
-        action_by_ball=(nothing, nothing, nothing),
-        action_by_centre=each.tangent,
+        residual_by_centre=eliminated.follow,
+        action=eliminated.action,
+        action_by_ball=(zeros, zeros, zeros),
+        action_by_centre=eliminated.tangent,
     )
-    way = (sin, cos)
-    return Balance(forces, load, load, way, way, zero, zero, zero + 1.0), each
+    direction = (sin, cos)
+    return Balance(forces, load, load, direction, direction, zero, zero, zero + 1.0), eliminated
 
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:
-    """C of the races, c (δi/δo)²; without meaning where the outer race is free."""
+    """Weight C of the races, c (δi/δo)²; meaningless where the outer race is free."""
     deep = where(do > 0.0, do, 1.0)
     slope = ratio * di / (deep * deep)
     return Polar(slope * di, (0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep))
 
 
 def _share(share: tuple[Any, Any], weight: Polar) -> Polar:
-    """λi, from its value and its slope by the weight alone."""
+    """λi with its derivatives, from its value and its slope by the weight."""
     return Polar(share[0], (0.0, share[1] * weight.by[1], 0.0, share[1] * weight.by[3]))
 
 
 def _attitude(beta: Partial, weight: Polar, rolls: Any) -> Polar:
-    """tan β of the axis the ball turns about; 0 of a ball that rides the outer race alone."""
+    """tan β of the rotation axis of a ball; 0 for a ball on the outer race alone."""
     by_weight = beta.by_weight * rolls
     by_inner, by_outer = by_weight * weight.by[1], by_weight * weight.by[3]
     by = (beta.by_inner * rolls, by_inner, beta.by_outer * rolls, by_outer)
@@ -263,7 +265,7 @@ def _attitude(beta: Partial, weight: Polar, rolls: Any) -> Polar:
 
 
 def _chained(value: Any, factor: Any, rolling: Rolling, attitude: Polar) -> Polar:
-    """A value that changes by ``factor`` times a rolling ratio."""
+    """Value whose derivatives are ``factor`` times those of a rolling ratio (chain rule)."""
     by_attitude, by = factor * rolling.by_attitude, attitude.by
     by_inner = factor * rolling.by_inner + by_attitude * by[0]
     by_outer = factor * rolling.by_outer + by_attitude * by[2]
@@ -288,7 +290,7 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
 
 
 def _moving(p: Polar, inner: Race, outer: Race) -> Moving:
-    """A value by the motions of inner groove and ball, through both races."""
+    """Value with derivatives by the motions of ball and inner groove, through both races."""
     by_centre = combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
     a, b = outer.angle_by, outer.approach_by
     by_ball = (

@@ -1,7 +1,7 @@
 """A ball eliminated from the balance of its ring (static condensation): a ring on springs.
 
 A is the centre of the inner groove, X that of the ball, as in ``bearings.ball.balance``. Plain
-expressions of floats or arrays, which compile as they stand.
+expressions of floats or arrays, which compile as they are.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Forces(NamedTuple):
 
 
 class Condensed(NamedTuple):
-    """Load and tangent of the ring at a ball that follows it.
+    """Load and tangent of the ring at a ball that follows its motion.
 
     ``fold``: determinant of the balance by X, positive on the physical branch. X moves by
     ``still`` + ``follow`` · ΔA; the action there is ``action`` + ``tangent`` · ΔA.
@@ -54,7 +54,7 @@ class Condensed(NamedTuple):
 
 
 def condensed(f: Forces) -> Condensed:
-    """The ball eliminated."""
+    """Eliminate the ball from the linearised forces."""
     (p, q), (r, s) = inverse(f.residual_by_ball)
     (level, rise), (first, second) = f.residual, f.residual_by_centre
     still = (-p * level - q * rise, -r * level - s * rise)

@@ -1,10 +1,10 @@
-"""How a ball rolls and spins: tan β of its rotation axis under four hypotheses, with derivatives.
+"""Rolling and spin of a ball: tan β of its rotation axis under four hypotheses, with derivatives.
 
 Everything is written for the angles (αi, αo) and the race weight C = Qi ai Ei / (Qo ao Eo), and
 returned with its partial derivatives in that order. Plain expressions of floats or arrays, which
-compile as they stand.
+compile as they are.
 Sources: Jones (1959) race control; geometric β = (αi + αo)/2; hybrid after Changan, Hongrui &
-Ruixia (Mech. Mach. Theory 2010), as settled on the theory page.
+Ruixia (Mech. Mach. Theory 2010), in the form of the theory page.
 """
 
 from __future__ import annotations
@@ -148,8 +148,8 @@ def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
 def inner_share(law: Any, weight: Any) -> tuple[Any, Any]:
     """λi and dλi/dC by the number of the law in ``bearings.ball.law.MOMENT_SHARING``.
 
-    Of 2: both races carry the gyroscopic moment alike (1), the outer one all of it (0), the inner
-    one (2), or each by its weight, λi = 2C/(1 + C).
+    With λi + λo = 2, λi is 1 if both races carry the gyroscopic moment equally, 0 if the outer one
+    carries all of it, 2 if the inner one does, or 2C/(1 + C) if each does by its weight.
     """
     fixed = where(law == 0, 1.0, where(law == 1, 0.0, 2.0))
     if not some(law == 3):

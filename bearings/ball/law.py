@@ -1,4 +1,4 @@
-"""What is assumed of the balls of a bearing."""
+"""Hypotheses about the balls of a bearing: kinematics, moment sharing, friction, dynamics."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DYNAMICS = ("resultant", "frozen", "centrifugal", "gyroscopic")
 
 
 class LawNumbers(NamedTuple):
-    """What is assumed of a ball, by numbers.
+    """Hypotheses about a ball, as numbers.
 
     Indices in ``KINEMATICS`` and ``MOMENT_SHARING``, of a batch of states (s, 1);
     ``friction``: μ, 0 for no limit. ``dynamics`` acts through the blend of the balance.
@@ -65,7 +65,7 @@ class Law:
 
     @property
     def numbers(self) -> LawNumbers:
-        """The same as plain numbers for the balance of a ball."""
+        """The hypotheses as plain numbers, for the balance of a ball."""
         return LawNumbers(
             kinematics=KINEMATICS.index(self.kinematics),
             sharing=MOMENT_SHARING.index(self.moment_sharing),
@@ -74,19 +74,19 @@ class Law:
 
     @property
     def one_branch(self) -> bool:
-        """True if contacts open and close continuously: a neighbour may be a start.
+        """Whether contacts open and close continuously: a neighbouring state may be a start.
 
         Inner control and the geometric hypothesis end their loaded branch with a jump.
         """
         return self.kinematics in ("hybrid", "outer") or self.dynamics == "frozen"
 
     def take(self, index: Iterable[Any]) -> Law:
-        """The law of some states of a batch: this one."""
+        """Select states of a batch by index; all of them share this law."""
         return self
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:
-    """Refuse a name that is not among ``known``, with the nearest one."""
+    """Raise InvalidBearing for a name that is not among ``known``, with the nearest one."""
     if isinstance(name, str) and name in known:
         return
     close = difflib.get_close_matches(str(name), known, n=1)

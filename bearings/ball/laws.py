@@ -1,4 +1,4 @@
-"""What is assumed of the balls of a batch of states, of each another law."""
+"""Hypotheses about the balls of a batch of states with different laws."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from bearings.ball.law import Law, LawNumbers
 
 @dataclass(frozen=True)
 class Laws:
-    """The law of every state of a batch, alike in friction and dynamics.
+    """Law of every state of a batch; friction and dynamics are common to all.
 
-    ``known``: those there are; ``place`` (s,): which of them holds.
+    ``known``: the different laws; ``place`` (s,): index in them of the law of each state.
     """
 
     known: tuple[Law, ...]
@@ -35,30 +35,30 @@ class Laws:
     @cached_property
     def numbers(self) -> LawNumbers:
         """Plain numbers for the balance of balls, (s, 1)."""
-        each = np.array([law.numbers[:2] for law in self.known])[list(self.place), :, None]
-        return LawNumbers(each[:, 0], each[:, 1], self.known[0].numbers.friction)
+        indices = np.array([law.numbers[:2] for law in self.known])[list(self.place), :, None]
+        return LawNumbers(indices[:, 0], indices[:, 1], self.known[0].numbers.friction)
 
     @cached_property
     def one_branch(self) -> Any:
-        """Where a neighbour may be a start (s,)."""
+        """Where a neighbouring state may be a start (s,)."""
         return np.array([law.one_branch for law in self.known])[list(self.place)]
 
     def take(self, index: Iterable[Any]) -> Law | Laws:
-        """The laws of some states; a single one where they have one."""
+        """Select states by index; returns a single ``Law`` where they share one."""
         place = tuple(self.place[k] for k in index)
         return self.known[place[0]] if len({*place}) == 1 else Laws(self.known, place)
 
 
 def laws_of(parts: Sequence[Law | Laws], count: Sequence[int]) -> Law | Laws:
-    """The law of every state of batches one after the other, so many states in each; alike in
-    friction and dynamics."""
+    """Concatenate the laws of batches of ``count`` states each, which have the same friction and
+    dynamics."""
     first = parts[0]
     if isinstance(first, Law) and all(law == first for law in parts):
         return first
-    each = [
+    repeated = [
         [law] * states if isinstance(law, Law) else [law.known[k] for k in law.place]
         for law, states in zip(parts, count, strict=True)
     ]
-    every = [law for one in each for law in one]
-    known = tuple(dict.fromkeys(every))
-    return Laws(known, tuple(known.index(law) for law in every))
+    laws = [law for batch in repeated for law in batch]
+    known = tuple(dict.fromkeys(laws))
+    return Laws(known, tuple(known.index(law) for law in laws))

@@ -1,8 +1,8 @@
 """Small matrices in a plane, and values with derivatives, entry by entry.
 
-Plain expressions of floats or arrays, which compile as they stand. A pair is a plane vector (axial,
+Plain expressions of floats or arrays, which compile as they are. A pair is a plane vector (axial,
 radial), a block a 2×2 matrix by rows. A motion of a ring at a ball is a pair, with the tilt as a
-third part where the ring has two grooves: one groove does not notice the tilt about its own centre.
+third part where the ring has two grooves: the tilt about its own centre does not move one groove.
 Lengths of tuples are known when a function is compiled.
 """
 
@@ -23,7 +23,7 @@ Triple = tuple[Any, Any, Any]
 
 
 def where(condition: Any, yes: Any, no: Any) -> Any:
-    """The one or the other, entry by entry; compiled for one ball it is a plain choice."""
+    """Choose between two values entry by entry; compiled for one ball it is a conditional."""
     return np.where(condition, yes, no)
 
 
@@ -82,26 +82,26 @@ def minus(a: Row, b: Row) -> Any:
 
 
 def determinant(m: Block) -> Any:
-    """Of a block."""
+    """Determinant of a block."""
     return m[0][0] * m[1][1] - m[0][1] * m[1][0]
 
 
 def inverse(m: Block) -> Block:
-    """Of a block; zero where it is singular."""
+    """Inverse of a block; zero where it is singular."""
     size = determinant(m)
     part = where(size != 0.0, 1.0, 0.0) / where(size != 0.0, size, 1.0)
     return (m[1][1] * part, -m[0][1] * part), (-m[1][0] * part, m[0][0] * part)
 
 
 class Polar(NamedTuple):
-    """A value, and ``by``: its derivatives by αi, δi, αo and δo, of the races' resultants."""
+    """Value with ``by``: its derivatives by αi, δi, αo and δo, of the races' resultants."""
 
     value: Any
     by: tuple[Any, Any, Any, Any]
 
 
 def exchanged(p: Polar) -> Polar:
-    """Seen with the races exchanged."""
+    """Value with the two races exchanged."""
     return Polar(p.value, (p.by[2], p.by[3], p.by[0], p.by[1]))
 
 
@@ -111,7 +111,7 @@ def times(p: Polar, q: Polar) -> Polar:
 
 
 def scaled(vary: float, factor: float, p: Polar) -> Polar:
-    """A value times ``factor``, its derivatives times ``vary`` as well."""
+    """Multiply a value by ``factor``, its derivatives by ``vary`` as well."""
     f = vary * factor
     return Polar(factor * p.value, (f * p.by[0], f * p.by[1], f * p.by[2], f * p.by[3]))
 

@@ -1,9 +1,9 @@
 """The convex core of the ball problem: Hertzian contacts and a fixed centrifugal force.
 
 Σ 0.4 k δ₊^2.5 − Fc X₂ over one to four contacts has one minimum over the ball centre X for every
-place of the inner groove, and what is left is convex in that place: a bearing assembled from it has
+place of the inner groove, and the minimum is convex in that place: a bearing assembled from it has
 one equilibrium, reachable from anywhere. A ball at rest between one groove a ring has a closed
-form. Plain expressions of floats or arrays, which compile as they stand.
+form. Plain expressions of floats or arrays, which compile as they are.
 """
 
 from __future__ import annotations
@@ -47,13 +47,13 @@ def both_races(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Spring
 
 
 def stiffness(inner: Springs, outer: Springs) -> Block:
-    """Of a ball between its contacts."""
+    """Stiffness of a ball between its contacts [N/m]."""
     mixed = inner.slope[1] + outer.slope[1]
     return (inner.slope[0] + outer.slope[0], mixed), (mixed, inner.slope[2] + outer.slope[2])
 
 
 def rounding_force(c: Geometry, largest: Any) -> Any:
-    """What a rounding of the lengths makes of the load of a ball under ``largest`` [N]."""
+    """Error of the load of a ball under ``largest`` by rounding of the lengths [N]."""
     slope = 1.5 * (c.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     return EPS * c.free_distance * slope
 
@@ -61,17 +61,17 @@ def rounding_force(c: Geometry, largest: Any) -> Any:
 def potential(
     c: Geometry, inner: Springs, outer: Springs, ball: Pair, centrifugal_force: Any
 ) -> Any:
-    """Of one ball; Fc counts from the free outer race."""
+    """Potential of one ball; that of Fc counts from the free outer race."""
     return inner.energy + outer.energy - centrifugal_force * (ball[1] - c.outer_centre_distance)
 
 
 def reaction(
     c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any
 ) -> tuple[Any, Condensed]:
-    """Potential of a ball at its seat, and the ball eliminated.
+    """Potential of a ball at its seat, and its reaction with the ball eliminated.
 
-    What its own balance still misses is taken off to first order: under a light thrust at speed
-    that is more than the thrust.
+    The residual of the balance of the ball is removed to first order: under a light thrust at
+    speed it exceeds the thrust.
     """
     inner, outer = both_races(c, centre, ball)
     (p, q), (r, s) = stiffness(inner, outer)
@@ -89,12 +89,12 @@ def reaction(
 
 
 def _gap(inner: Springs, outer: Springs, centrifugal_force: Any) -> Pair:
-    """What pushes a ball on towards its seat."""
+    """Residual force on a ball, which pushes it towards its seat."""
     return inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + centrifugal_force
 
 
 def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
-    """Slopes of force and couple by the motion of the inner groove, the ball standing still."""
+    """Slopes of force and couple by the motion of the inner groove at a fixed ball."""
     (a11, a12, a22), (t1, t2, tt) = inner.slope, inner.by_tilt
     if len(centre) == 2:
         return (a11, a12), (a12, a22), (t1, t2)
@@ -118,7 +118,7 @@ def resting_reaction(c: Geometry, centre: Motion) -> tuple[Any, Condensed]:
 
 
 def both_grooves(c: Geometry) -> Groove:
-    """The two grooves that a ball at rest stands between, in series."""
+    """Both grooves of a ball at rest as one: their contacts in series."""
     return Groove(c.series_stiffness, c.free_distance, 0.0, 0.0, 0.0, c.inner_grooves[0].walls)
 
 
@@ -136,9 +136,10 @@ def riding_radius(c: Geometry, centrifugal_force: Any) -> Any:
 
 
 def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
-    """Where to start the search for a seat: the best of the places that pairs of contacts give.
+    """First ball centre of the search for a seat: the best of those that pairs of contacts give.
 
-    The seat itself of a ball that rides the bottom of its outer groove, free of the inner race.
+    It is the seat itself of a ball that rides the bottom of its outer groove, free of the inner
+    race.
     """
     if len(c.inner_grooves) == 1 and len(c.outer_grooves) == 1:
         x = _between(c, (centre[0], centre[1]), centrifugal_force)
@@ -152,7 +153,7 @@ def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
 
 
 def _best(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
-    """Of all pairs of an inner and an outer contact, and of the outer arch, the least potential."""
+    """Ball centre of least potential among those of all pairs of contacts and the outer arch."""
     half = c.outer_grooves[0].offset
     root = (
         c.outer_centre_distance + (0.5 * centrifugal_force / c.outer.stiffness) ** (2.0 / 3.0)
@@ -161,8 +162,8 @@ def _best(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     least = _energy(c, centre, x, centrifugal_force)
     for outer in c.outer_grooves:
         for inner in c.inner_grooves:
-            near = vector_to(inner, centre, 1.0)
-            trial = _between(c, (near[0] - outer.offset, near[1]), centrifugal_force)
+            vector = vector_to(inner, centre, 1.0)
+            trial = _between(c, (vector[0] - outer.offset, vector[1]), centrifugal_force)
             trial = (trial[0] + outer.offset, trial[1])
             energy = _energy(c, centre, trial, centrifugal_force)
             better = energy < least
@@ -177,11 +178,12 @@ def _energy(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> 
 
 
 def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
-    """Where each race carries Fc, on the side that Fc pushes to; as at rest where pressed more.
+    """Ball centre where each race carries Fc, on the side that Fc pushes to; that at rest if the
+    rings press the ball more.
 
     A ball that Fc alone holds starts at its races: from the bottom of the groove, deep in the inner
     race, steps that must not leave the outer race would stall. One that the inner groove carries
-    beyond 90° leaves the outer race, and is seated; a groove that goes on straight from there
+    beyond 90° leaves the outer race, and is seated; a groove that continues straight from there
     presses it along the axis alone.
     """
     inner = c.inner_centre_distance + (centrifugal_force / c.inner.stiffness) ** (2.0 / 3.0)
@@ -193,9 +195,9 @@ def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
     level = facing_radius(c.inner_grooves[0], centre[1])
     reach = np.sqrt(centre[0] * centre[0] + level * level)
     pressed = reach > inner + outer
-    still = resting_seat(c, centre)
-    axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
-    radial = where(pressed, still[1], along * cos + across * np.abs(sin))
+    at_rest = resting_seat(c, centre)
+    axial = where(pressed, at_rest[0], along * sin - across * where(sin < 0.0, -cos, cos))
+    radial = where(pressed, at_rest[1], along * cos + across * np.abs(sin))
     if len(c.inner_grooves[0].walls) == 0:
         lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_centre_distance
         return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
@@ -206,11 +208,11 @@ def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
 
 
 class SeatStep(NamedTuple):
-    """A ball on its way to its seat.
+    """Newton step of a ball towards its seat.
 
-    ``step``: the Newton step from here; ``energy``: the potential, and ``most`` what it may be
-    after the step, rounding granted; ``hold``: stiffness of its contacts [N/m]; ``moving``: not
-    yet at its seat.
+    ``step``: of the ball centre [m]; ``energy``: the potential before it, and ``most`` the upper
+    limit after it, with a tolerance for rounding; ``hold``: stiffness of the contacts [N/m];
+    ``moving``: whether the ball is not yet at its seat.
     """
 
     step: Pair
@@ -250,10 +252,10 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
 def _rising(
     c: Geometry, both: Block, outer: Springs, newton: tuple[Pair, Pair], radial: Any
 ) -> Pair:
-    """The step of a ball; not Newton's where straight walls alone press it and Fc finds no hold.
+    """Step of a ball: not Newton's where straight walls alone press it and nothing carries Fc.
 
     It rises above the level of the outer groove centre, whose arc then carries Fc: as far as the
-    load of the wall, turned with the arc, carries it. ``newton``: force missing and step.
+    load of the wall, turned with the arc, carries it. ``newton``: residual force and step.
     """
     (gap, step), hold = newton, both[0][0]
     pinched = (both[1][1] == 0.0) & (hold > 0.0) & (outer.force[0] != 0.0)
@@ -264,5 +266,5 @@ def _rising(
 
 
 def improves(now: SeatStep, then: SeatStep) -> Any:
-    """Whether a try lowers the potential and keeps some hold: a free ball has no Newton step."""
+    """Whether a trial lowers the potential and keeps stiffness: a free ball has no Newton step."""
     return (then.energy <= now.most) & (then.hold > LEAST_HOLD * now.hold)

@@ -1,11 +1,11 @@
-"""One race against a ball: its one or two contacts, and the one contact they amount to.
+"""One race of a ball: its one or two contacts, and the single contact equivalent to them.
 
 The forces of the contacts add up to a resultant, whose direction and load stand for the race where
-the motion of the ball asks for one contact a race (Fc, Mg, friction). With one contact that is
-exact; with two it is a model, continuous as contacts come and go. Plain expressions of floats or
-arrays, which compile as they stand.
+the motion of the ball needs one contact a race (Fc, Mg, friction). With one contact that is
+exact; with two it is a model, continuous as contacts open and close. Plain expressions of floats or
+arrays, which compile as they are.
 
-A groove may span ±90° and go on straight from there: its contact is the distance of the ball from a
+A groove may span ±90° and be straight beyond: its contact is the distance of the ball from a
 convex set, which keeps the potential convex. A ball free of a race faces it at the angle of their
 centres, the radial part at least a quarter of the gap: continuous where contact is lost, the same
 unless the ball's centre is nearly level with that of the groove, within ±90° where it is beyond.
@@ -20,8 +20,8 @@ import numpy as np
 from bearings.ball.plane import Motion, Pair, Triple, direction, dot, some, where
 from bearings.geometry import Geometry, Groove
 
-NOWHERE = 1e-300  # m: a distance that is none
-FACED = 0.25  # of its gap to a groove a free ball stands at least below the centre of the groove
+NOWHERE = 1e-300  # m: least distance that is divided by
+FACED = 0.25  # least radial part of the vector along which a free ball faces a groove, over its gap
 
 
 class Contact(NamedTuple):
@@ -46,7 +46,7 @@ class Springs(NamedTuple):
 
 
 class Race(NamedTuple):
-    """A race as one contact along its resultant.
+    """Race as one contact along its resultant.
 
     ``sin``, ``cos`` of its angle; ``approach`` δ, ``load`` Q and ``slope`` dQ/dδ. ``middle`` [m]:
     axial place where the resultant acts. ``angle_by``, ``approach_by``, ``middle_by``: derivatives
@@ -65,20 +65,20 @@ class Race(NamedTuple):
 
 
 def hertz(stiffness: float, approach: Any) -> Contact:
-    """k δ^1.5 and its slope, δ ≥ 0."""
+    """Load k δ^1.5 of a contact and its slope, δ ≥ 0."""
     root = np.sqrt(approach)
     return Contact(stiffness * approach * root, 1.5 * stiffness * root)
 
 
 def against(centre: Motion, ball: Pair) -> Motion:
-    """Motion of the inner groove against the ball, from the place of its middle."""
+    """Vector from the ball to the middle of the inner groove, with the tilt if given."""
     if len(centre) == 2:
         return centre[0] - ball[0], centre[1] - ball[1]
     return centre[0] - ball[0], centre[1] - ball[1], centre[2]
 
 
 def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
-    """The contacts of one race together.
+    """Combine the contacts of one race.
 
     ``vector``: from the ball to the middle of the inner groove (``side`` +1, with the tilt of the
     ring where there are two grooves), or from that of the outer groove to the ball (−1).
@@ -89,10 +89,10 @@ def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
 
 
 def _single(groove: Groove, vector: Motion) -> Race:
-    sin, cos, approach, turn = facing(groove, vector)
+    sin, cos, approach, angle_by = facing(groove, vector)
     contact = hertz(groove.stiffness, approach)
     along = (sin, cos)
-    return Race(sin, cos, approach, contact.load, contact.slope, 0.0, turn, along, (0.0, 0.0))
+    return Race(sin, cos, approach, contact.load, contact.slope, 0.0, angle_by, along, (0.0, 0.0))
 
 
 def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
@@ -109,13 +109,13 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     least = FACED * np.maximum(-approach, 0.0)
     approach = np.maximum(approach, 0.0)
     if some(radial < least):
-        seen = np.maximum(radial, least)
-        sin, cos, far = direction((axial, seen))
+        faced_radius = np.maximum(radial, least)
+        sin, cos, distance = direction((axial, faced_radius))
         ratio = where(least > 0.0, -FACED, 0.0) / where(length > 0.0, length, 1.0)
         free = radial < least
         by_axial = where(free, ratio * axial, 0.0)
         by_radial = where(free, ratio * curved, 1.0)
-        part = 1.0 / far
+        part = 1.0 / distance
         return sin, cos, approach, ((cos - sin * by_axial) * part, -sin * by_radial * part)
     part = 1.0 / length
     sin, cos = axial * part, radial * part
@@ -123,7 +123,7 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
 
 
 def faced(c: Geometry, centre: Motion, ball: Pair) -> tuple[Pair, Pair]:
-    """Vectors along which a ball faces the middles of outer and inner groove, of any length."""
+    """Vectors along which a ball faces the middles of outer and inner groove, not normalised."""
     inner = against(centre, ball)
     if len(c.inner_grooves[0].walls) == 0:
         return ball, (inner[0], inner[1])
@@ -131,27 +131,31 @@ def faced(c: Geometry, centre: Motion, ball: Pair) -> tuple[Pair, Pair]:
 
 
 def facing_radius(groove: Groove, radial: Any) -> Any:
-    """Radial distance of the centres as the contact knows it: beyond 90° a straight wall has 0."""
+    """Radial distance of the centres in the contact law: 0 beyond 90°, at a straight wall."""
     if len(groove.walls) == 0:
         return radial
     return np.maximum(radial, 0.0)
 
 
 def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
-    all_ = springs(grooves, vector, side)
-    (axial, radial), (a11, a12, a22), (t1, t2, tt) = all_.force, all_.slope, all_.by_tilt
+    contacts = springs(grooves, vector, side)
+    (axial, radial), (a11, a12, a22), (t1, t2, tt) = (
+        contacts.force,
+        contacts.slope,
+        contacts.by_tilt,
+    )
     load = np.sqrt(axial * axial + radial * radial)
     bears, k = load > 0.0, grooves[0].stiffness
     part = 1.0 / where(bears, load, 1.0)
-    near_sin, near_cos, near, offset = _nearer(grooves, vector, side)
+    near_sin, near_cos, near_by, offset = _nearer(grooves, vector, side)
     sin, cos = where(bears, axial * part, near_sin), where(bears, radial * part, near_cos)
     approach = (load / k) ** (2.0 / 3.0)
     slope = 1.5 * k * np.sqrt(approach)
     soft = 1.0 / where(bears, slope, 1.0)
     angle_by = (
-        where(bears, (cos * a11 - sin * a12) * part, near[0]),
-        where(bears, (cos * a12 - sin * a22) * part, near[1]),
-        where(bears, (cos * t1 - sin * t2) * part, near[1] * offset),
+        where(bears, (cos * a11 - sin * a12) * part, near_by[0]),
+        where(bears, (cos * a12 - sin * a22) * part, near_by[1]),
+        where(bears, (cos * t1 - sin * t2) * part, near_by[1] * offset),
     )
     approach_by = (
         where(bears, (sin * a11 + cos * a12) * soft, near_sin),
@@ -159,7 +163,7 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
         (sin * t1 + cos * t2) * soft,
     )
     lifted = where(radial != 0.0, radial, 1.0)
-    middle = where(radial != 0.0, all_.couple / lifted, offset)
+    middle = where(radial != 0.0, contacts.couple / lifted, offset)
     middle_by = (
         (t1 - middle * a12) / lifted,
         (t2 - middle * a22) / lifted,
@@ -169,24 +173,24 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
 
 
 def by_groove(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Race, ...]:
-    """For each groove the race once more, its derivatives by the vector of that groove,
-    which moves by ``side`` times a shift of the groove."""
+    """Return the race once per groove, with derivatives by the vector of that groove, which moves
+    by ``side`` times a shift of the groove."""
     if len(grooves) == 1:
         return (race(grooves, vector, side),)
-    whole, found = _resultant(grooves, vector, side), []
-    bears = whole.load > 0.0
-    part = where(bears, 1.0, 0.0) / where(bears, whole.load, 1.0)
-    soft = where(bears, 1.0, 0.0) / where(bears, whole.slope, 1.0)
-    radial = whole.load * whole.cos
+    resultant, races = _resultant(grooves, vector, side), []
+    bears = resultant.load > 0.0
+    part = where(bears, 1.0, 0.0) / where(bears, resultant.load, 1.0)
+    soft = where(bears, 1.0, 0.0) / where(bears, resultant.slope, 1.0)
+    radial = resultant.load * resultant.cos
     lifted = where(radial != 0.0, radial, 1.0)
-    sin, cos = whole.sin, whole.cos
+    sin, cos = resultant.sin, resultant.cos
     turn, nearer = _nearer(grooves, vector, side)[2:]
     for groove in grooves:
         a, b, c = spring(groove, vector_to(groove, vector, side)).slope
-        arm = (groove.offset - whole.middle) / lifted
+        arm = (groove.offset - resultant.middle) / lifted
         free = nearer == groove.offset  # faced by a ball without load
-        found.append(
-            whole._replace(
+        races.append(
+            resultant._replace(
                 angle_by=(
                     where(bears, (cos * a - sin * b) * part, where(free, turn[0], 0.0)),
                     where(bears, (cos * b - sin * c) * part, where(free, turn[1], 0.0)),
@@ -195,13 +199,13 @@ def by_groove(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple
                 middle_by=(arm * b, arm * c),
             )
         )
-    return tuple(found)
+    return tuple(races)
 
 
 def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Any, Any, Pair, Any]:
-    """Angle to the groove whose centre is farther from the ball, its derivatives, its offset.
+    """sin, cos and derivatives of the angle to the groove whose centre is farther, and its offset.
 
-    The nearer groove to a ball without load, and the one whose straight wall carries a ball.
+    It is the nearer groove to a ball without load, and the one whose straight wall carries a ball.
     """
     one, two = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
     first = dot(one, one) >= dot(two, two)
@@ -211,7 +215,7 @@ def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[A
 
 
 def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:
-    """Contacts of a race as springs; arguments as for ``race``."""
+    """Sum the contacts of a race as springs; arguments as for ``race``."""
     if len(grooves) == 1:
         return spring(grooves[0], vector_to(grooves[0], vector, side))
     p = spring(grooves[0], vector_to(grooves[0], vector, side))
@@ -249,7 +253,7 @@ def spring(groove: Groove, vector: Motion) -> Springs:
 
 
 def vector_to(groove: Groove, vector: Motion, side: float) -> Pair:
-    """From the ball to the centre of an inner groove, or from that of an outer one to the ball."""
+    """Vector from the ball to the centre of an inner groove, or from an outer one to the ball."""
     axial, radial = (
         vector[0] + side * (groove.offset + groove.along),
         vector[1] + side * groove.rise,

@@ -1,1 +1,1 @@
-"""A bearing from what a catalogue prints: values, the insides that explain them, the estimate."""
+"""A bearing from printed catalogue values: plausible internal geometries, and the estimate."""

@@ -1,4 +1,4 @@
-"""Printed values that no inside explains together, and the most that one does."""
+"""Detection of printed values that no internal geometry explains together."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LIMIT = {
     "static": 0.3,
 }  # of ln(computed/printed)
 ROW_FACTOR = 2.0**0.7  # C of two like bearings over that of one (ISO 281)
-# What a factor between printed and expected means
+# Likely mistake behind a factor between printed and expected value
 _SLIPS = {
     ("rigidity", 0.5): "of one bearing: give that of the pair back to back",
     ("rigidity", 2.0): "of two pairs: give that of one pair back to back",
@@ -29,10 +29,10 @@ _NEAR = 0.25  # of ln(factor)
 
 
 def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weight: Array) -> None:
-    """Raise InvalidBearing where no inside is within the limits of all values.
+    """Raise InvalidBearing where no internal geometry is within the limits of all values.
 
     ``computed`` (values, insides), ``apart``: its ln(computed/printed) in standard deviations;
-    ``weight`` (insides,): logarithm of how usual each is.
+    ``weight`` (insides,): logarithm of the prior probability of each, up to a constant.
     """
     values = given.values
     if not values:
@@ -56,15 +56,15 @@ def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weigh
 
 
 def _odd(values: list[tuple[Value, float]]) -> Iterator[str]:
-    """A phrase for every kind of value."""
+    """Yield a phrase for every kind of contradicting value."""
     for kind in dict.fromkeys(value.kind for value, _ in values):
         pairs = [(value, computed) for value, computed in values if value.kind == kind]
-        words = ", ".join(f"{v.words} ({v.shown(c)} expected)" for v, c in pairs)
-        yield words + _slip(kind, [v.number / c for v, c in pairs])
+        listing = ", ".join(f"{v.words} ({v.shown(c)} expected)" for v, c in pairs)
+        yield listing + _slip(kind, [v.number / c for v, c in pairs])
 
 
 def _slip(kind: str, ratios: list[float]) -> str:
-    """What all ``ratios`` of printed to expected values look like, if they are near one factor."""
+    """Name the mistake whose factor all ``ratios`` of printed to expected values are near."""
     for (of, factor), slip in _SLIPS.items():
         if of == kind and all(abs(math.log(ratio / factor)) < _NEAR for ratio in ratios):
             return f", which looks like that {slip}"
