@@ -1,4 +1,4 @@
-"""An angular-contact bearing from what a catalogue prints: an inside that explains it."""
+"""Estimate of the internal geometry of an angular-contact bearing from printed catalogue values."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from bearings.life.rating import rating
 from bearings.materials import SILICON_NITRIDE, STEEL
 
 FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")
-# Standard deviations, as shares: how well one and the same inside meets what makers print
+# Standard deviations of printed values relative to those of one and the same internal geometry
 DEVIATION = {"rigidity": 0.015, "unloading": 0.01, "dynamic": 0.05, "static": 0.05}
-_PAIR = (1.35, 1.95)  # printed over expected C that looks like a pair's
-_SPARSE = 0.69  # of the pitch circle, that the balls of a bearing usually fill more of
-_WHOLE_NEWTON = 0.29  # [N] of a number rounded to one
+_PAIR = (1.35, 1.95)  # printed over expected C that suggests a pair
+_SPARSE = 0.69  # share of the pitch circle that balls usually exceed
+_WHOLE_NEWTON = 0.29  # [N], standard deviation by rounding to whole newtons
 _REFINED = 4  # combinations of ball diameter and number whose grooves are refined
-_STEP = 0.005  # of a conformity, that refining may move it
+_STEP = 0.005  # largest change of a conformity by refining
 _PHRASES = (
     ("balls", "{:.0f} balls ({:.0f}–{:.0f})", 1.0),
     ("ball_diameter", "D {:.4g} mm ({:.4g}–{:.4g})", 1e3),
@@ -39,7 +39,7 @@ _PHRASES = (
 
 
 class Explained(NamedTuple):
-    """A printed value beside that of the estimated bearing [SI]."""
+    """Printed value and the corresponding value of the estimated bearing [SI]."""
 
     value: Value
     computed: float
@@ -72,34 +72,34 @@ class EstimatedBearing(AngularContactBallBearing):
 
     @property
     def estimated(self) -> str:
-        """What is estimated, with its spread, and what C is taken for; see ``BallBearing``."""
-        words = []
+        """Estimated data with their spread, and how C is interpreted; see ``BallBearing``."""
+        phrases = []
         for name, phrase, scale in _PHRASES:
             low, high = (bound * scale for bound in self.spread[name])
             if getattr(self.catalogue, name) is None:
-                words.append(phrase.format(getattr(self, name) * scale, low, high))
+                phrases.append(phrase.format(getattr(self, name) * scale, low, high))
         if self.catalogue.dynamic_rating is not None:
             times = ROW_FACTOR**3
-            words.append(
+            phrases.append(
                 f"C as that of one bearing (of a pair: lives are {times:.1f} times too long)"
             )
-        return ", ".join(words)
+        return ", ".join(phrases)
 
     @property
     def explained(self) -> tuple[Explained, ...]:
-        """Every printed value beside that of this bearing."""
+        """Every printed value with that of this bearing."""
         values = self.catalogue.values
         computed = _computed(self._inside, self.catalogue)[:, 0]
         return tuple(Explained(v, float(c)) for v, c in zip(values, computed, strict=True))
 
     @property
     def doubt(self) -> str:
-        """A sentence where C looks like that of a pair, as the other values lead to far less, or
+        """Warning where C seems to be that of a pair, since the other values lead to far less, or
         where rigidities lead to balls that leave much of the pitch circle empty.
 
-        The first takes C0 or the balls to say so: from rings and rigidity alone, the C that makers
-        print of one bearing is 0.6 to 2.7 times the one of the likeliest inside. Rings and C0 alone
-        leave a pair's unnoticed where fewer, larger balls explain both: printed C of one is 0.66 to
+        The first needs C0 or the balls: from rings and rigidity alone, the C that makers print of
+        one bearing is 0.6 to 2.7 times that of the likeliest internal geometry. Rings and C0 alone
+        do not detect a pair's C where fewer, larger balls explain both: printed C of one is 0.66 to
         1.17 times, that of a pair 1.07 to 1.91 times the expected one.
         """
         return self._of_pair or self._sparse
@@ -122,8 +122,8 @@ class EstimatedBearing(AngularContactBallBearing):
         printed = given.dynamic_rating
         if printed is None or (given.static_rating is None and given.ball_diameter is None):
             return ""
-        others = likeliest(replace(given, dynamic_rating=None))
-        expected = float(rating(others._inside))
+        without_rating = likeliest(replace(given, dynamic_rating=None))
+        expected = float(rating(without_rating._inside))
         if not _PAIR[0] < printed / expected < _PAIR[1]:
             return ""
         return (
@@ -145,7 +145,7 @@ class EstimatedBearing(AngularContactBallBearing):
         return float(rigidity), float(unloading)
 
     def members(self, count: int = 24) -> tuple[AngularContactBallBearing, ...]:
-        """Plausible insides as bearings, equally likely: the spread of any result is theirs."""
+        """Sample of equally likely bearings: the spread of any result is that over this sample."""
         x, _, share = _weighed(self.catalogue)
         middles = (np.arange(count) + 0.5) / count
         places = np.searchsorted(np.cumsum(share), middles).clip(0, len(share) - 1)
@@ -176,14 +176,15 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
     inner_conformity: float | None = None,
     outer_conformity: float | None = None,
 ) -> EstimatedBearing:
-    """The likeliest inside of an angular-contact bearing from what its catalogue prints.
+    """Estimate the internal geometry of an angular-contact bearing from printed catalogue values.
 
-    Every inside that rings of this size can hold is weighed by how usual it is and by how well
-    it gives the printed values (``docs/theory/catalogue.md``).
+    Every internal geometry that fits into rings of this size is weighted by its prior probability
+    and by how well it gives the printed values (``docs/theory/catalogue.md``); returns the
+    likeliest.
 
     Parameters
     ----------
-    bore, outside_diameter, width : of the rings [m]; ``width`` is kept, it says little of the balls
+    bore, outside_diameter, width : of the rings [m]; ``width`` is stored but not used
     contact_angle : free contact angle α [rad]
     hybrid : balls of silicon nitride; False: of steel
     preloads : of a pair back to back, the maker's classes, shape (n,) [N]
@@ -219,7 +220,7 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
 
 @lru_cache(maxsize=32)  # seats and variants of a machine have the same few catalogue bearings
 def likeliest(given: Catalogue) -> EstimatedBearing:
-    """The estimate from printed values; errors of ``estimate``."""
+    """Return the estimate from printed values; errors as for ``estimate``."""
     x, likely, share = _weighed(given)
     best = _refined(x, likely, given)
     spread = {name: _range(getattr(x, name), share, getattr(best, name)) for name in FIELDS}
@@ -227,7 +228,8 @@ def likeliest(given: Catalogue) -> EstimatedBearing:
 
 
 def _weighed(given: Catalogue) -> tuple[Insides, Array, Array]:
-    """All plausible insides, the logarithm of the likelihood of each, and its share of 1."""
+    """Return all plausible internal geometries, the logarithm of the posterior probability of each
+    up to a constant, and the probability, normalised to a sum of 1."""
     x, weight = plausible(given)
     computed = _computed(x, given)
     apart = _apart(computed, given)
@@ -245,14 +247,14 @@ def _apart(computed: Array, given: Catalogue) -> Array:
 
 
 def _scale(x: Insides, given: Catalogue) -> tuple[Array, Array]:
-    """P and BD of ``bearings.catalogue.pair``."""
+    """P [N] and BD [m] of ``bearings.catalogue.pair``."""
     distance = x.free_distance
     stiffness = contact_stiffness(x, given.ball_material, given.ring_material)
     return x.balls * stiffness * distance**1.5, distance
 
 
 def _computed(x: Insides, given: Catalogue) -> Array:
-    """What each inside has for each printed value, shape (values, insides)."""
+    """Compute each printed value for each internal geometry, shape (values, insides)."""
     law = axial_law(x.contact_angle)
     scale, distance = _scale(x, given)
     at = {
@@ -272,7 +274,7 @@ def _computed(x: Insides, given: Catalogue) -> Array:
 
 
 def _deviation(value: Value) -> float:
-    """Standard deviation of ln(computed/printed), with what rounding to whole newtons adds."""
+    """Standard deviation of ln(computed/printed), including rounding to whole newtons."""
     share = DEVIATION[value.kind]
     if math.isnan(value.preload):
         return share
@@ -284,7 +286,7 @@ def _deviation(value: Value) -> float:
 
 
 def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
-    """The likeliest inside, its conformities no longer on a grid."""
+    """Return the likeliest internal geometry, its conformities refined between grid points."""
     from scipy.optimize import minimize
 
     free = [name for name in FIELDS[3:] if getattr(given, name) is None]
@@ -300,21 +302,21 @@ def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
         return start._replace(**dict(zip(free, values, strict=True)))
 
     def cost(values: Array, start: Insides) -> float:
-        here = at(start, values)
-        apart = _apart(_computed(here, given), given)
-        return float(0.5 * (apart**2).sum() - usual(here, section))
+        trial = at(start, values)
+        apart = _apart(_computed(trial, given), given)
+        return float(0.5 * (apart**2).sum() - usual(trial, section))
 
     fitted = []
     for start in starts:
-        begin = [float(getattr(start, name)) for name in free]
-        limits = [(max(f - _STEP, TIGHTEST), f + _STEP) for f in begin]
-        solved = minimize(cost, begin, args=(start,), bounds=limits, method="L-BFGS-B")
-        fitted.append((float(solved.fun), at(start, solved.x)))
+        initial = [float(getattr(start, name)) for name in free]
+        limits = [(max(f - _STEP, TIGHTEST), f + _STEP) for f in initial]
+        minimum = minimize(cost, initial, args=(start,), bounds=limits, method="L-BFGS-B")
+        fitted.append((float(minimum.fun), at(start, minimum.x)))
     return min(fitted, key=lambda pair: pair[0])[1]
 
 
 def _range(values: Array, share: Array, estimate: Any) -> tuple[float, float]:
-    """Between 5 and 95 % of the share, and the estimate, which may lie beside the grid."""
+    """Range from the 5 to the 95 % quantile, extended to the refined estimate."""
     order = np.argsort(values)
     total = np.cumsum(share[order])
     places = np.searchsorted(total, (0.05, 0.95)).clip(0, len(order) - 1)
@@ -323,7 +325,7 @@ def _range(values: Array, share: Array, estimate: Any) -> tuple[float, float]:
 
 
 def _fields(x: Insides, given: Catalogue) -> dict[str, Any]:
-    """What the constructor of an angular-contact bearing takes."""
+    """Arguments of the constructor of an angular-contact bearing."""
     values: dict[str, Any] = {name: float(getattr(x, name)) for name in FIELDS}
     return values | {
         "balls": round(values["balls"]),

@@ -1,4 +1,4 @@
-"""Two like bearings back to back, preloaded rigidly, at rest: what catalogues print of them.
+"""Rigidity and unloading force of two identical bearings back to back, rigidly preloaded.
 
 A bearing pushed axially by x BD beyond touching has its groove centres at the angle α with
 tan α = tan α0 + x/cos α0. Its balls are pressed by BD ε, ε = cos α0/cos α − 1, so that
@@ -18,12 +18,12 @@ import numpy as np
 
 from bearings.arrays import Array
 
-_FURTHEST = 1.5  # displacements beyond touching that the table covers, in BD
+_FURTHEST = 1.5  # largest displacement beyond touching in the table, over BD
 _POINTS = 3000
 
 
 class AxialLaw:
-    """F/P and its slope over x, for one free contact angle α0 [rad]."""
+    """Table of F/P and its slope over x, for one free contact angle α0 [rad]."""
 
     def __init__(self, contact_angle: float) -> None:
         # ln F over ln x is nearly straight, so that a table of it is exact to some 1e-6
@@ -55,7 +55,7 @@ class AxialLaw:
 
 @lru_cache(maxsize=32)
 def axial_law(contact_angle: float) -> AxialLaw:
-    """The law of one free contact angle [rad]."""
+    """Return the axial law of a free contact angle [rad]."""
     return AxialLaw(contact_angle)
 
 

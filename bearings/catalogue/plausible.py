@@ -1,4 +1,4 @@
-"""Insides that rings of a given size can hold, and how usual each is.
+"""Internal geometries that fit into rings of a given size, with their prior probabilities.
 
 The shares below are those of 252 spindle bearings of one maker (GMN, catalogue 4000 0813 EN) and 59
 of another (SNFA, general catalogue), whose balls are printed.
@@ -28,17 +28,18 @@ _STEP = 0.0254 / 64.0  # balls come in 64ths of an inch, larger ones in 32nds an
 
 
 def plausible(given: Catalogue) -> tuple[Insides, Array]:
-    """All combinations, flat arrays of equal length, and the logarithm of how usual each is."""
+    """Return all combinations as flat arrays of equal length, and the logarithm of the prior
+    probability of each up to a constant."""
     pitch = given.pitch_diameter or 0.5 * (given.bore + given.outside_diameter)
     section = given.outside_diameter - given.bore
-    usual_ones = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
-    diameters = [each for each in usual_ones if _within(given, pitch, each)]
+    candidates = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
+    diameters = [value for value in candidates if _within(given, pitch, value)]
     if not diameters:
         largest, least = (
-            1e3 * each for each in ring_limits(pitch, usual_ones[0], given.contact_angle)
+            1e3 * value for value in ring_limits(pitch, candidates[0], given.contact_angle)
         )
         raise InvalidBearing(
-            f"no ring left beside balls of {usual_ones[0] * 1e3:.4g} mm on a pitch circle of "
+            f"no ring left beside balls of {candidates[0] * 1e3:.4g} mm on a pitch circle of "
             f"{pitch * 1e3:.4g} mm: given bore {given.bore * 1e3:g} mm, outside_diameter "
             f"{given.outside_diameter * 1e3:g} mm; allowed: a bore below {largest:.4g} mm, an "
             f"outside diameter above {least:.4g} mm"
@@ -60,7 +61,8 @@ def plausible(given: Catalogue) -> tuple[Insides, Array]:
 
 
 def usual(x: Insides, section: float) -> Array:
-    """Logarithm of how usual insides are in rings of a section (outside diameter − bore) [m]."""
+    """Logarithm of the prior probability, up to a constant, of internal geometries in rings of a
+    ``section`` (outside diameter − bore) [m]."""
     measures = (
         (x.ball_diameter / section, BALL_SHARE),
         (x.balls * x.ball_diameter / (math.pi * x.pitch_diameter), FILL),
@@ -82,7 +84,7 @@ def _diameters(section: float) -> list[float]:
 
 
 def _within(given: Catalogue, pitch: float, diameter: float) -> bool:
-    """Whether balls of a diameter leave both rings a wall."""
+    """Whether balls of a diameter leave both rings a wall of the least thickness."""
     largest, least = ring_limits(pitch, diameter, given.contact_angle)
     return given.bore < largest and given.outside_diameter > least
 

@@ -1,4 +1,4 @@
-"""What a catalogue prints of an angular-contact bearing, and what of it can be compared."""
+"""Printed catalogue values of an angular-contact bearing, and those that can be compared."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LISTS = {
 
 
 class Value(NamedTuple):
-    """One printed value: what it is, its number [SI], the preload it belongs to [N] or NaN."""
+    """One printed value: its kind, its number [SI], the preload it belongs to [N] or NaN."""
 
     kind: str
     number: float
@@ -41,12 +41,12 @@ class Value(NamedTuple):
 
     @property
     def words(self) -> str:
-        """For sentences."""
+        """Name, preload and value as text for messages."""
         at = "" if math.isnan(self.preload) else f" at {self.preload:g} N"
         return f"{_NAMES[self.kind]}{at} {self.shown(self.number)}"
 
     def shown(self, number: float) -> str:
-        """A number of this kind in the unit of catalogues."""
+        """Format a number of this kind in the unit of catalogues."""
         if self.kind == "rigidity":
             return f"{number * 1e-6:.4g} N/µm"
         return f"{number:.4g} N"
@@ -87,11 +87,11 @@ class Catalogue:
             raise InvalidBearing(fault)
 
     def faults(self) -> Iterator[str]:
-        """Sentences on values out of range, and on lists that do not belong together."""
-        for each in fields(self):
-            value, measure = getattr(self, each.name), each.metadata.get("measure")
-            absent = value is None and each.default is None
-            if measure is not None and not absent and (why := measure.refusal(each.name, value)):
+        """Yield sentences on values out of range, and on lists that do not fit one another."""
+        for item in fields(self):
+            value, measure = getattr(self, item.name), item.metadata.get("measure")
+            absent = value is None and item.default is None
+            if measure is not None and not absent and (why := measure.refusal(item.name, value)):
                 yield why
         yield from self._list_faults()
         yield from self._size_faults()
@@ -99,8 +99,8 @@ class Catalogue:
     def _list_faults(self) -> Iterator[str]:
         for name, unit in LISTS.items():
             values: Sequence[float | None] = getattr(self, name)
-            good = all(v is None or (math.isfinite(v) and v > 0.0) for v in values)
-            if not good or (name == "preloads" and None in values):
+            positive = all(v is None or (math.isfinite(v) and v > 0.0) for v in values)
+            if not positive or (name == "preloads" and None in values):
                 yield f"{name} must be positive numbers [{unit}], got {list(values)}"
             elif name != "preloads" and len(values) and len(values) != len(self.preloads):
                 yield (
@@ -134,7 +134,7 @@ class Catalogue:
 
     @property
     def values(self) -> tuple[Value, ...]:
-        """The values that an inside can be compared with."""
+        """Printed values that can be compared with those of an internal geometry."""
         values = []
         for kind, given in (("rigidity", self.rigidities), ("unloading", self.unloading)):
             for number, preload in zip(given, self.preloads, strict=False):

@@ -1,7 +1,7 @@
-"""Hertz contacts and static load ratings of many insides of a bearing at once.
+"""Hertz contacts and static load ratings of many internal geometries of a bearing at once.
 
 The contact of each is that of ``bearings.contact.hertz``, interpolated over the curvature
-difference, since an estimate compares some ten thousand insides.
+difference, since an estimate compares some ten thousand geometries.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Insides(NamedTuple):
-    """Insides (internal geometries) of a bearing: balls, pitch circle and conformities; arrays that
+    """Internal geometries of a bearing: balls, pitch circle and conformities; arrays that
     broadcast, lengths in m, ``contact_angle`` in rad."""
 
     ball_diameter: Array
@@ -33,7 +33,7 @@ class Insides(NamedTuple):
     contact_angle: float
 
     def at(self, place: int) -> Insides:
-        """One of them."""
+        """Select one geometry by index."""
         return Insides(
             self.ball_diameter[place],
             self.balls[place],
@@ -57,12 +57,12 @@ class Insides(NamedTuple):
 def contact_stiffness(x: Insides, ball: Material, ring: Material) -> Array:
     """K of Q = K δ^1.5, both races in series [N/m^1.5]."""
     compliance = ball.contact_compliance + ring.contact_compliance
-    both: Array = np.zeros(())
+    series: Array = np.zeros(())
     for side in (1.0, -1.0):
         total, approach, _ = _race(x, side)
         size = (1.5 * compliance / total) ** (2.0 / 3.0)
-        both = both + approach * size * total / 2.0
-    return both**-1.5
+        series = series + approach * size * total / 2.0
+    return series**-1.5
 
 
 def static_rating(x: Insides, ball: Material, ring: Material) -> Array:
@@ -100,6 +100,6 @@ def _table() -> tuple[CubicSpline, CubicSpline]:
     from scipy.interpolate import CubicSpline
 
     kappa = np.exp(np.linspace(0.05, 6.0, 160))
-    where = [-math.log1p(-curvature_difference(each)) for each in kappa]
-    values: Any = np.array([dimensionless(each) for each in kappa])
+    where = [-math.log1p(-curvature_difference(ellipticity)) for ellipticity in kappa]
+    values: Any = np.array([dimensionless(ellipticity) for ellipticity in kappa])
     return CubicSpline(where, values[:, 2]), CubicSpline(where, values[:, 0] * values[:, 1])

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class HertzContact(NamedTuple):
-    """Two bodies pressed together at a point.
+    """Hertzian contact of two bodies.
 
     ``stiffness`` k of Q = k δ^1.5 [N/m^1.5]; ``ellipticity`` κ; ``second_integral`` E(κ);
     ``semi_axis_major`` and ``semi_axis_minor``: a/Q^(1/3), b/Q^(1/3) [m/N^(1/3)].
@@ -58,7 +58,7 @@ def dimensionless(kappa: float) -> tuple[float, float, float]:
 
 
 def contact(curvature_sum: float, difference: float, compliance: float) -> HertzContact:
-    """The contact of two bodies.
+    """Solve the Hertzian contact of two bodies.
 
     ``curvature_sum`` Σρ [1/m], ``difference`` F(ρ) in (0, 1), ``compliance`` Σ(1 − ν²)/E [1/Pa].
     """

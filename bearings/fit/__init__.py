@@ -1,1 +1,1 @@
-"""Rings on a shaft: interference, rotation and temperature give the growth of the grooves."""
+"""Rings on a shaft: growth of the grooves by interference, rotation and temperature."""

@@ -4,8 +4,7 @@ Bodies are concentric, listed from the axis outward; neighbours share a nominal 
 radial interference, which presses (p ≥ 0) or leaves a gap, never pulls. In every body
 u(r) = A r + B/r + C ω² r³ (Lamé with rotation; Timoshenko & Goodier, *Theory of Elasticity*,
 §§28, 32, 150), computed from the stresses by Hooke's law. A stack of n bodies has n + 1 unit loads:
-the n − 1 pressures of its fits, ω², and the temperatures as given (1); arrays run over them in this
-order.
+the n − 1 pressures of its fits, ω², and the given temperatures (1); arrays list them in this order.
 
 The axial condition is one of
 
@@ -68,10 +67,10 @@ class Cylinder:
 
 @dataclass(frozen=True, slots=True)
 class CompoundState:
-    """A stack of cylinders at given speeds.
+    """State of a stack of cylinders at given speeds.
 
-    ``pressure`` of each fit [Pa] and ``gap`` left on the radius where it has let go [m], both of
-    shape (…, fits): where one is positive the other is zero. ``speed`` (…) [rad/s].
+    ``pressure`` of each fit [Pa] and radial ``gap`` where the fit is loose [m], both of shape
+    (…, fits): where one is positive the other is zero. ``speed`` (…) [rad/s].
     """
 
     bodies: tuple[Cylinder, ...]
@@ -107,7 +106,7 @@ def compound(
     *,
     axial: str = "plane_stress",
 ) -> CompoundState:
-    """Pressures, gaps and displacements of a stack of concentric bodies.
+    """Solve pressures, gaps and displacements of a stack of concentric bodies.
 
     Parameters
     ----------
@@ -135,9 +134,9 @@ def compound(
 def release_speed(
     bodies: Sequence[Cylinder], interference: ArrayLike = (), *, axial: str = "plane_stress"
 ) -> Array:
-    """Speed at which each fit first lets go [rad/s], shape (fits,).
+    """Speed at which each fit first becomes loose [rad/s], shape (fits,).
 
-    0 for a fit that does not press at rest; infinite for one that never lets go. Pressures are
+    0 for a fit loose at rest; infinite for one that never becomes loose. Pressures are
     piecewise linear in ω²: between neighbouring zeros of the pressures and gaps of all sets of
     pressing fits one set presses.
     """
@@ -160,8 +159,8 @@ def _zeros(start: Array, slope: Array, compliance: Array) -> Array:
         value = np.where(active, p0, start + compliance @ p0)
         rate = np.where(active, p1, slope + compliance @ p1)
         zeros.append(-value / np.where(rate == 0.0, np.inf, rate))
-    each = np.concatenate(zeros)
-    return each[each > 0.0]
+    values = np.concatenate(zeros)
+    return values[values > 0.0]
 
 
 def _checked(
@@ -169,8 +168,8 @@ def _checked(
 ) -> tuple[tuple[Cylinder, ...], Array]:
     if not isinstance(bodies, Iterable) or not all(isinstance(b, Cylinder) for b in bodies):
         raise InvalidBearing(f"bodies must be a list, each a Cylinder, got {shown(bodies)}")
-    stack, given = tuple(bodies), real_numbers(interference)
-    overlap = np.full(1, np.nan) if given is None else np.atleast_1d(given)
+    stack, values = tuple(bodies), real_numbers(interference)
+    overlap = np.full(1, np.nan) if values is None else np.atleast_1d(values)
     if axial not in AXIAL_CONDITIONS:
         raise InvalidBearing(f"axial must be one of {AXIAL_CONDITIONS}, got {shown(axial)}")
     if not stack:
@@ -190,18 +189,18 @@ def _checked(
 
 
 def _contact_pressure(free: Array, compliance: Array) -> Array:
-    """p ≥ 0 with free + F p ≥ 0 and p (free + F p) = 0, for free gaps (…, fits).
+    """Solve p ≥ 0 with free + F p ≥ 0 and p (free + F p) = 0, for free gaps (…, fits).
 
     F is symmetric up to the radii and positive definite: exactly one set of pressing fits
-    qualifies; all sets are tried and the one that breaks no condition is taken.
+    qualifies; all sets are tried and the one that violates no condition is taken.
     """
     best = np.zeros_like(free)
     least = np.full(free.shape[:-1], np.inf)
     for choice in itertools.product((False, True), repeat=free.shape[-1]):
         pressure = _pressing(free, compliance, np.array(choice, bool))
         gap = free + pressure @ compliance.T
-        wrong = np.maximum(-pressure * np.diag(compliance), -np.where(choice, 0.0, gap))
-        worst = wrong.max(axis=-1, initial=0.0)
+        violation = np.maximum(-pressure * np.diag(compliance), -np.where(choice, 0.0, gap))
+        worst = violation.max(axis=-1, initial=0.0)
         better = worst < least
         best = np.where(better[..., None], pressure, best)
         least = np.where(better, worst, least)
@@ -217,9 +216,9 @@ def _pressing(free: Array, compliance: Array, active: Flags) -> Array:
 
 
 def require_inside(cylinder: Cylinder, radius: float) -> None:
-    """Refuse a radius outside the body (InvalidBearing)."""
-    slack = 1e-9 * cylinder.outer_radius
-    if not cylinder.inner_radius - slack <= radius <= cylinder.outer_radius + slack:
+    """Raise InvalidBearing for a radius outside the body."""
+    tolerance = 1e-9 * cylinder.outer_radius
+    if not cylinder.inner_radius - tolerance <= radius <= cylinder.outer_radius + tolerance:
         raise InvalidBearing(
             f"radius {radius:g} m lies outside the body, which reaches from "
             f"{cylinder.inner_radius:g} to {cylinder.outer_radius:g} m"
@@ -228,7 +227,7 @@ def require_inside(cylinder: Cylinder, radius: float) -> None:
 
 def _columns(bodies: tuple[Cylinder, ...]) -> Array:
     """Inner and outer radius, E, ν, ρ and free thermal strain of every body, each (bodies, 1)."""
-    each = [
+    rows = [
         (
             body.inner_radius,
             body.outer_radius,
@@ -239,15 +238,15 @@ def _columns(bodies: tuple[Cylinder, ...]) -> Array:
         )
         for body in bodies
     ]
-    return np.array(each).T[:, :, None]
+    return np.array(rows).T[:, :, None]
 
 
 def stress(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> tuple[Array, Array]:
     """σr and σθ of every body at ``radius``, (bodies, 1) or one for all, per unit load [Pa].
 
     σr = m − s/r² − (3 + ν)/8 ρ ω² r², σθ = m + s/r² − (1 + 3ν)/8 ρ ω² r², m and s after Lamé from
-    the pressures on both surfaces and what rotation takes off them. A uniform temperature and axial
-    strain add none in the plane.
+    the pressures on both surfaces, reduced by rotation. A uniform temperature and a uniform axial
+    strain cause no stress in the plane.
     """
     ri, ro, _, nu, density, _ = _columns(bodies)
     nu = nu if axial == "plane_stress" else nu / (1.0 - nu)
@@ -268,7 +267,7 @@ def stress(bodies: tuple[Cylinder, ...], axial: str, radius: Array | float) -> t
 
 def _axial_strain(bodies: tuple[Cylinder, ...], axial: str) -> Array:
     """εz of every body per unit load, (bodies, loads), from E εz = E α T − ν ⟨σr + σθ⟩ without an
-    axial force; the mean is the value in the middle of r², in which the sum is linear."""
+    axial force; the mean is the value at the mean of r², in which the sum is linear."""
     ri, ro, young, nu, _, heat = _columns(bodies)
     force = -nu * sum(stress(bodies, axial, np.sqrt((ri**2 + ro**2) / 2.0)))
     force[:, -1:] += young * heat

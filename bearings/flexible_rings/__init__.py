@@ -1,1 +1,1 @@
-"""Rings that deform under their balls, with the shaft or housing they sit on."""
+"""Rings that deform under their balls, with the shaft or housing that backs them."""

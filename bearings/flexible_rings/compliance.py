@@ -1,9 +1,9 @@
-"""How far the grooves of a ring give under the loads of all its balls.
+"""Compliance of the grooves of a ring under the loads of all its balls.
 
-Loads Q at angles φ hold the energy ½ Σ Q C(φ, φ) Q, C symmetric. With it goes the shift of the
-groove centre that a ball sees: along the normal ∂/∂Q of it, w = Σ C Q, and across it ∂/Q ∂φ,
-w' = ∂w/∂φ, by which the deformed surface is turned (theory: flexible rings). A tangent made of
-derivatives of an energy is symmetric. Between the angles at which it is known, C is a polynomial.
+Loads Q at angles φ store the energy ½ Σ Q C(φ, φ) Q, C symmetric. Its derivatives are the shift of
+the groove centre at a ball: along the normal ∂/∂Q, w = Σ C Q, and across it ∂/Q ∂φ, w' = ∂w/∂φ, the
+rotation of the deformed surface (theory: flexible rings). A tangent made of derivatives of an
+energy is symmetric. Between the angles at which it is computed, C is a polynomial.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ FADING = 0.2  # rad
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Shifts:
-    """Shifts (s, z, g, 2) [m] of the groove centres of a ring, axial and radial, and what they
-    change by (s, z, g, 2, z, g, 2) where balls move against the grooves: in the first of
-    ``slopes``, and by further compliances in the others."""
+    """Shifts (s, z, g, 2) [m] of the groove centres of a ring, axial and radial, and their
+    derivatives (s, z, g, 2, z, g, 2) by the motion of the balls against the grooves: the first of
+    ``slopes`` by this compliance, the others by further ones."""
 
     shift: Array
     slopes: tuple[Array, ...]
@@ -30,11 +30,11 @@ class Shifts:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Compliance:
-    """Of one ring with z balls evenly around it, known at k angles of each of its g grooves.
+    """Compliance of one ring with z evenly spaced balls, at k angles of each of its g grooves.
 
     ``between`` (z, z, g·k, g·k) [m/N]: displacement at one ball by load at another, 0 at the place
-    of the load; ``own`` (g, k): there, without what Hertz counts. ``limits`` (g, 2): the angles φ
-    between which they are known; ``cardinal`` (3, k, k): Chebyshev coefficients of
+    of the load; ``own`` (g, k): that at the place of the load, less the part in Hertz's law.
+    ``limits`` (g, 2): range of the angles φ; ``cardinal`` (3, k, k): Chebyshev coefficients of
     the polynomials that are 1 at one of the angles, of their first and second derivatives.
     ``outward`` ±1: sign of the radial direction into the ring.
     """
@@ -46,60 +46,66 @@ class Compliance:
     outward: float
 
     def mirrored(self) -> Compliance:
-        """Of the same ring with its neighbours on the other side: φ is −φ, and of two grooves each
-        is the other."""
+        """Compliance of the ring with its neighbours on the other side: φ changes sign, and two
+        grooves are exchanged."""
         return replace(self, between=self.between[..., ::-1, ::-1], own=self.own[::-1, ::-1])
 
     def for_equal_loads(self, harmonic: int) -> Compliance:
-        """For one ball that stands for all, loaded alike: ball k answers with cos(harmonic ψ_k)."""
+        """Compliance of one ball that stands for all, equally loaded: ball k has the weight
+        cos(harmonic ψ_k)."""
         around = np.cos(2.0 * np.pi * harmonic * np.arange(len(self.between)) / len(self.between))
-        one = np.einsum("k,kab->ab", around, self.between[0])
-        return replace(self, between=one[None, None])
+        first_ball = np.einsum("k,kab->ab", around, self.between[0])
+        return replace(self, between=first_ball[None, None])
 
     def shifts(
         self, way: Array, load: Array, stiffness: Array, others: Sequence[Compliance] = ()
     ) -> Shifts:
-        """Shifts by contacts of a ``load`` [N] and a slope ``stiffness`` [N/m] (s, z, g).
+        """Compute shifts by contacts of a ``load`` [N] and a slope ``stiffness`` [N/m] (s, z, g).
 
-        ``way`` (s, z, g, 2) [m]: from every groove centre to its ball. ``others``: compliances by
-        which further motions of the balls act about this state.
+        ``way`` (s, z, g, 2) [m]: vector from every groove centre to its ball. ``others``: further
+        compliances, for which ``slopes`` about this state are wanted as well.
         """
         length = np.sqrt((way * way).sum(axis=-1))
         part = 1.0 / np.where(length > 0.0, length, 1.0)[..., None]
-        down = way * part
-        along = self.outward * np.stack([down[..., 1], -down[..., 0]], axis=-1)
-        angle = np.arctan2(down[..., 0], self.outward * down[..., 1])
-        each = [self._in_groove(g, angle[..., g]) for g in range(angle.shape[2])]
-        own = [np.stack([one[k] @ self.own[g] for g, one in enumerate(each)], 2) for k in range(3)]
-        value, first, second = (_spread([one[k] for one in each]) for k in range(3))
+        normal = way * part
+        tangent = self.outward * np.stack([normal[..., 1], -normal[..., 0]], axis=-1)
+        angle = np.arctan2(normal[..., 0], self.outward * normal[..., 1])
+        weights = [self._in_groove(g, angle[..., g]) for g in range(angle.shape[2])]
+        local = [
+            np.stack([weight[k] @ self.own[g] for g, weight in enumerate(weights)], 2)
+            for k in range(3)
+        ]
+        value, first, second = (_spread([weight[k] for weight in weights]) for k in range(3))
 
-        pressed = np.einsum("szga,szg->sza", value, load)  # loads at the known angles
-        given = np.tensordot(pressed, self.between, ((1, 2), (1, 3)))  # deflections there (s, z, a)
-        w = np.einsum("szga,sza->szg", value, given) + own[0] * load
-        turned = np.einsum("szga,sza->szg", first, given) + 0.5 * own[1] * load
-        bent = np.einsum("szga,sza->szg", second, given)
+        loads = np.einsum("szga,szg->sza", value, load)  # at the computed angles (s, z, a)
+        deflections = np.tensordot(loads, self.between, ((1, 2), (1, 3)))  # likewise
+        w = np.einsum("szga,sza->szg", value, deflections) + local[0] * load
+        rotation = np.einsum("szga,sza->szg", first, deflections) + 0.5 * local[1] * load
+        bent = np.einsum("szga,sza->szg", second, deflections)
 
-        # A ball that moves by dy presses more by ``stiffness`` down·dy, and its place turns by
-        # along·dy / length. With C read at φ and loaded at φ', dw = C dQ + ∂C/∂φ' Q dφ'
-        # + ∂C/∂φ Q dφ; the last cancels against what w' along loses as it turns, −w' down dφ. At
-        # the place of a load both angles move together: each has half of a derivative of ``own``.
-        turning = along * part
-        pressing, carried = stiffness[..., None] * down, load[..., None] * turning
+        # A motion dy of a ball changes its load by ``stiffness`` normal·dy and its angle by
+        # tangent·dy / length. With C read at φ and loaded at φ', dw = C dQ + ∂C/∂φ' Q dφ'
+        # + ∂C/∂φ Q dφ; the last cancels against the rotation of w' tangent, −w' normal dφ. At
+        # the place of a load both angles change together: each has half of a derivative of ``own``.
+        turning = tangent * part
+        pressing, carried = stiffness[..., None] * normal, load[..., None] * turning
         by = value[..., None] * pressing[:, :, :, None] + first[..., None] * carried[:, :, :, None]
-        read = value[..., None] * down[:, :, :, None] + first[..., None] * along[:, :, :, None]
-        at_place = _pair(down, own[0][..., None] * pressing + 0.5 * own[1][..., None] * carried)
+        read = value[..., None] * normal[:, :, :, None] + first[..., None] * tangent[:, :, :, None]
+        at_place = _pair(
+            normal, local[0][..., None] * pressing + 0.5 * local[1][..., None] * carried
+        )
         at_place += _pair(
-            along,
-            0.5 * own[1][..., None] * pressing
-            + 0.5 * own[2][..., None] * carried
+            tangent,
+            0.5 * local[1][..., None] * pressing
+            + 0.5 * local[2][..., None] * carried
             + (w + bent)[..., None] * turning,
         )
         slopes = [c._slope(read, by) for c in (self, *others)]
-        every = np.arange(way.shape[1])
+        balls = np.arange(way.shape[1])
         for slope in slopes:
             for g in range(way.shape[2]):
-                slope[:, every, g, :, every, g] += at_place[:, :, g].swapaxes(0, 1)
-        return Shifts(w[..., None] * down + turned[..., None] * along, (*slopes,))
+                slope[:, balls, g, :, balls, g] += at_place[:, :, g].swapaxes(0, 1)
+        return Shifts(w[..., None] * normal + rotation[..., None] * tangent, (*slopes,))
 
     def _slope(self, read: Array, by: Array) -> Array:
         """``read`` · between · ``by``, each (s, z, g, g·k, 2), as (s, z, g, 2, z, g, 2)."""
@@ -113,8 +119,8 @@ class Compliance:
         return whole.reshape(states, z, grooves, 2, z, grooves, 2)
 
     def _in_groove(self, g: int, angle: Array) -> tuple[Array, Array, Array]:
-        """Weights (s, z, k) of the known angles at others φ (s, z), and their derivatives; beyond
-        the ends of the groove they go on straight, for ``FADING`` at most."""
+        """Weights (s, z, k) of the computed angles at any φ (s, z), and their derivatives; beyond
+        the ends of the groove they continue linearly, for ``FADING`` at most."""
         low, high = self.limits[g]
         inside = np.clip(angle, low, high)
         beyond = angle - inside
@@ -134,7 +140,7 @@ class Compliance:
 
 
 def _spread(weights: Sequence[Array]) -> Array:
-    """Weights (s, z, k) of each groove among the angles of all (s, z, g, g·k)."""
+    """Place weights (s, z, k) of each groove among the angles of all grooves (s, z, g, g·k)."""
     count, size = weights[0].shape[-1], len(weights)
     wide = np.zeros((*weights[0].shape[:2], size, size * count))
     for g, weight in enumerate(weights):

@@ -1,4 +1,4 @@
-"""What is known of the rings of a bearing and of what they sit on (SI)."""
+"""Description of the rings of a bearing, and of the shaft and housing that back them (SI)."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from bearings.errors import InvalidBearing, shown
 from bearings.materials import STEEL, Material
 
 ENDS = ("free", "clamped")
-TOUCHING = 1e-3  # of the width: rings so close touch
+TOUCHING = 1e-3  # of the width: rings with a smaller gap touch
 LENGTHS = ("width", "seat_diameter", "backing_diameter", "backing_length", "shoulder_diameter")
 
 
 class Neighbour(NamedTuple):
-    """Another ring of the same shape on the same shaft or in the same housing, its balls loaded
-    alike; ``distance`` of the middles [m], towards +x of the bearing; ``mirrored``: its bearing
-    takes thrust the other way."""
+    """Another ring of the same shape on the same shaft or in the same housing, its balls equally
+    loaded; ``distance`` of the middles [m], towards +x of the bearing; ``mirrored``: its bearing
+    takes thrust in the other direction."""
 
     distance: float
     mirrored: bool = False
@@ -35,12 +35,12 @@ class ElasticRing:
     backing_diameter : bore of the shaft under an inner ring (0: solid), outside of the housing
         around an outer ring [m]
     backing_length : of the piece of shaft or housing, the ring at its middle [m]; None: its
-        diameter beyond the ring on either side, along which what the ring does decays. With
+        diameter beyond the ring on either side, a length along which the deformation decays. With
         neighbours it reaches as far beyond the outermost of them
-    ends : "free": the groove moves against the mean motion of the backing under the ring, which
-        is what a beam model knows as the motion of its axis; "clamped": the far ends of the
-        backing are held, and grooves move against these
-    shoulder_diameter : where the groove ends, on both sides alike [m]; None: that of the bearing,
+    ends : "free": the groove moves relative to the mean motion of the backing under the ring,
+        which is the motion of the axis in a beam model; "clamped": the far ends of the backing
+        are fixed, and grooves move relative to these
+    shoulder_diameter : where the groove ends, on both sides [m]; None: that of the bearing,
         else at 60°, or 20° beyond the free contact angle if that is more
     backing_material : isotropic; the ring is of the ring material of its bearing, as its contacts
     neighbours : rings that deform the same backing
@@ -89,26 +89,26 @@ class ElasticRing:
 
     def _check_neighbours(self) -> None:
         given: tuple[object, ...] = self.neighbours
-        for each in given:
-            if not (isinstance(each, Neighbour) and finite(each.distance)):
+        for item in given:
+            if not (isinstance(item, Neighbour) and finite(item.distance)):
                 raise InvalidBearing(
-                    f"neighbours of a ring must be Neighbour(distance, mirrored), got {shown(each)}"
+                    f"neighbours of a ring must be Neighbour(distance, mirrored), got {shown(item)}"
                 )
         row = sorted(self.places)
         if any(b - a < (1.0 - TOUCHING) * self.width for a, b in pairwise(row)):
             raise InvalidBearing(
                 f"rings {self.width * 1e3:g} mm wide would overlap: neighbours must be at least so "
-                f"far apart, got {shown([each.distance for each in self.neighbours])} m"
+                f"far apart, got {shown([item.distance for item in self.neighbours])} m"
             )
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Middles of the rings on this backing along the axis [m], its own first, at 0."""
-        return 0.0, *(each.distance for each in self.neighbours)
+        """Middles of the rings on this backing along the axis [m], first that of this ring, 0."""
+        return 0.0, *(neighbour.distance for neighbour in self.neighbours)
 
     @property
     def length(self) -> float:
-        """Of the piece of shaft or housing [m]."""
+        """Length of the piece of shaft or housing [m]."""
         if self.backing_length is not None:
             return self.backing_length
         return self.width + 2.0 * max(self.seat_diameter, self.backing_diameter)
@@ -127,9 +127,9 @@ class FlexibleRings:
     outer: ElasticRing | None = None
 
     def __post_init__(self) -> None:
-        for each in fields(self):
-            ring = getattr(self, each.name)
+        for item in fields(self):
+            ring = getattr(self, item.name)
             if not (ring is None or isinstance(ring, ElasticRing)):
-                raise InvalidBearing(f"{each.name} must be an ElasticRing, got {shown(ring)}")
+                raise InvalidBearing(f"{item.name} must be an ElasticRing, got {shown(ring)}")
         if self.inner is None and self.outer is None:
             raise InvalidBearing("flexible rings without a ring: give inner, outer or both")

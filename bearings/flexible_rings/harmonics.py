@@ -32,7 +32,7 @@ POINTS = 24  # along a patch
 @dataclass(frozen=True, eq=False)
 class Body:
     """A section with its materials, ``held`` at its far ends or nowhere: then every ring moves
-    against the mean motion of its backing."""
+    relative to the mean motion of its backing."""
 
     section: Section
     material: Material
@@ -41,21 +41,21 @@ class Body:
 
     @cached_property
     def basis(self) -> Any:
-        """Three fields over the section."""
+        """Finite-element basis of three displacement fields over the section."""
         mesh = MeshQuad(self.section.corners, self.section.quads)
         return Basis(mesh, ElementVector(ElementQuad2(), 3), intorder=ORDER)
 
     @cached_property
     def stiffness(self) -> tuple[csc_matrix, ...]:
-        """K₀, K₁, K₂ per radian."""
+        """Stiffness matrices K₀, K₁, K₂ per radian."""
         basis = self.basis
         r = np.asarray(basis.global_coordinates())[1]
         first, shear = (
             np.where(self.section.backing, back, ring)[:, None] * r * basis.dx
             for ring, back in zip(_lame(self.material), _lame(self.backing), strict=True)
         )
-        still, turned = zip(*(_strains(each, r) for (each,) in basis.basis), strict=True)
-        a, b = (np.moveaxis(np.array(part), 2, 0) for part in (still, turned))
+        constant, linear = zip(*(_strains(each, r) for (each,) in basis.basis), strict=True)
+        a, b = (np.moveaxis(np.array(part), 2, 0) for part in (constant, linear))
         stress_a, stress_b = (_stress(part, first, shear) for part in (a, b))
         mixed = _work(stress_a, b)
         works = _work(stress_a, a), mixed + mixed.swapaxes(1, 2), _work(stress_b, b)
@@ -66,29 +66,29 @@ class Body:
         return tuple(coo_matrix((work.ravel(), where), shape).tocsc() for work in works)
 
     def responses(self, loads: Array, harmonics: Sequence[int]) -> Array:
-        """What unit loads at θ = 0 on the first ring do at the places of all (harmonics, rings, k,
-        k) [m/N], by each harmonic n; the last k is that of the loads.
+        """Responses at the places of all rings to unit loads at θ = 0 on the first ring, by each
+        harmonic n (harmonics, rings, k, k) [m/N]; the last k is that of the loads.
 
-        ``loads`` (rings, k, unknowns): each as weights of the displacements that it works on.
+        ``loads`` (rings, k, unknowns): each as weights of the displacements that it does work on.
         """
         rings, count = loads.shape[:2]
-        found = np.empty((len(harmonics), rings, count, count))
+        responses = np.empty((len(harmonics), rings, count, count))
         for place, n in enumerate(harmonics):
             rigid = self._rigid(n)
             balanced = np.stack(
                 [
-                    each - each @ rigid.T @ self._mean(n, ring)
-                    for each, ring in zip(loads, self.section.rings, strict=True)
+                    load - load @ rigid.T @ self._mean(n, ring)
+                    for load, ring in zip(loads, self.section.rings, strict=True)
                 ]
             )
             free = self._free(n)
-            whole = self.stiffness[0] + n * self.stiffness[1] + n * n * self.stiffness[2]
-            part = ((2.0 if n == 0 else 1.0) * math.pi * whole[free][:, free]).tocsc()
+            stiffness = self.stiffness[0] + n * self.stiffness[1] + n * n * self.stiffness[2]
+            part = ((2.0 if n == 0 else 1.0) * math.pi * stiffness[free][:, free]).tocsc()
             factors = splu(
                 part, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=_SYMMETRIC
             )
-            found[place] = balanced[..., free] @ factors.solve(balanced[0][:, free].T.copy())
-        return found
+            responses[place] = balanced[..., free] @ factors.solve(balanced[0][:, free].T.copy())
+        return responses
 
     def patch(self, ring: int, arc: int, angle: float, half_length: float) -> Array:
         """Mean axial and radial displacement (2, unknowns) over a parabola of a ``half_length`` [m]
@@ -118,19 +118,19 @@ class Body:
         return {(*sorted(map(int, pair)),): k for k, pair in enumerate(self.basis.mesh.facets.T)}
 
     def _free(self, n: int) -> Index:
-        """Unknowns that are solved for; of a body that is held nowhere all but those that fix where
-        it is, to which balanced loads are blind."""
-        basis, held = self.basis, np.zeros(self.basis.N, dtype=bool)
+        """Unknowns that are solved for; of a body that is held nowhere all but those that fix its
+        rigid-body motion, on which balanced loads do no work."""
+        basis, fixed = self.basis, np.zeros(self.basis.N, dtype=bool)
         if self.held:
             x, ends = self.basis.doflocs[0], self.section.far
-            held |= np.abs(np.subtract.outer(x, ends)).min(axis=1) < 1e-9 * (ends[1] - ends[0])
+            fixed |= np.abs(np.subtract.outer(x, ends)).min(axis=1) < 1e-9 * (ends[1] - ends[0])
         elif n < 2:
-            held[basis.nodal_dofs[0, 0]] = True
+            fixed[basis.nodal_dofs[0, 0]] = True
             if n == 1:
-                held[basis.nodal_dofs[1, 0]] = True
+                fixed[basis.nodal_dofs[1, 0]] = True
         if n == 0:  # no twist
-            held[self._component(2)] = True
-        return np.flatnonzero(~held)
+            fixed[self._component(2)] = True
+        return np.flatnonzero(~fixed)
 
     def _component(self, k: int) -> Index:
         basis = self.basis
@@ -138,7 +138,7 @@ class Body:
         return np.concatenate([row.ravel() for row in rows])
 
     def _rigid(self, n: int) -> Array:
-        """Motions of the body as a whole (m, unknowns): along the axis; across it, and tilting."""
+        """Rigid-body motions (m, unknowns): along the axis for n = 0; across it and tilt for 1."""
         if self.held or n > 1:
             return np.zeros((0, self.basis.N))
         moves = np.zeros((1 + n, self.basis.N))
@@ -152,7 +152,7 @@ class Body:
         return moves
 
     def _mean(self, n: int, ring: float) -> Array:
-        """The same motions as means over the backing under the ring there (m, unknowns)."""
+        """Rigid-body motions as means over the backing under the ``ring`` there (m, unknowns)."""
         if self.held or n > 1:
             return np.zeros((0, self.basis.N))
         away = np.abs(self.section.corners[0] - ring)
@@ -174,16 +174,16 @@ def _pairs(corners: Index) -> list[tuple[int, int]]:
 
 
 def _lame(material: Material) -> tuple[float, float]:
-    """λ and μ [Pa]."""
+    """Lamé constants λ and μ [Pa]."""
     nu = material.poisson_ratio
     return 2.0 * material.shear_modulus * nu / (1.0 - 2.0 * nu), material.shear_modulus
 
 
 def _strains(u: Any, r: Array) -> tuple[list[Array], list[Array]]:
-    """(εx, εr, εθ, γxr, γrθ, γxθ): what does not depend on n, and what is proportional to it."""
+    """Strains (εx, εr, εθ, γxr, γrθ, γxθ): a part independent of n, and one proportional to n."""
     (axial, radial, around), slope = u, u.grad
     zero = 0.0 * r
-    still = [
+    constant = [
         slope[0, 0],
         slope[1, 1],
         radial / r,
@@ -191,19 +191,19 @@ def _strains(u: Any, r: Array) -> tuple[list[Array], list[Array]]:
         slope[2, 1] - around / r,
         slope[2, 0],
     ]
-    return still, [zero, zero, around / r, zero, -radial / r, -axial / r]
+    return constant, [zero, zero, around / r, zero, -radial / r, -axial / r]
 
 
 def _stress(strain: Array, first: Array, shear: Array) -> Array:
-    """Of strains (q, functions, 6, points), by λ and μ (q, points) times the area."""
-    found = shear[:, None, None] * strain
-    found[:, :, :3] *= 2.0
-    found[:, :, :3] += first[:, None, None] * strain[:, :, :3].sum(axis=2, keepdims=True)
-    return found
+    """Stresses (q, functions, 6, points) by strains, λ and μ (q, points) times the area."""
+    stress = shear[:, None, None] * strain
+    stress[:, :, :3] *= 2.0
+    stress[:, :, :3] += first[:, None, None] * strain[:, :, :3].sum(axis=2, keepdims=True)
+    return stress
 
 
 def _work(stress: Array, strain: Array) -> Array:
-    """Of every function on every other one (q, functions, functions)."""
+    """Work of the stresses of each function on the strains of each (q, functions, functions)."""
     flat = (*strain.shape[:2], -1)
     return stress.reshape(flat) @ strain.reshape(flat).swapaxes(1, 2)
 

@@ -1,4 +1,4 @@
-"""The outline of a ring's section: where its groove begins and ends, and that it fits together."""
+"""Outline of a ring's section: where its groove begins and ends, and checks of its sizes."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from bearings.errors import InvalidBearing
 from bearings.flexible_rings.describe import ElasticRing
 from bearings.grooves import STEEP, Grooves
 
-USUAL_SHOULDER = math.radians(60.0)  # where the groove ends if that is not known, or further:
-BEYOND = math.radians(20.0)  # ... so much beyond the free contact angle
+USUAL_SHOULDER = math.radians(60.0)  # least angle at which a groove of unknown shoulder ends
+BEYOND = math.radians(20.0)  # ... and least angle from the free contact angle to that end
 STEEPEST = math.radians(85.0)
-EDGE = 0.96  # of the half width that the groove may take
-PATCH = 0.1  # of a ball diameter: half the length of the line that a ball loads
-ROOM = 1.2  # times that line: the shortest groove
+EDGE = 0.96  # largest share of the half width up to which the groove reaches
+PATCH = 0.1  # half the length of the line that a ball loads, over the ball diameter
+ROOM = 1.2  # shortest groove over that line
 
 
 class Outline(NamedTuple):
-    """Of one ring: ``radius`` f D of its grooves, ``centre`` of their circle, ``offset`` of each
-    from the middle plane [m]; angles φ from the radial direction at which a groove begins, ``low``,
-    and ends, ``top`` [rad]; ``outward`` ±1: sign of the radial direction into the material."""
+    """One ring: ``radius`` f D of its grooves, radius ``centre`` of the circle of their centres,
+    ``offset`` of each from the middle plane [m]; angles φ from the radial direction at which a
+    groove begins, ``low``, and ends, ``top`` [rad]; ``outward`` ±1: sign of r into the material."""
 
     radius: float
     centre: float
@@ -31,7 +31,7 @@ class Outline(NamedTuple):
 
 
 def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
-    """The outline of a ring of a bearing.
+    """Determine the outline of a ring of a bearing.
 
     Raises
     ------
@@ -84,16 +84,16 @@ def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
 
 
 def _check(ring: ElasticRing, outward: float, bottom: float) -> None:
-    """The groove lies within the ring, and the backing on the other side of the seat."""
+    """Raise InvalidBearing unless the groove lies within the ring, the backing beyond the seat."""
     name, side = ("bore", "below") if outward < 0.0 else ("outside", "above")
     if outward * (0.5 * ring.seat_diameter - bottom) <= 0.0:
         raise InvalidBearing(
             f"no ring is left beside the balls: seat_diameter {ring.seat_diameter * 1e3:.5g} mm "
             f"(the {name}) must lie {side} {2e3 * bottom:.5g} mm"
         )
-    around = ring.backing_diameter
-    if outward * (around - ring.seat_diameter) <= 0.0:
+    backing = ring.backing_diameter
+    if outward * (backing - ring.seat_diameter) <= 0.0:
         raise InvalidBearing(
-            f"backing_diameter {around * 1e3:.5g} mm must lie {side} the seat's "
+            f"backing_diameter {backing * 1e3:.5g} mm must lie {side} the seat's "
             f"{ring.seat_diameter * 1e3:.5g} mm"
         )

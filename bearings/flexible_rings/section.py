@@ -1,4 +1,4 @@
-"""Quadrilaterals that fill the section of a ring, its neighbours, and what they sit on.
+"""Mesh of quadrilaterals of the section of a ring, its neighbours, and their backing.
 
 Columns run from the raceway straight to the seat, and on through shaft or housing; the groove is
 followed in equal steps of its angle φ, counted from the radial direction through the groove centre,
@@ -22,21 +22,21 @@ from bearings.grooves import Grooves
 STEP = math.radians(6.0)  # along the groove
 LAYERS, GROWTH = 5, 1.6  # from the raceway to the seat, each thicker than the last
 DEEP = 3  # layers of the backing
-FIRST, WIDER = 10.0, 1.5  # of the width: the first column beside the ring, and how they widen
-SOLID = 0.02  # of the seat's radius: the hole in a solid shaft, without measurable effect
+FIRST, WIDER = 10.0, 1.5  # ring width over first column beside the ring; growth of the columns
+SOLID = 0.02  # hole in a solid shaft over the seat's radius, without measurable effect
 
 Arc = tuple[Index, Array, tuple[float, float]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Section:
-    """Corners (2, v) [m] (axial, radial), quadrilaterals (4, q), and which (q,) are backing.
+    """Mesh: corners (2, v) [m] (axial, radial), quadrilaterals (4, q), which of them are backing.
 
-    ``rings``: middles of the rings along the axis [m], as ``ElasticRing.places``; ``arcs``: of each
-    of these every groove, that with its centre at +x first as contacts are counted: corners (k,),
-    angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of the
-    radial direction into the material; ``half_width`` of a ring; ``far``: ends of the backing along
-    the axis.
+    ``rings``: middles of the rings along the axis [m], as ``ElasticRing.places``; ``arcs``: for
+    each ring its grooves in the order of the contacts, that with its centre at +x first: corners
+    (k,), angles φ there, place of the centre. ``radius`` of the grooves; ``outward`` ±1: sign of
+    the radial direction into the material; ``half_width`` of a ring; ``far``: ends of the backing
+    along the axis.
     """
 
     corners: Array
@@ -51,7 +51,7 @@ class Section:
 
 
 def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
-    """The section of one ring of a bearing.
+    """Mesh the section of one ring of a bearing.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
     in_row = np.argsort(ring.places)
     for left, right in pairwise(in_row):
         if ring.places[right] - ring.places[left] < (1.0 + TOUCHING) * ring.width:
-            numbers[right][-1, 0] = numbers[left][-1, -1]  # one corner of the seat is of both
+            numbers[right][-1, 0] = numbers[left][-1, -1]  # both share one corner of the seat
     rings = np.concatenate([_quads(number) for number in numbers])
     grid, more = _backing(ring, outward, [numbers[k][-1] for k in in_row], corners)
     corners, beyond = np.concatenate([corners, more]), _quads(grid)
@@ -110,20 +110,20 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
 def _backing(
     ring: ElasticRing, outward: float, seats: list[Index], corners: Array
 ) -> tuple[NDArray[np.intp], Array]:
-    """The grid of all corners of the backing, its first row with the ``seats`` of the rings from
-    left to right, and those that are new, numbered on from ``corners``."""
+    """Grid of all corners of the backing, its first row with the ``seats`` of the rings from left
+    to right, and the places of the new corners, whose numbers continue those of ``corners``."""
     first = ring.width / FIRST
     beside = 0.5 * (ring.length - ring.width)
     left, right = corners[seats[0][0], 0], corners[seats[-1][-1], 0]
     top = [np.full(0, -1), seats[0]]
     x = [left - _graded(beside, first)[::-1], corners[seats[0], 0]]
-    for one, other in pairwise(seats):
-        start, end = corners[one[-1], 0], corners[other[0], 0]
+    for left_seat, right_seat in pairwise(seats):
+        start, end = corners[left_seat[-1], 0], corners[right_seat[0], 0]
         half = _graded(0.5 * (end - start), first)
         between = np.concatenate([start + half, end - half[-2::-1]])
-        shared = int(one[-1] == other[0])
-        x += [between, corners[other[shared:], 0]]
-        top += [np.full(len(between), -1), other[shared:]]
+        shared = int(left_seat[-1] == right_seat[0])
+        x += [between, corners[right_seat[shared:], 0]]
+        top += [np.full(len(between), -1), right_seat[shared:]]
     x.append(right + _graded(beside, first))
     top[0] = np.full(len(x[0]), -1)
     top.append(np.full(len(x[-1]), -1))
@@ -142,12 +142,12 @@ def _backing(
 
 
 def _graded(length: float, first: float) -> Array:
-    """Ends (k,) of columns along a ``length``, each ``WIDER`` than the last; none along nothing."""
+    """Ends (k,) of columns along a ``length``, each ``WIDER`` times the last; none if it is 0."""
     if length < TOUCHING * first:
         return np.empty(0)
     columns = max(1, math.ceil(math.log1p((WIDER - 1.0) * length / first) / math.log(WIDER)))
-    out = np.cumsum(WIDER ** np.arange(columns))
-    return np.asarray(length * out / out[-1])
+    ends = np.cumsum(WIDER ** np.arange(columns))
+    return np.asarray(length * ends / ends[-1])
 
 
 def _quads(number: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -156,7 +156,7 @@ def _quads(number: NDArray[np.intp]) -> NDArray[np.intp]:
 
 
 def _right_handed(corners: Array, quads: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Quadrilaterals (q, 4) with their corners counter-clockwise."""
+    """Order the corners of quadrilaterals (q, 4) counter-clockwise."""
     (x, y) = corners[quads].transpose(2, 0, 1)
     area = (x[:, 2] - x[:, 0]) * (y[:, 3] - y[:, 1]) - (x[:, 3] - x[:, 1]) * (y[:, 2] - y[:, 0])
     return np.where((area < 0.0)[:, None], quads[:, ::-1], quads)

@@ -1,4 +1,4 @@
-"""Sliding within the contact ellipses: spin, differential slip, gyroscopic creep, all at once.
+"""Sliding within the contact ellipses: spin, differential slip, gyroscopic creep together.
 
 Coulomb friction under Hertz' pressure. Where the surfaces meet, the velocity of ball against race
 is, with ξ along the major and η along the minor half-axis,
@@ -7,8 +7,8 @@ is, with ξ along the major and η along the minor half-axis,
 
 ω_s spin, ω_r rolling, Rd = 2 f D/(2 f + 1) the radius of the deformed surface (Heathcote's slip).
 v and c follow from the balance of tractions: none along rolling, the race's share of the gyroscopic
-moment across it. They make the convex ∫ μ p |v| dA − F v least, so that shares of spin, conformity
-and gyroscopic moment are not added up.
+moment across it. They minimise the convex ∫ μ p |v| dA − F v; losses of spin, conformity and
+gyroscopic moment are not computed apart and added.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
 RADIAL, AROUND = 6, 16  # points of the quadrature: within 2.5 % of the integral
-FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
-_SMOOTH = 1e-2  # of the largest velocity: a sharper corner of |v| than points can tell is not met
+FULL_SLIP = 0.95  # largest creep force solved for, over μ Q; beyond it contacts slip as a whole
+_SMOOTH = 1e-2  # smoothing of |v| over the largest velocity: the points resolve no sharper corner
 _STEPS, _NEWTON = 6, 5  # iterations: reweighted least squares, then Newton's
 
 
@@ -39,8 +39,8 @@ class Sliding:
     """Losses of the contacts of a state by contact (…, balls, contacts); 0 without load.
 
     ``power`` [W]: of all sliding; ``spin_power`` [W]: that of the spin alone, Ms |ωs|, contained in
-    ``power`` but for the creep; ``spin_moment`` Ms [N·m]. ``friction``: μ. ``slips`` (…, balls,
-    contacts): the gyroscopic moment asks for more friction than there is.
+    ``power`` except for the creep; ``spin_moment`` Ms [N·m]. ``friction``: μ. ``slips`` (…, balls,
+    contacts): the gyroscopic moment requires more friction than available.
     """
 
     power: Array
@@ -74,15 +74,15 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     """
     if not (finite(friction) and friction > 0.0):
         raise InvalidBearing(f"friction of a contact must be positive, got {shown(friction)}")
-    # under an axial load all balls are alike, and one stands for them
+    # under an axial load all balls are equally loaded: one ball represents them
     g, alike = state.operation.geometry, bool(state.operation.axial.all())
-    split, few = len(g.inner_grooves), slice(1) if alike else slice(None)
-    load = np.asarray(state.contact_load)[..., few, :]
+    split, balls = len(g.inner_grooves), slice(1) if alike else slice(None)
+    load = np.asarray(state.contact_load)[..., balls, :]
     motion = contact_motion(state)
     inner = np.arange(load.shape[-1]) < split
     (ai, bi), (ao, bo) = half_axes(g.inner, load), half_axes(g.outer, load)
     f = np.where(inner, g.inner_conformity, g.outer_conformity)
-    grip = np.where(inner, state.inner_grip[..., few, None], state.outer_grip[..., few, None])
+    grip = np.where(inner, state.inner_grip[..., balls, None], state.outer_grip[..., balls, None])
     omega = np.asarray(state.speed)[..., None, None]
     loads = np.nan_to_num(load)
     turning = (loads > 0.0) & (omega > 0.0)
@@ -90,27 +90,27 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     pressed = [np.sum(race > 0.0, -1, keepdims=True) for race in np.split(loads, [split], axis=-1)]
     shared = np.where(inner, *pressed) > 1
     side = np.where(inner, 1.0, -1.0)
-    wanted = grip / friction
+    required = grip / friction
     parts = (
         np.where(inner, ai, ao),
         np.where(inner, bi, bo),
         side * 2.0 * f * g.ball_diameter / (2.0 * f + 1.0),
-        motion.roll[..., few, :] * omega,
-        motion.spin[..., few, :] * omega,
-        np.where(shared, motion.slide[..., few, :] * omega, np.nan),
-        np.minimum(np.abs(wanted), FULL_SLIP),
+        motion.roll[..., balls, :] * omega,
+        motion.spin[..., balls, :] * omega,
+        np.where(shared, motion.slide[..., balls, :] * omega, np.nan),
+        np.minimum(np.abs(required), FULL_SLIP),
     )
-    each = Contacts(*(np.broadcast_to(part, loads.shape)[turning] for part in parts))
+    contacts = Contacts(*(np.broadcast_to(part, loads.shape)[turning] for part in parts))
     power = np.zeros_like(loads)
-    power[turning] = friction * loads[turning] * mean_speed(each)
+    power[turning] = friction * loads[turning] * mean_speed(contacts)
     moment = spin_moment(state, friction)
     spins = moment * np.abs(np.nan_to_num(motion.spin)) * omega
-    whole = moment.shape
+    shape = moment.shape
     return Sliding(
-        power=np.broadcast_to(power, whole).copy(),
+        power=np.broadcast_to(power, shape).copy(),
         spin_power=spins,
         spin_moment=moment,
-        slips=np.broadcast_to((wanted >= 1.0) & turning, whole).copy(),
+        slips=np.broadcast_to((required >= 1.0) & turning, shape).copy(),
         friction=friction,
     )
 
@@ -127,7 +127,7 @@ def spin_moment(state: BearingState, friction: float) -> Array:
 
 
 def mean_speed(contacts: Contacts) -> Array:
-    """Mean of the sliding speed |v| over the ellipse, weighed with the pressure (n,) [m/s].
+    """Mean of the sliding speed |v| over the ellipse, weighted by the pressure (n,) [m/s].
 
     v and c minimise the functional of this module, smooth at |v| = 0.
     """
@@ -136,35 +136,35 @@ def mean_speed(contacts: Contacts) -> Array:
     roll, spin = contacts.roll[:, None], contacts.spin[:, None]
     across = spin * eta
     along = roll * xi**2 / (2.0 * contacts.radius[:, None]) - spin * xi
-    given = ~np.isnan(contacts.slide)
+    prescribed = ~np.isnan(contacts.slide)
     largest = np.sqrt((across**2 + along**2).max(axis=1)) + np.abs(np.nan_to_num(contacts.slide))
     least = (_SMOOTH * largest + 1e-300)[:, None]
-    c, v = np.where(given, contacts.slide, 0.0), np.zeros_like(contacts.a)
+    c, v = np.where(prescribed, contacts.slide, 0.0), np.zeros_like(contacts.a)
     for step in range(_STEPS + _NEWTON):
         vx, vy = across + v[:, None], along + c[:, None]
         size = np.sqrt(vx * vx + vy * vy + least * least)
         part = weight / size
         total = part.sum(axis=1)
         force_x, force_y = (part * vx).sum(axis=1) - contacts.creep, (part * vy).sum(axis=1)
-        if step < _STEPS:  # reweighted least squares: always downhill, the slower the closer
+        if step < _STEPS:  # reweighted least squares: always a descent, but linear convergence
             dv, dc = -force_x / total, -force_y / total
         else:  # Newton: h the second derivatives, kept from being singular
             cube = part / (size * size)
             hxx, hyy = total - (cube * vx * vx).sum(axis=1), total - (cube * vy * vy).sum(axis=1)
-            hxy = np.where(given, 0.0, -(cube * vx * vy).sum(axis=1))
+            hxy = np.where(prescribed, 0.0, -(cube * vx * vy).sum(axis=1))
             det = np.maximum(hxx * hyy - hxy * hxy, 1e-3 * hxx * hyy)
             dv, dc = (hxy * force_y - hyy * force_x) / det, (hxy * force_x - hxx * force_y) / det
             bound = 0.3 * largest
             dv, dc = np.clip(dv, -bound, bound), np.clip(dc, -bound, bound)
-            dv = np.where(given, -force_x / hxx, dv)
-        v, c = v + dv, c + np.where(given, 0.0, dc)
+            dv = np.where(prescribed, -force_x / hxx, dv)
+        v, c = v + dv, c + np.where(prescribed, 0.0, dc)
     vx, vy = across + v[:, None], along + c[:, None]
     return np.asarray((weight * np.sqrt(vx * vx + vy * vy)).sum(axis=1))
 
 
 @cache
 def _points() -> tuple[Array, Array, Array]:
-    """Places on the unit disk and weights 3/(2π) √(1 − r²) dA, with a sum of 1."""
+    """Quadrature points on the unit disk and weights 3/(2π) √(1 − r²) dA, with a sum of 1."""
     node, weights = np.polynomial.legendre.leggauss(RADIAL)
     u, share = 0.5 * (node + 1.0), 0.5 * weights
     r, turn = np.sqrt(1.0 - u**2), 2.0 * np.pi * (np.arange(AROUND) + 0.5) / AROUND

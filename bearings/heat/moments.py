@@ -1,6 +1,6 @@
 """Friction moment of a ball bearing after Palmgren, as Harris gives it [M].
 
-An order of magnitude in spindles; the viscous part does not know the state of the bearing.
+An order of magnitude in spindles; the viscous part does not depend on the state of the bearing.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from bearings.grooves import Grooves
     from bearings.ring.state import BearingState
 
-# f0 of single-row angular-contact bearings by the way the oil comes.
+# f0 of single-row angular-contact bearings by the method of lubrication.
 OIL_FACTORS = {"oil-air": 1.0, "mist": 1.0, "grease": 2.0, "bath": 2.0, "jet": 4.0}
 _SLOW = 2000.0  # mm²/s · rpm, below which the viscous moment is constant
 
@@ -71,8 +71,8 @@ def _loads(grooves: Grooves, axial: Array, radial: Array) -> tuple[float, float,
     if is_thrust(grooves):
         return 0.0008, 0.33, axial, axial
     if alpha < np.radians(5.0):
-        still = np.maximum(0.6 * radial + 0.5 * axial, radial)
-        return 0.0005, 0.55, still, np.maximum(3.0 * axial - 0.1 * radial, radial)
+        static = np.maximum(0.6 * radial + 0.5 * axial, radial)
+        return 0.0005, 0.55, static, np.maximum(3.0 * axial - 0.1 * radial, radial)
     y0 = np.interp(np.degrees(alpha), [*STATIC_FACTOR], [*STATIC_FACTOR.values()])
-    still = np.maximum(0.5 * radial + y0 * axial, radial)
-    return 0.001, 0.33, still, np.maximum(0.9 * axial / np.tan(alpha) - 0.1 * radial, radial)
+    static = np.maximum(0.5 * radial + y0 * axial, radial)
+    return 0.001, 0.33, static, np.maximum(0.9 * axial / np.tan(alpha) - 0.1 * radial, radial)

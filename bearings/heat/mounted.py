@@ -26,12 +26,12 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-CLOSE, STILL = 0.005, 1e-6  # of the speed limit; of the fastest speed, below which it is 0
+CLOSE, STILL = 0.005, 1e-6  # tolerances over the speed limit, and over the fastest speed
 
 
 @dataclass(frozen=True, slots=True)
 class Mounting:
-    """How a bearing is cooled, lubricated and held.
+    """Cooling, lubrication and axial mounting of a bearing.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Mounting:
     rigid : the rings keep the axial place that the preload gives them at rest and 20 °C, so that
         growth raises the load; False: a spring holds the load
     friction, oil_factor, model : of ``losses``
-    law : what is assumed of the balls
+    law : hypotheses about the balls
     static_growth : of the inner groove at rest [m]
     """
 
@@ -56,11 +56,11 @@ class Mounting:
 
 @dataclass(frozen=True, eq=False)
 class Heated:
-    """A bearing at the temperatures it reaches, of leading shape (…).
+    """A bearing at its equilibrium temperatures, of leading shape (…).
 
-    ``growth``, ``axial`` [m]: by heat, of inner against outer groove, on the radius and along the
-    axis; ``state``: under the load it then has, its displacement that of the inner groove with
-    ``axial``; where ``temperatures.outcome`` is not empty they are those of the last iteration.
+    ``growth``, ``axial`` [m]: thermal, of inner against outer groove, on the radius and along the
+    axis; ``state``: at these, its displacement that of the inner groove, which includes ``axial``;
+    where ``temperatures.outcome`` is not empty they are those of the last iteration.
     """
 
     temperatures: Temperatures
@@ -70,15 +70,15 @@ class Heated:
 
     @property
     def outcome(self) -> Words:
-        """Empty where temperatures reach a balance, else why they do not (…)."""
+        """Empty where temperatures reach a balance, else the reason why not (…)."""
         return self.temperatures.outcome
 
     @property
     def displacement(self) -> Array:
-        """Of the inner ring itself (…, 5) [m, rad]."""
-        moved = self.state.displacement.copy()
-        moved[..., 0] -= self.axial
-        return moved
+        """Displacement of the inner ring itself (…, 5) [m, rad]."""
+        shifted = self.state.displacement.copy()
+        shifted[..., 0] -= self.axial
+        return shifted
 
     @property
     def axial_load(self) -> Array:
@@ -89,28 +89,28 @@ class Heated:
 def heated(
     bearing: BallBearing, mounting: Mounting, *, speed: ArrayLike, preload: ArrayLike
 ) -> Heated:
-    """Temperatures of a bearing at ``speed`` [rad/s] under an axial ``preload`` [N], which
-    broadcast to one dimension or more.
+    """Solve the temperatures of a bearing at ``speed`` [rad/s] under an axial ``preload`` [N],
+    which broadcast to one dimension or more.
 
     Raises
     ------
     InvalidBearing : see ``balanced``; a preload that is not positive
     """
-    given = (np.atleast_1d(np.asarray(each, float)) for each in (speed, preload))
-    omega, force = np.broadcast_arrays(*given)
+    arguments = (np.atleast_1d(np.asarray(value, float)) for value in (speed, preload))
+    omega, force = np.broadcast_arrays(*arguments)
     if not (force > 0.0).all():
         raise InvalidBearing(f"preload must be positive, got {shown(preload)}")
-    hold = _held(bearing, mounting, force)
+    state_at = _state_function(bearing, mounting, force)
     last: BearingState | None = None
 
     def heat(temperature: Array) -> Array:
         nonlocal last
-        last = hold(omega, *thermal_growth(bearing, temperature), last)
+        last = state_at(omega, *thermal_growth(bearing, temperature), last)
         return parts(_lost(last, mounting, temperature[..., 0]))
 
     reached = balanced(heat, mounting.conductances, mounting.surroundings, omega.shape)
     growth, axial = thermal_growth(bearing, np.stack(reached[:3], axis=-1))
-    return Heated(reached, growth, axial, hold(omega, growth, axial, None))
+    return Heated(reached, growth, axial, state_at(omega, growth, axial, None))
 
 
 def speed_limit(
@@ -124,8 +124,8 @@ def speed_limit(
     """Speed above which temperatures reach no balance, for every ``preload`` (n,) [N]; ``fastest``
     where they do up to there [rad/s]. Within half a per cent.
 
-    It is sought by halving between ``slowest``, where there is a balance, and ``fastest``, both one
-    or (n,): a bearing that is in balance again above its limit is not found.
+    It is computed by bisection between ``slowest``, where there is a balance, and ``fastest``, both
+    one or (n,): a balance at still higher speeds, above a gap, is not detected.
 
     Raises
     ------
@@ -141,34 +141,36 @@ def speed_limit(
         return heated(bearing, mounting, speed=speed, preload=force).outcome == ""
 
     low, high, top = (
-        np.broadcast_to(np.asarray(each, float), force.shape)
-        for each in (slowest, fastest, fastest)
+        np.broadcast_to(np.asarray(value, float), force.shape)
+        for value in (slowest, fastest, fastest)
     )
-    done = settles(high)
-    while not (done | (high - low <= np.maximum(CLOSE * high, STILL * top))).all():
+    unlimited = settles(high)
+    while not (unlimited | (high - low <= np.maximum(CLOSE * high, STILL * top))).all():
         middle = 0.5 * (low + high)
-        fine = settles(middle)
-        low, high = np.where(fine, middle, low), np.where(fine, high, middle)
-    return np.where(done, top, low)
+        balanced_there = settles(middle)
+        low, high = np.where(balanced_there, middle, low), np.where(balanced_there, high, middle)
+    return np.where(unlimited, top, low)
 
 
-def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
-    """The state of the mounted bearing as a function of speed [rad/s] and of growth and axial shift
-    by heat [m]."""
+def _state_function(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
+    """Return the state of the mounted bearing as a function of speed [rad/s] and of thermal growth
+    and axial shift [m]."""
     load = np.zeros((*force.shape, 5))
     load[..., 0] = force
     common: dict[str, Any] = {**asdict(mounting.law), "static_growth": mounting.static_growth}
-    rest = bearing.equilibrium(load=load, **common)
-    place = np.where((rest.outcome == "")[..., None], rest.displacement, 0.0)
-    along = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
+    at_rest = bearing.equilibrium(load=load, **common)
+    rest_displacement = np.where((at_rest.outcome == "")[..., None], at_rest.displacement, 0.0)
+    axis = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
 
-    def state(speed: Array, growth: Array, axial: Array, near: BearingState | None) -> BearingState:
-        moved = {"displacement": place + axial[..., None] * along}
+    def state(
+        speed: Array, growth: Array, axial: Array, start: BearingState | None
+    ) -> BearingState:
+        shifted = {"displacement": rest_displacement + axial[..., None] * axis}
         return bearing.equilibrium(
-            **(moved if mounting.rigid else {"load": load}),
+            **(shifted if mounting.rigid else {"load": load}),
             speed=speed,
             growth=mounting.static_growth + growth,
-            start=near,
+            start=start,
             **common,
         )
 

@@ -23,7 +23,7 @@ REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oi
 _R1, _R2, _R3 = 5.03e-7, 1.97, 1.90e-12
 _S1, _S2, _S3 = 1.30e-2, 0.68, 1.91e-12
 _KZ = 4.4
-_HYBRID = 0.41  # of the centrifugal force of steel balls
+_HYBRID = 0.41  # centrifugal force of ceramic balls over that of steel balls
 _BOUNDARY = 0.15  # μbl; later catalogues have 0.12
 
 
@@ -113,7 +113,7 @@ def skf_moment(
     Raises
     ------
     InvalidBearing : n·dm above 0.8 million, an unknown supply, sizes, viscosity or friction that
-        no bearing has, a load or a speed that is no finite number
+        no bearing has, a load or a speed that is not finite
     """
     _refuse(
         {"speed": speed, "radial": radial, "axial": axial}, viscosity, bore, outside, ehl_friction
@@ -144,7 +144,7 @@ def _refuse(
     outside: float,
     friction: float,
 ) -> None:
-    """Refuse what no bearing and no oil has."""
+    """Raise InvalidBearing for values that no bearing and no oil has."""
     for name, value in numbers.items():
         if not np.isfinite(np.asarray(value, float)).all():
             raise InvalidBearing(f"{name} must be finite, got {shown(value)}")

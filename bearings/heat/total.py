@@ -1,6 +1,6 @@
 """All losses of a bearing by one balance: M ω is the sum of the powers of one model.
 
-``"ellipse"`` adds what slides in the contacts to Palmgren's viscous part; ``"palmgren"`` takes his
+``"ellipse"`` adds the sliding in the contacts to Palmgren's viscous part; ``"palmgren"`` uses his
 load-dependent moment, which contains the sliding, instead. The two are never added.
 """
 
@@ -28,8 +28,8 @@ MODELS = ("ellipse", "palmgren")
 @dataclass(frozen=True, eq=False)
 class Losses:
     """Heat of a bearing, shape (…) [W]: of its ``inner`` and ``outer`` contacts, ``viscous`` of the
-    oil it churns. ``moment`` [N·m]: that of all, 0 at rest. ``spin`` [W]: of spin alone, within
-    the contacts. ``slips`` (…): some contact slides as a whole under its gyroscopic moment."""
+    oil it churns. ``moment`` [N·m]: of all losses, 0 at rest. ``spin`` [W]: of spin alone, part of
+    that of the contacts. ``slips`` (…): some contact slips fully under its gyroscopic moment."""
 
     inner: Array
     outer: Array
@@ -40,7 +40,7 @@ class Losses:
 
     @property
     def total(self) -> Array:
-        """All of it (…) [W]."""
+        """Total heat (…) [W]."""
         return self.inner + self.outer + self.viscous
 
 
@@ -55,7 +55,7 @@ def losses(
     model: str = "ellipse",
     static_rating: float | None = None,
 ) -> Losses:
-    """Losses of a state.
+    """Compute the losses of a state.
 
     Parameters
     ----------
@@ -76,21 +76,21 @@ def losses(
     speed, g = np.asarray(state.speed), state.operation.geometry
     viscosity = lubricant.kinematic(temperature)
     viscous = viscous_moment(g.pitch_diameter, viscosity, speed, oil_factor) * speed
-    slid, split = sliding(state, friction), len(g.inner_grooves)
-    races = slid.power.sum(axis=-2)
+    slide, split = sliding(state, friction), len(g.inner_grooves)
+    races = slide.power.sum(axis=-2)
     inner, outer = races[..., :split].sum(axis=-1), races[..., split:].sum(axis=-1)
     if model == "palmgren":  # races share his moment as they share the sliding
-        loaded = load_moment(state, static_rating) * speed
+        load_power = load_moment(state, static_rating) * speed
         part = inner + outer
         share = np.where(part > 0.0, inner / np.where(part > 0.0, part, 1.0), 0.5)
-        inner, outer = share * loaded, (1.0 - share) * loaded
+        inner, outer = share * load_power, (1.0 - share) * load_power
     total = inner + outer + viscous
     turning = np.where(speed > 0.0, speed, 1.0)
     return Losses(
         inner=np.asarray(inner),
         outer=np.asarray(outer),
         viscous=np.broadcast_to(viscous, np.shape(inner)).copy(),
-        spin=np.asarray(slid.spin_power.sum(axis=(-2, -1))),
+        spin=np.asarray(slide.spin_power.sum(axis=(-2, -1))),
         moment=np.asarray(np.where(speed > 0.0, total / turning, 0.0)),
-        slips=np.asarray((slid.slips & state.driven[..., None]).any(axis=(-2, -1))),
+        slips=np.asarray((slide.slips & state.driven[..., None]).any(axis=(-2, -1))),
     )

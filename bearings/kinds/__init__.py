@@ -1,7 +1,7 @@
 """The kinds of ball bearing, each a file of its own; nothing outside this folder names one.
 
-``KINDS`` maps the word by which a file calls a kind to its class. A new kind is a new file here and
-its line below (the contract it keeps: ``bearings.bearing``).
+``KINDS`` maps the name of a kind in files to its class. A new kind is a new file here and
+its line below (the contract it fulfils: ``bearings.bearing``).
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ DEFAULT = "angular_contact"  # of a file that names no kind
 
 @cache
 def kind_class(kind: str) -> type[BallBearing]:
-    """The class of a kind by its word in ``KINDS``; raises KeyError for another word."""
+    """Return the class of a kind by its name in ``KINDS``; raises KeyError for another name."""
     name = KINDS[kind]
     kind_of: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
     return kind_of
 
 
 def kind_of(bearing: BallBearing) -> str:
-    """The word for the kind of a bearing."""
-    names = [each.__name__ for each in type(bearing).__mro__]
-    return next(kind for kind, called in KINDS.items() if called in names)
+    """Return the name of the kind of a bearing in ``KINDS``."""
+    names = [base.__name__ for base in type(bearing).__mro__]
+    return next(kind for kind, class_name in KINDS.items() if class_name in names)

@@ -30,5 +30,5 @@ class AngularContactBallBearing(BallBearing):
 
     @property
     def grooves(self) -> Grooves:
-        """Inner and outer groove centre lie BD apart along the contact angle."""
+        """Grooves whose centres are BD apart along the contact angle."""
         return Grooves.of(self, free_angle=float(self.contact_angle), touching=True)

@@ -30,8 +30,8 @@ class DeepGrooveBallBearing(BallBearing):
 
     Parameters
     ----------
-    radial_clearance : Pd, how far one ring moves against the other, on the diameter [m]; negative
-        where balls are pressed in at rest
+    radial_clearance : Pd, free radial travel of one ring against the other, on the diameter [m];
+        negative where balls are preloaded at rest
     contact_angle : free contact angle [rad], instead: cos α = 1 − Pd/(2 BD)
 
     Raises
@@ -55,7 +55,7 @@ class DeepGrooveBallBearing(BallBearing):
 
     @property
     def grooves(self) -> Grooves:
-        """Groove centres BD − Pd/2 apart along the radius."""
+        """Grooves whose centres are BD − Pd/2 apart along the radius."""
         if self.contact_angle is not None:
             gap = self.free_distance * math.cos(self.contact_angle)
         else:

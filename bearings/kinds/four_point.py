@@ -19,8 +19,8 @@ CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"
 )
 PLAY = Measure("length", "free travel of ring against ring", -1e-3, 5e-3, unit="um")
-MOST_PRESSED = 2e-3  # of the ball diameter, by which rings may press a ball at rest
-GIVEN = ("contact_angle", "axial_play", "radial_play")  # of which one fixes the others
+MOST_PRESSED = 2e-3  # largest compression of a ball at rest, over the ball diameter
+GIVEN = ("contact_angle", "axial_play", "radial_play")  # each fixes the others
 SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0, 0.02, unit="mm")
 
 
@@ -86,17 +86,17 @@ class FourPointBallBearing(BallBearing):
         )
 
     def _meaning(self, name: str) -> str:
-        """The other two data that one of them fixes."""
+        """Values of the other two data that one of them fixes, as text."""
         others: dict[str, Any] = {other: None for other in GIVEN if other != name}
         try:
             plays = replace(self, **others).plays
         except InvalidBearing:
             return " (impossible with these shims)"
-        words = [self.drawn(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
-        return f" means {', '.join(words)}"
+        values = [self.drawn(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
+        return f" means {', '.join(values)}"
 
     def _shims_of_both(self) -> str:
-        """The shims that angle and axial play give, where a drawing names these two."""
+        """Hint at the shims that angle and axial play give, where a drawing has these two."""
         if self.contact_angle is None or self.axial_play is None or self.radial_play is not None:
             return ""
         shims = 2.0 * self.free_distance * math.sin(self.contact_angle) - self.axial_play
@@ -122,8 +122,8 @@ class FourPointBallBearing(BallBearing):
         return 1.0 + 1.0 / math.cos(math.pi / self.balls)
 
     def _radial_reach(self) -> float:
-        """ℓo cos αo⁰ + ℓi cos αi⁰, sin α⁰ = g/(2 ℓ): groove circles apart when a ball just fills
-        both arches."""
+        """ℓo cos αo⁰ + ℓi cos αi⁰, sin α⁰ = g/(2 ℓ): distance of the groove circles when a ball
+        just fills both arches."""
         reaches = ((shim, (f - 0.5) * self.ball_diameter) for _, shim, f in self._rings())
         return sum(math.sqrt(reach**2 - shim**2 / 4.0) for shim, reach in reaches)
 
@@ -138,7 +138,7 @@ class FourPointBallBearing(BallBearing):
 
     @property
     def grooves(self) -> Grooves:
-        """Centres of the arcs half a shim either side of the middle, each on the far side."""
+        """Grooves whose arcs have their centres half a shim off the middle, on the far side."""
         return Grooves.of(
             self,
             radial_gap=self._radial_gap(),

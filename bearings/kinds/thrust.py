@@ -24,7 +24,7 @@ class ThrustBallBearing(BallBearing):
     outer_conformity: float = measured(CONFORMITY, 0.54)
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
-        """Radial load, thrust that lifts the washers off, or a moment that lifts one side off."""
+        """Sentence on a radial load, or on thrust or a moment that separates the washers."""
         thrust, *radial = load[:3]
         if any(force != 0.0 and given for force, given in zip(radial, free[1:3], strict=True)):
             return (
@@ -56,5 +56,5 @@ class ThrustBallBearing(BallBearing):
 
     @property
     def grooves(self) -> Grooves:
-        """Groove centres BD apart along the axis."""
+        """Grooves whose centres are BD apart along the axis."""
         return Grooves.of(self, free_angle=math.pi / 2.0, radial_gap=0.0, touching=True)

@@ -1,4 +1,4 @@
-"""How long a bearing lasts, what it stands at rest, and the frequencies of its defects.
+"""Life of a bearing, its static safety, and the frequencies of its defects.
 
 Ratings of a bearing from its grooves (ISO 281, ISO 76), lives from the ball loads of a state
 (ISO/TS 16281), their modification by the lubricant, spectra and sets.

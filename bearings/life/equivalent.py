@@ -45,7 +45,7 @@ STATIC_FACTOR = {
 
 @checked
 def pair_rating(single: float, rows: int) -> float:
-    """C of ``rows`` alike bearings that share the load, i^0.7 C1 [N]; catalogues print C1."""
+    """C of ``rows`` identical bearings that share the load, i^0.7 C1 [N]; catalogues print C1."""
     if rows < 1:
         raise InvalidBearing(f"rows must be at least 1, got {shown(rows)}")
     return float(rows**0.7 * single)
@@ -100,7 +100,7 @@ def equivalent_static(radial: ArrayLike, axial: ArrayLike, contact_angle: float)
 
 @checked
 def basic_life(rating: ArrayLike, load: ArrayLike) -> Array:
-    """L10 = (C/P)³ million revolutions, in revolutions; InvalidBearing for a negative one."""
+    """L10 = (C/P)³ million revolutions, in revolutions; InvalidBearing for negative arguments."""
     for name, value in (("rating", rating), ("load", load)):
         if (np.asarray(value, float) < 0.0).any():
             raise InvalidBearing(f"{name} must not be negative, got {shown(value)}")

@@ -57,7 +57,7 @@ def temperature_factor(celsius: ArrayLike) -> Array:
 
 @checked
 def reference_viscosity(speed: ArrayLike, pitch_diameter: float) -> Array:
-    """ν1 [m²/s] that a bearing needs at ``speed`` [rad/s]; infinite at rest.
+    """Viscosity ν1 [m²/s] that a bearing needs at ``speed`` [rad/s]; infinite at rest.
 
     45000 n^−0.83 dm^−0.5 below 1000 rpm, 4500 (n dm)^−0.5 above, mm²/s of rpm and mm.
     """
@@ -84,11 +84,11 @@ def fatigue_load_limit(static_rating: float, pitch_diameter: float) -> float:
 def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: ArrayLike) -> Array:
     """a_ISO of a radial ball bearing, at most 50; NaN below κ = 0.1, where it is not defined.
 
-    It is not that of thrust bearings, those of contact angles above 45°, which have another one.
+    Thrust bearings, those of contact angles above 45°, have another one.
 
     Parameters
     ----------
-    kappa : viscosity ratio, above 4 it counts as 4
+    kappa : viscosity ratio, limited to 4
     contamination : eC, from 0 (heavy) to 1 (extreme cleanness)
     limit, load : fatigue load limit Cu and equivalent load P [N]
 
@@ -101,16 +101,16 @@ def life_factor(kappa: ArrayLike, contamination: float, limit: float, load: Arra
             f"the contamination factor eC lies from 0 to 1, got {shown(contamination)}"
         )
     k, p = np.broadcast_arrays(np.asarray(kappa, float), np.asarray(load, float))
-    used = np.clip(k, LOWEST_KAPPA, HIGHEST_KAPPA)
-    first = np.where(used < _KAPPA[0][0], 0, np.where(used < _KAPPA[1][0], 1, 2))
+    clipped = np.clip(k, LOWEST_KAPPA, HIGHEST_KAPPA)
+    first = np.where(clipped < _KAPPA[0][0], 0, np.where(clipped < _KAPPA[1][0], 1, 2))
     table = np.array(_KAPPA)
-    front = 2.5671 - table[first, 1] * used ** -table[first, 2]
+    front = 2.5671 - table[first, 1] * clipped ** -table[first, 2]
     with np.errstate(divide="ignore", invalid="ignore"):
         x = front**0.83 * np.cbrt(contamination * limit / p)
         inside = np.minimum(x, 1.0 - 1e-9)
         factor = np.minimum(0.1 * (1.0 - inside) ** -9.3, MOST)
-    known = (k >= LOWEST_KAPPA) & ~np.isnan(x)
-    return np.asarray(np.where(known, factor, np.nan))
+    defined = (k >= LOWEST_KAPPA) & ~np.isnan(x)
+    return np.asarray(np.where(defined, factor, np.nan))
 
 
 @checked
@@ -140,7 +140,7 @@ def mean_life(share: ArrayLike, life: ArrayLike, axis: int = 0) -> Array:
 def set_life(life: ArrayLike, axis: int = -1) -> Array:
     """Life until the first bearing of a set fails, (Σ L^(−10/9))^(−9/10) along ``axis``.
 
-    Lives of bearings that turn alike, all in revolutions or all in time.
+    ``life``: of bearings at one speed, all in revolutions or all in time.
     """
     with np.errstate(divide="ignore"):
         failures = (np.asarray(life, float) ** -WEIBULL_SLOPE).sum(axis=axis)

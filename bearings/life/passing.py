@@ -1,4 +1,4 @@
-"""Frequencies at which balls pass a defect, per revolution of the inner ring, outer ring at rest.
+"""Frequencies of bearing defects, per revolution of the inner ring, with the outer ring at rest.
 
 From the true orbital speed ωm and rotation ωR of the balls of a state, or nominal ones.
 """
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 
 class Frequencies(NamedTuple):
-    """Per revolution of the inner ring, shape (…); times ω/2π they are frequencies [Hz].
+    """Defect frequencies per revolution of the inner ring, shape (…); times ω/2π in [Hz].
 
     ``cage``: FTF, ωm/ω; ``outer`` and ``inner``: BPFO and BPFI, balls past a point of the ring;
     ``ball``: BSF, turns of a ball against the cage, whose defect strikes twice (some print that);
-    ``spread``: largest less smallest ωm/ω of these balls, which a radial load drives apart.
+    ``spread``: largest less smallest ωm/ω of the balls, which differ under a radial load.
     """
 
     cage: Array
@@ -37,14 +37,14 @@ class Frequencies(NamedTuple):
 
 @checked
 def frequencies(state: BearingState) -> Frequencies:
-    """Means over the balls, by the loads with which the inner race drives them; NaN where it drives
-    none."""
+    """Defect frequencies of a state, means over the balls weighted by their inner loads; NaN where
+    the inner race drives none."""
     motion, driven, load = ball_motion(state), state.driven, np.asarray(state.inner_load)
-    count, whole = driven.sum(axis=-1), load.sum(axis=-1)
+    count, total_load = driven.sum(axis=-1), load.sum(axis=-1)
 
     def mean(values: Array) -> Array:
         total = np.where(load > 0.0, load * values, 0.0).sum(axis=-1)
-        return np.asarray(np.where(count > 0, total / np.where(count > 0, whole, 1.0), np.nan))
+        return np.asarray(np.where(count > 0, total / np.where(count > 0, total_load, 1.0), np.nan))
 
     cage, balls = mean(motion.orbit), state.operation.grooves.balls
     high = np.where(driven, motion.orbit, -np.inf).max(axis=-1)
@@ -56,7 +56,7 @@ def frequencies(state: BearingState) -> Frequencies:
 
 @checked
 def nominal_frequencies(bearing: BallBearing, contact_angle: float | None = None) -> Frequencies:
-    """With equal angles on both races: the nominal one, or ``contact_angle`` [rad]."""
+    """Defect frequencies for equal angles on both races, the nominal or ``contact_angle`` [rad]."""
     alpha = nominal_angle(bearing.grooves) if contact_angle is None else contact_angle
     ratio = bearing.ball_diameter / bearing.pitch_diameter
     gamma = ratio * math.cos(alpha)

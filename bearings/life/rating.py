@@ -1,9 +1,9 @@
 """Load ratings of a bearing from its grooves: dynamic (ISO 281), static (ISO 76).
 
 The table of ISO 281 is Lundberg and Palmgren's formula with grooves of 0.52 (radial) or 0.535
-(thrust); here the grooves are the bearing's own, so that open grooves lose load rating. The
-formulas are those of the standards from memory [M]; ``docs/theory/life.md`` says what they were
-checked against.
+(thrust); here it has the grooves of the bearing, so that open grooves lose load rating. The
+formulas are those of the standards from memory [M]; ``docs/theory/life.md`` lists the checks of
+them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 STATIC_PRESSURE = 4.2e9  # [Pa], ISO 76: a dent of 1e-4 of the ball diameter
 STEEPEST_RADIAL = math.radians(45.0)  # ISO 281: above it a bearing is a thrust bearing
-LARGE_BALL = 25.4e-3  # [m], from which size counts less
+LARGE_BALL = 25.4e-3  # [m], above which the exponent of size is smaller
 _RADIAL, _THRUST, _MATERIAL = 0.95, 0.90, 1.3  # λ of both kinds, bm
 _LUNDBERG = 98.0665  # 10 kgf in N, of lengths in mm
 RADIAL_FACTOR, REFERENCE_FACTOR = 1.04, 1.044  # before ρ of ISO 281, before R of ISO/TS 16281
@@ -46,8 +46,8 @@ def steep(contact_angle: float) -> bool:
 
 
 def race_ratio(grooves: Grooves, front: float = RADIAL_FACTOR) -> float:
-    """ρ: strength of the inner race over that of the outer one under equal ball loads, where
-    radial bearings have ``front`` before the powers and thrust bearings 1."""
+    """ρ: strength of the inner race over that of the outer one under equal ball loads, with the
+    leading factor ``front`` for radial bearings and 1 for thrust bearings."""
     factor = 1.0 if is_thrust(grooves) else front
     return factor * _strength_ratio(
         _gamma(grooves), grooves.inner_conformity, grooves.outer_conformity
@@ -68,7 +68,7 @@ def geometry_factor(bearing: BallBearing | Grooves) -> float:
 
 
 def rating(x: Any) -> Any:
-    """C [N] of many insides, of radial bearings or, above 45°, of thrust bearings.
+    """C [N] of many internal geometries, of radial or, above 45°, of thrust bearings.
 
     ``x`` has what ``radial_rating`` takes and ``pitch_diameter`` [m]; one contact angle.
     """
@@ -105,7 +105,7 @@ def _thrust_factor(gamma: Any, inner: Any, outer: Any, size: Any, angle: float) 
 
 
 def _strength_ratio(gamma: Any, inner: Any, outer: Any) -> Any:
-    """ρ without the number in front."""
+    """ρ without its leading factor."""
     osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
     return ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
 
@@ -133,7 +133,7 @@ def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     """
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
     alpha, size = nominal_angle(grooves), float(_size_factor(grooves.ball_diameter))
-    # of thrust bearings fc has (D/dm)^0.3 for γ^0.3, so that cos α^0.7 tan α becomes sin α
+    # fc of thrust bearings has (D/dm)^0.3 instead of γ^0.3, so cos α^0.7 tan α becomes sin α
     angle = math.sin(alpha) if is_thrust(grooves) else math.cos(alpha) ** 0.7
     return _MATERIAL * geometry_factor(grooves) * angle * grooves.balls ** (2.0 / 3.0) * size
 
@@ -143,8 +143,8 @@ def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESS
     """Basic static load rating C0 of ISO 76 from the grooves [N].
 
     The radial load, above 45° the axial load, that presses the most loaded ball with ``pressure``
-    [Pa] against the worse race; a radial load puts 5/(z cos α) of itself on that ball. Balls of
-    silicon nitride press harder than steel ones under equal load and lose about 30 %.
+    [Pa] against the worse race; of a radial load that ball carries 5/(z cos α). Balls of silicon
+    nitride have higher pressures than steel ones under equal load and lose about 30 %.
 
     Raises
     ------

@@ -1,9 +1,9 @@
 """Reference life from the ball loads of a state (ISO/TS 16281, now ISO 16281) [M].
 
 At speed, beyond the standard, the balls press the inner race with Qi and the outer race with Qo,
-each with its own centrifugal force and angle; the ratings of the races stay nominal. A ring with
-two arcs has two raceways, each of which the balls load for itself: like the rings of the standard,
-they fail independently.
+by the centrifugal force and the angles of each ball; the ratings of the races stay nominal. A ring
+with two arcs has two raceways, each with its own ball loads: like the rings of the standard, they
+fail independently.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _INNER, _OUTER = 0.407, 0.389  # of Qci and Qce of radial bearings, ISO/TS 16281
 
 @dataclass(frozen=True, eq=False)
 class ReferenceLife:
-    """Life of a state, leading shape (…); 90 % of alike bearings reach it.
+    """Life of a state, leading shape (…); 90 % of identical bearings reach it.
 
     ``revolutions`` (…): L10r of the ring that turns against the load, infinite without load;
     ``equivalent_load`` (…): Pref = C/L10r^(1/3) [N], the steady load of the same life;
@@ -69,13 +69,13 @@ def ball_ratings(
     from bearings.grooves import Grooves
 
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    given = _rating(grooves, rating)
+    c = _rating(grooves, rating)
     ratio, alpha = race_ratio(grooves, REFERENCE_FACTOR), nominal_angle(grooves)
     if is_thrust(grooves):
-        inner = outer = given / (grooves.balls * np.sin(alpha))
+        inner = outer = c / (grooves.balls * np.sin(alpha))
     else:
-        one = given / (grooves.balls * np.cos(alpha) ** 0.7)
-        inner, outer = one / _INNER, one / _OUTER
+        per_ball = c / (grooves.balls * np.cos(alpha) ** 0.7)
+        inner, outer = per_ball / _INNER, per_ball / _OUTER
     return (
         float(inner * (1.0 + ratio**EXPONENT) ** 0.3),
         float(outer * (1.0 + ratio**-EXPONENT) ** 0.3),
@@ -86,7 +86,7 @@ def ball_ratings(
 def life_of(
     state: BearingState, dynamic_rating: float | None = None, *, rotating: str = "inner"
 ) -> ReferenceLife:
-    """Reference life of a state with what it follows from.
+    """Compute the reference life of a state, with the loads and lives of its raceways.
 
     Parameters
     ----------
@@ -110,8 +110,8 @@ def life_of(
         [rotating != "outer"] * split + [rotating != "inner"] * len(grooves.outer_offsets)
     )
     load = np.asarray(state.contact_load)
-    # a point of a ring that turns against the load sees all ball loads, which average by L ~ Q⁻³;
-    # one of the other ring sees one of them, and probabilities of survival multiply
+    # a point of a ring that turns against the load carries all ball loads, averaged by L ~ Q⁻³;
+    # one of the other ring carries one of them, and probabilities of survival multiply
     equivalent = np.where(turns, _mean(load, 3.0), _mean(load, EXPONENT))
     qi, qo = ball_ratings(grooves, rating)
     capacity = np.array([qi] * split + [qo] * len(grooves.outer_offsets))
@@ -156,7 +156,7 @@ def _mean(load: Array, power: float) -> Array:
 
 
 def _rating(grooves: Grooves, given: float | None) -> float:
-    """C that is used [N]: the given one, else that of the grooves."""
+    """C [N]: the given one, else that of the grooves; InvalidBearing unless it is positive."""
     if given is None:
         return dynamic_rating(grooves)
     if not (finite(given) and given > 0.0):
