@@ -1,6 +1,6 @@
-"""How the balls around a ring add up: groove places from ring displacement, ring load from balls.
+"""Assembly of the balls around a ring: groove places from ring displacement, ring load from balls.
 
-A ring's displacement is d = (δx, δy, δz, θy, θz), its load f = (Fx, Fy, Fz, My, Mz); ball k sits
+A ring's displacement is d = (δx, δy, δz, θy, θz), its load f = (Fx, Fy, Fz, My, Mz); ball k lies
 at ψ = 2πk/z, from y towards z. At a ball the ring's groove moves axially, radially, and tilts by
 φ = θz cos ψ − θy sin ψ about the middle of the groove.
 """
@@ -26,13 +26,13 @@ COUPLED = np.array(  # x alone, y with θz, z with θy
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Assembly:
-    """The balls that need solving and how they map to the five DOF.
+    """Balls that are solved, and their maps to the five DOF of the ring.
 
     ``spread`` (m, 5, n): A = A₀ + spread·d, m = 3 where the inner ring has two grooves, else 2.
     ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (3·m·n, 25): K = Σ action-by-A (3·m·n) ·
-    pairs. ``azimuth`` (n, 5): the row c = (1, cos ψ, sin ψ, −sin ψ, cos ψ) that turns d into axial,
+    pairs. ``azimuth`` (n, 5): the row c = (1, cos ψ, sin ψ, −sin ψ, cos ψ) that maps d to axial,
     radial and tilting motion of the ring at a ball, and ``products`` (n, 5, 5): cᵀ c. Balls that
-    symmetry makes alike are solved once: with ``balls`` = 1 the one ball stands for all of an
+    are equal by symmetry are solved once: with ``balls`` = 1 the one ball represents all of an
     axially loaded bearing.
     """
 
@@ -44,17 +44,17 @@ class Assembly:
 
     @property
     def balls(self) -> int:
-        """Balls that are solved."""
+        """Number of balls that are solved."""
         return self.spread.shape[-1]
 
     def centres(self, start: Array, displacement: Array) -> Array:
         """A (m, states, balls) from A₀ (2, states) and d (states, 5)."""
-        moved = self.moved(displacement)
-        moved[:2] += start[:, :, None]
-        return moved
+        centres = self.moved(displacement)
+        centres[:2] += start[:, :, None]
+        return centres
 
     def moved(self, displacement: Array) -> Array:
-        """What a displacement (states, 5) adds to A (m, states, balls)."""
+        """Change of A (m, states, balls) by a displacement (states, 5)."""
         return np.asarray(displacement @ self.spread)
 
     def load(self, action: Triple) -> Array:
@@ -64,53 +64,53 @@ class Assembly:
     def stiffness(self, tangent: tuple[Motion, ...]) -> Array:
         """K (states, 5, 5) from the entries (states, balls) of ∂action/∂A (3, m)."""
         states, balls = np.shape(tangent[0][0])
-        whole = np.empty((states, 3, len(tangent[0]), balls))
+        entries = np.empty((states, 3, len(tangent[0]), balls))
         for i, row in enumerate(tangent):
             for j, entry in enumerate(row):
-                whole[:, i, j] = entry
-        each = whole.reshape(states, 1, len(self.pairs))
-        return (each @ self.pairs).reshape(-1, 5, 5)  # state by state: too small for threads
+                entries[:, i, j] = entry
+        flat = entries.reshape(states, 1, len(self.pairs))
+        return (flat @ self.pairs).reshape(-1, 5, 5)  # state by state: too small for threads
 
 
 @lru_cache(maxsize=256)
 def full_assembly(geometry: Geometry, *, outer: bool = False) -> Assembly:
-    """Every ball on its own, against the inner or the ``outer`` ring."""
+    """Assembly of all balls, each solved, on the inner or the ``outer`` ring."""
     spread, gather = _maps(geometry, geometry.outer_centre_radius if outer else None)
     return Assembly(*_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 @lru_cache(maxsize=256)
 def axial_assembly(geometry: Geometry) -> Assembly:
-    """One ball for all: the displacement is purely axial, the tangent is not.
+    """Assembly of one ball for all: the displacement is purely axial, the tangent is not.
 
     Sums over the ball angles that vanish for three balls or more are set to exactly zero.
     """
     spread, gather = _maps(geometry)
     rows = _pairs(spread, gather).reshape(-1, geometry.balls, 25).sum(axis=1)
-    one = np.zeros((len(spread), 5, 1))
-    one[0, 0] = 1.0
+    axial_spread = np.zeros((len(spread), 5, 1))
+    axial_spread[0, 0] = 1.0
     sums = (*(part.sum(axis=0)[None] for part in _azimuth(geometry)),)
     azimuth, products, total, pairs = map(
         _without_noise, (*sums, gather.sum(axis=2)[..., None], rows)
     )
-    return Assembly(azimuth, products, one, total, pairs)
+    return Assembly(azimuth, products, axial_spread, total, pairs)
 
 
 @lru_cache(maxsize=256)
 def half_assembly(geometry: Geometry) -> Assembly:
-    """The balls on one side of the plane of y, each for its mirror image too.
+    """Assembly of the balls on one side of the plane of y, each counted for its mirror image too.
 
     The ring moves in that plane alone, which saves a tenth of a run of mfw2310. Fz and My are
-    exactly zero, and so is what couples the planes in the tangent. Not for the compiled solver: it
-    knows the balls by ``azimuth`` alone and would count every ball once, without its image.
+    exactly zero, and so are the terms of the tangent that couple the planes. The compiled solver
+    does not support it: it sums by ``azimuth`` alone and would omit the mirror images.
     """
     spread, gather = _maps(geometry)
     count = geometry.balls // 2 + 1
-    alike = np.full(count, 2.0)
-    alike[0] = 1.0
+    multiplicity = np.full(count, 2.0)
+    multiplicity[0] = 1.0
     if geometry.balls % 2 == 0:
-        alike[-1] = 1.0
-    spread, gather = spread[..., :count], alike * gather[..., :count]
+        multiplicity[-1] = 1.0
+    spread, gather = spread[..., :count], multiplicity * gather[..., :count]
     plane = np.array([True, True, False, False, True])
     pairs = _pairs(spread, gather).reshape(-1, 5, 5) * (plane[:, None] == plane)
     gather = plane[:, None, None] * gather
@@ -148,8 +148,8 @@ def _without_noise(sums: Array) -> Array:
 
 
 def alike(load: Array, displacement: Array, stiffness: Array) -> Array:
-    """K (…, 5, 5), freed from rounding where load and displacement (…, 5) are axial: both planes
-    answer alike and do not couple."""
+    """Remove rounding from K (…, 5, 5) where load and displacement (…, 5) are axial: both planes
+    have the same stiffness and do not couple."""
     axial = ((load == 0.0) & (displacement == 0.0))[..., 1:].all(axis=-1)
     turned = QUARTER_TURN @ stiffness @ QUARTER_TURN.T
     exact = np.where(COUPLED, 0.5 * (stiffness + turned), 0.0)

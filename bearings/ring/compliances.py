@@ -1,4 +1,4 @@
-"""The compliance of the rings of a bearing, for its solver."""
+"""Compliances of the rings of a bearing, for its solver."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from bearings.grooves import Grooves
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Compliances:
-    """Of both rings of a bearing; None: rigid."""
+    """Compliances of both rings of a bearing; None: rigid."""
 
     inner: Compliance | None
     outer: Compliance | None
 
 
 def compliances(grooves: Grooves) -> Compliances | None:
-    """Of the rings of a bearing; None where both are rigid."""
+    """Compute the compliances of the rings of a bearing; None where both are rigid."""
     rings = grooves.rings
     if rings is None:
         return None
     from bearings.flexible_rings.computed import compliance  # finite elements, for these alone
 
     assert isinstance(rings, FlexibleRings)
-    grooves = replace(grooves, rings=None)  # one ring does not know the other
+    grooves = replace(grooves, rings=None)  # that of a ring does not depend on the other ring
     return Compliances(
         None if rings.inner is None else compliance(grooves, rings.inner, inner=True),
         None if rings.outer is None else compliance(grooves, rings.outer, inner=False),

@@ -1,4 +1,4 @@
-"""What there is to say about each state of a batch, in a few words; why there is none."""
+"""Remarks on each state of a batch as text, or the reason why a state does not exist."""
 
 from __future__ import annotations
 
@@ -29,35 +29,35 @@ REMEDIES = {
 
 
 def refusal(state: BearingState) -> NoEquilibrium:
-    """The error of a single state that does not exist."""
-    word = str(state.outcome)
+    """Build the error of a single state that does not exist."""
+    outcome = str(state.outcome)
     return NoEquilibrium(
-        word,
+        outcome,
         speed=float(state.operation.speed[0]),
-        remedy=REMEDIES.get(word) or remedy(state),
+        remedy=REMEDIES.get(outcome) or remedy(state),
         look=lambda: str(condition(state)).partition(": ")[2],
     )
 
 
 def remedy(state: BearingState) -> str:
-    """What helps where there is no equilibrium under these assumptions."""
+    """Suggest remedies where there is no equilibrium under the hypotheses of a state."""
     law, free = state.operation.law, state.operation.free
-    ways = ["raise the load" if free.any() else "displace the ring less"]
+    remedies = ["raise the load" if free.any() else "displace the ring less"]
     if law.dynamics == "frozen":
-        return ways[0]
-    ways.append("lower the speed")
+        return remedies[0]
+    remedies.append("lower the speed")
     if law.dynamics == "resultant" and state.contact_load.shape[-1] == 4:
-        ways.append('look at dynamics "frozen" (it counts the contacts of every ball)')
+        remedies.append('look at dynamics "frozen" (it counts the contacts of every ball)')
     if law.friction is None:
-        ways.append("give a limit of friction")
+        remedies.append("give a limit of friction")
     if not law.one_branch:
-        ways.append("use outer or hybrid kinematics")
-    return ", ".join(ways[:-1]) + f" or {ways[-1]}"
+        remedies.append("use outer or hybrid kinematics")
+    return ", ".join(remedies[:-1]) + f" or {remedies[-1]}"
 
 
 @checked
 def condition(state: BearingState) -> Words:
-    """What there is to say about each state (…), ``""`` where all balls carry as they should.
+    """Describe each state (…) as text, ``""`` where all balls carry load as they should.
 
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
     4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"contact ellipse passes the shoulder of
@@ -73,21 +73,21 @@ def condition(state: BearingState) -> Words:
     """
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
     ends = iter(endings(state.operation, refused) if refused.size else [])
-    remarks, words = _remarks(state), []
+    remarks, texts = _remarks(state), []
     for k, outcome in enumerate(state.outcome.reshape(-1)):
-        said = [
+        phrases = [
             sentence.format(balls=_ranges(balls[k]), most=value[k].max())
             for balls, sentence, value in remarks
             if balls[k].any()
         ]
         if outcome:
-            said = [f"{outcome}: {next(ends)}" if outcome == "no equilibrium" else outcome]
-        words.append("; ".join(said))
-    return np.array(words, dtype=str).reshape(state.outcome.shape)
+            phrases = [f"{outcome}: {next(ends)}" if outcome == "no equilibrium" else outcome]
+        texts.append("; ".join(phrases))
+    return np.array(texts, dtype=str).reshape(state.outcome.shape)
 
 
 def endings(operation: Operation, index: Index) -> list[str]:
-    """For each point without equilibrium: the highest speed with one, and what ends it."""
+    """Describe, for each point without equilibrium, the highest speed with one and what ends it."""
     gaps = first_gaps(operation, index)
     last = solved(operation.repeated(index, np.array([gap.low for gap in gaps])))
     load = np.minimum(last.inner_load, last.outer_load)
@@ -97,20 +97,20 @@ def endings(operation: Operation, index: Index) -> list[str]:
 
 
 def first_gaps(operation: Operation, index: Index) -> list[Gap]:
-    """First gaps of speed of some questions; what their searches ask for is solved together."""
+    """Find the first gap of speed of some operating points; their searches are solved together."""
     jumps = not operation.law.one_branch
     searches = [spin_up(float(operation.speed[k]), jumps=jumps) for k in index]
     speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
-    while going := [k for k, asked in enumerate(speeds) if asked.size]:
-        row = np.repeat(index[going], [len(speeds[k]) for k in going])
-        states = solved(operation.repeated(row, np.concatenate([speeds[k] for k in going])))
-        borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
-        answers = (
+    while active := [k for k, requested in enumerate(speeds) if requested.size]:
+        row = np.repeat(index[active], [len(speeds[k]) for k in active])
+        states = solved(operation.repeated(row, np.concatenate([speeds[k] for k in active])))
+        borders = np.cumsum([len(speeds[k]) for k in active])[:-1]
+        results = (
             np.split(part, borders) for part in (states.outcome == "", states.inner_load > 0.0)
         )
-        for k, *answer in zip(going, *answers, strict=True):
+        for k, *result in zip(active, *results, strict=True):
             try:
-                speeds[k] = searches[k].send(tuple(answer))
+                speeds[k] = searches[k].send(tuple(result))
             except StopIteration as end:
                 speeds[k], gaps[k] = np.empty(0), end.value
     return gaps
@@ -134,7 +134,7 @@ def _ending(operation: Operation, gap: Gap, thrown: Flags) -> str:
 
 
 def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
-    """Sentences about states that exist: of which balls (states, balls), and values they quote."""
+    """Sentences on states that exist, with the balls (states, balls) and the values they quote."""
     cuts, grooves = truncation(state), state.operation.grooves
 
     def listed(values: NDArray[Any]) -> NDArray[Any]:
@@ -191,7 +191,7 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
 
 
 def _ranges(chosen: Flags) -> str:
-    """The numbers of the chosen balls: 0–3, 7."""
+    """Format the numbers of the chosen balls: 0–3, 7."""
     numbers = np.flatnonzero(chosen)
     runs = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)
     return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)

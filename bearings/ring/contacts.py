@@ -1,8 +1,8 @@
-"""The contacts of the balls of a solved state, with more digits than the lengths they come from.
+"""Contacts of the balls of a solved state, with more digits than the lengths they come from.
 
-A contact approach of nanometres is the difference of two lengths of millimetres, and of a ball
-under a millinewton few of its digits are left. The Newton step that a solved state still asks for
-is smaller than these lengths resolve; added to the approaches themselves it is not lost.
+A contact approach of nanometres is the difference of two lengths of millimetres, and under a
+millinewton few of its digits remain. The Newton step that remains at a solved state is smaller than
+the rounding of these lengths; added to the approaches themselves it is not lost.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Place = tuple[Array, Array]
 
 
 class Contacts(NamedTuple):
-    """Loads (c, s, n) [N] of all contacts of the balls, sines and cosines of their angles."""
+    """Loads (c, s, n) [N] of all contacts of the balls, and sines and cosines of their angles."""
 
     load: Array
     sin: Array
@@ -34,10 +34,10 @@ class Contacts(NamedTuple):
 def contacts(
     problem: Problem, balance: Balance, at: Place, step: Place | None = None
 ) -> tuple[Balance, Contacts]:
-    """Contacts at (d, X), or after a ``step`` (dd, dX) from there; the balance with their loads.
+    """Compute contacts at (d, X), or after a ``step`` (dd, dX) from there; update the balance.
 
-    d and dd (s, 5), X and dX (u, s, n). Fc and Mg notice such a step only where they depend on
-    the ratio of the loads; they are left as they are.
+    d and dd (s, 5), X and dX (u, s, n). Fc and Mg change by such a step only where they depend on
+    the ratio of the loads; they are not updated.
     """
     if problem.geometry.single and not (problem.turning and step is not None):
         after = balance if step is None else _at_rest(problem, balance, at, step)
@@ -46,16 +46,16 @@ def contacts(
         return after, Contacts(load, np.stack([si, so]), np.stack([ci, co]))
     c, (d, x) = problem.shifted(at[1]), at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
-    a, moved = problem.centres(d, x), _moved(problem, dd, dx)
+    a, centre_step = problem.centres(d, x), _centre_step(problem, dd, dx)
     least = 0.0
     if not problem.turning:
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
     shifts = dx[2:].reshape(-1, 2, *dx.shape[1:]) if len(dx) > 4 else np.zeros((4, 2, 1, 1))
     split = len(c.inner_grooves)
-    inner_way, outer_way = moved[:2] - dx[:2] + shifts[:split], dx[:2] - shifts[split:]
-    inner = _bearing(c.inner_grooves, against(tuple(a), place), 1.0, inner_way, least)
-    outer = _bearing(c.outer_grooves, place, -1.0, outer_way, least)
+    inner_step, outer_step = centre_step[:2] - dx[:2] + shifts[:split], dx[:2] - shifts[split:]
+    inner = _race_contacts(c.inner_grooves, against(tuple(a), place), 1.0, inner_step, least)
+    outer = _race_contacts(c.outer_grooves, place, -1.0, outer_step, least)
     qi, si, ci = _resultant(inner, balance.inner_direction)
     qo, so, co = _resultant(outer, balance.outer_direction)
     after = balance._replace(
@@ -64,63 +64,63 @@ def contacts(
     return after, Contacts(*map(np.concatenate, zip(inner, outer, strict=True)))
 
 
-def _bearing(
+def _race_contacts(
     grooves: tuple[Groove, ...], vector: Motion, side: float, steps: Array, least: float
 ) -> Contacts:
-    """The contacts of a race after steps of each (g, 2, s, n); no load up to ``least`` is one."""
-    each = []
+    """Contacts of a race after ``steps`` (g, 2, s, n); loads up to ``least`` count as none."""
+    parts = []
     for groove, step in zip(grooves, steps, strict=False):
         along = vector_to(groove, vector, side)
         sin, cos, length = direction(_met(groove, along))
         load = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0)).load
         load = _loaded(groove.stiffness, load, (sin, cos), (step[0], step[1]))
-        moved = _met(groove, (along[0] + step[0], along[1] + step[1]))
-        each.append((load, *direction(moved)[:2]))
-    load, sin, cos = (np.stack(part) for part in zip(*each, strict=True))
+        stepped = _met(groove, (along[0] + step[0], along[1] + step[1]))
+        parts.append((load, *direction(stepped)[:2]))
+    load, sin, cos = (np.stack(part) for part in zip(*parts, strict=True))
     return Contacts(np.where(load > least, load, 0.0), sin, cos)
 
 
 def _met(groove: Groove, vector: Pair) -> Pair:
-    """A vector as its groove meets it, straight beyond 90°; some direction where there is none."""
+    """Vector in the contact law of a groove, straight beyond 90°; arbitrary where it is zero."""
     axial, radial = vector[0], facing_radius(groove, vector[1])
     return axial, np.where((axial == 0.0) & (radial == 0.0), groove.centre_distance, radial)
 
 
 def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
-    """Load and direction of the contacts of a race together."""
+    """Load and direction of the resultant of a race; direction ``otherwise`` without load."""
     axial, radial = (c.load * c.sin).sum(axis=0), (c.load * c.cos).sum(axis=0)
     load = np.hypot(axial, radial)
-    some = load > 0.0
-    size = np.where(some, load, 1.0)
+    loaded = load > 0.0
+    size = np.where(loaded, load, 1.0)
     return (
         load,
-        np.where(some, axial / size, otherwise[0]),
-        np.where(some, radial / size, otherwise[1]),
+        np.where(loaded, axial / size, otherwise[0]),
+        np.where(loaded, radial / size, otherwise[1]),
     )
 
 
 def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
     """Loads and directions of balls at rest between one groove a ring: contacts in series."""
     a = problem.centres(at[0] + step[0], at[1] + step[1])
-    moved = _moved(problem, *step)
-    stiffness, along = problem.geometry.series_stiffness, (moved[0], moved[1])
+    centre_step = _centre_step(problem, *step)
+    stiffness, along = problem.geometry.series_stiffness, (centre_step[0], centre_step[1])
     load = _loaded(stiffness, balance.inner_load, balance.inner_direction, along)
-    way = facing(both_grooves(problem.geometry), (a[0], a[1]))[:2]
+    sin_cos = facing(both_grooves(problem.geometry), (a[0], a[1]))[:2]
     return balance._replace(
-        inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
+        inner_load=load, outer_load=load, inner_direction=sin_cos, outer_direction=sin_cos
     )
 
 
-def _moved(problem: Problem, dd: Array, dx: Array) -> Array:
-    """What a step adds to A (m, s, n)."""
-    moved = problem.assembly.moved(dd)
+def _centre_step(problem: Problem, dd: Array, dx: Array) -> Array:
+    """Change of A (m, s, n) by a step."""
+    change = problem.assembly.moved(dd)
     if len(dx) == 4:
-        moved[:2] += dx[2:]
-    return moved
+        change[:2] += dx[2:]
+    return change
 
 
 def _loaded(stiffness: float, load: Array, along: Pair, step: Pair) -> Any:
-    """k (δ + dδ)^1.5 of contacts that carry ``load``; open ones stay open."""
+    """Load k (δ + dδ)^1.5 of contacts that carry ``load``; open ones stay open."""
     approach = (load / stiffness) ** (2.0 / 3.0)
-    deeper = np.maximum(approach + dot(along, step), tol.LEAST * approach)
-    return np.where(load > 0.0, stiffness * deeper**1.5, 0.0)
+    new_approach = np.maximum(approach + dot(along, step), tol.LEAST * approach)
+    return np.where(load > 0.0, stiffness * new_approach**1.5, 0.0)

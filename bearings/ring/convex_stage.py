@@ -1,8 +1,8 @@
-"""First stage: the bearing with the gyroscopic moment off and the centrifugal force fixed.
+"""First stage: the bearing without gyroscopic moment and with fixed centrifugal force.
 
 The balls' potentials add up to a convex function of the ring's displacement, so that Newton steps
 shortened until the potential falls lead to its one equilibrium from anywhere. At every place of the
-ring the balls settle, each in the least of its own potential.
+ring each ball is seated at the minimum of its own potential.
 """
 
 from __future__ import annotations
@@ -31,27 +31,27 @@ from bearings.ring.problem import Problem
 
 
 def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
-    """(d, X) of the convex stage and whether it was reached (it always should).
+    """Solve the convex stage: (d, X), and whether it converged (it always should).
 
     Contacts under a small load are hard walls to Newton steps, which then follow the valley between
-    them in many short pieces. Under a greater load the valley is wide, and its floor ends close by:
-    where the steps do not suffice, the load is let down from there.
+    them in many short pieces. Under a greater load the valley is wide, and its minimum is close:
+    where the steps do not suffice, the load is reduced in stages from there.
     """
     d, x, done = _descended(problem, start)
     size = problem.load_size
-    left = np.flatnonzero(~done & (size > 0.0) & (size < tol.LIGHT))
-    if not left.size:
+    todo = np.flatnonzero(~done & (size > 0.0) & (size < tol.LIGHT))
+    if not todo.size:
         return d, x, done
-    part, near, factor = problem.take(left), start[left], tol.LIGHT / size[left, None]
+    part, staged, factor = problem.take(todo), start[todo], tol.LIGHT / size[todo, None]
     while (factor > 1.0).any():
-        near = _descended(replace(part, load=factor * part.load), near)[0]
+        staged = _descended(replace(part, load=factor * part.load), staged)[0]
         factor = np.maximum(factor / tol.LET_DOWN, 1.0)
-    d[left], x[:, left], done[left] = _descended(part, near)
+    d[todo], x[:, todo], done[todo] = _descended(part, staged)
     return d, x, done
 
 
 def _descended(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
-    """(d, X) where Newton steps from ``start`` end, and whether that is the minimum."""
+    """Minimise by Newton steps from ``start``: (d, X), and whether that is the minimum."""
     d, now = start.copy(), _seated(problem, start, None)
     x, done = now.ball, np.full(len(d), not problem.free.any())
     scale, todo, part = problem.scale[problem.free], np.arange(len(d)), problem
@@ -60,22 +60,22 @@ def _descended(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
     for _ in range(tol.CONVEX_STEPS):
         gap, k, balanced = _ring_balance(part, now)
         done[todo] = balanced
-        going = np.flatnonzero(~balanced)
-        if not going.size:
+        active = np.flatnonzero(~balanced)
+        if not active.size:
             break
-        todo, part, now = todo[going], part.take(going), now.take(going)
+        todo, part, now = todo[active], part.take(active), now.take(active)
         step = np.zeros((todo.size, 5))
-        step[:, problem.free] = _downhill(part, k[going], gap[going]) / scale
+        step[:, problem.free] = _downhill(part, k[active], gap[active]) / scale
         d[todo], now = _searched(part, d[todo], now, step)
         x[:, todo] = now.ball
     return d, x, done
 
 
 class Seated(NamedTuple):
-    """A ring whose balls sit in the least of their potentials, Fc fixed.
+    """A ring with every ball at the minimum of its potential, at fixed Fc.
 
     ``ball`` (2, s, n); ``energy`` (s,) of all balls; ``load`` (s, 5) and ``stiffness`` (s, 5, 5) of
-    the ring; ``largest`` (s,): what the heaviest ball puts on it; ``follow`` (2, m, s, n).
+    the ring; ``largest`` (s,): largest load of a ball on it; ``follow`` (2, m, s, n).
     """
 
     ball: Array
@@ -86,7 +86,7 @@ class Seated(NamedTuple):
     follow: Array
 
     def take(self, states: Index) -> Seated:
-        """Some of the states."""
+        """Select states by index."""
         return Seated(
             self.ball[:, states],
             self.energy[states],
@@ -98,7 +98,7 @@ class Seated(NamedTuple):
 
 
 def _seated(problem: Problem, d: Array, near: Array | None) -> Seated:
-    """Balls seated at displacement d; ``near``: centres close by."""
+    """Seat the balls at displacement d; ``near``: nearby ball centres."""
     c, assembly, a = problem.geometry, problem.assembly, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
@@ -119,7 +119,7 @@ def _seated(problem: Problem, d: Array, near: Array | None) -> Seated:
 
 
 def _ring_balance(problem: Problem, now: Seated) -> tuple[Array, Array, Flags]:
-    """Load still missing and tangent, DOF as lengths; and where nothing is missing."""
+    """Residual load and tangent of the free DOF, scaled to lengths; and where it is negligible."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - now.load)[:, free] / scale
     k = reduced(problem, now.stiffness)
@@ -132,11 +132,11 @@ def _ring_balance(problem: Problem, now: Seated) -> tuple[Array, Array, Flags]:
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     """Newton direction of the convex stage, its length bounded.
 
-    A little stiffened, in proportion to the load still missing, so that the last steps converge
+    K is stiffened in proportion to the residual load, so that the last steps converge
     quadratically (Li, Fukushima, Qi & Yamashita, Comput. Optim. Appl. 28 (2004) 131).
     """
-    g, missing = problem.geometry, np.abs(gap).max(axis=1)
-    share = missing / (missing + problem.load_size + 1e-300)
+    g, residual = problem.geometry, np.abs(gap).max(axis=1)
+    share = residual / (residual + problem.load_size + 1e-300)
     soft = tol.SOFTEST * np.maximum(share, tol.HARDEST) * np.abs(k).max(axis=(1, 2))
     soft += tol.SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
     step = np.linalg.solve(k + soft[:, None, None] * np.eye(k.shape[-1]), gap[..., None])[..., 0]
@@ -145,24 +145,24 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
 
 
 def _searched(problem: Problem, d: Array, now: Seated, step: Array) -> tuple[Array, Seated]:
-    """A step along ``step``, halved until the potential falls; balls settle at every try."""
+    """Take a ``step``, halved until the potential falls; balls are seated at every trial."""
     g = problem.geometry
 
     def total(seated: Seated, d: Array) -> Array:
         return np.asarray(seated.energy - (problem.load * d).sum(axis=-1))
 
-    before = total(now, d)
+    previous = total(now, d)
     load = 64.0 * problem.load_size + 4.0 * g.balls * frozen_force(g, problem.squared)
-    slack = EPS * (64.0 * np.abs(before) + g.free_distance * load)
+    slack = EPS * (64.0 * np.abs(previous) + g.free_distance * load)
     length, along = np.ones((len(d), 1)), followed_by(now.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step
-        moved = _seated(problem, trial, now.ball + length * along)
-        good = total(moved, trial) <= before + slack
-        if good.all():
+        after = _seated(problem, trial, now.ball + length * along)
+        lower = total(after, trial) <= previous + slack
+        if lower.all():
             break
-        length = np.where(good[:, None], length, 0.5 * length)
-    return trial, moved
+        length = np.where(lower[:, None], length, 0.5 * length)
+    return trial, after
 
 
 def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | None = None) -> Array:
@@ -180,27 +180,27 @@ def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | No
     x = np.stack(first_seat(c, tuple(a), fc))
     now = at(slice(None), x)
     if start is not None:
-        given = start.reshape(2, -1)
-        then = at(slice(None), given)
+        initial = start.reshape(2, -1)
+        then = at(slice(None), initial)
         better = (then.energy < now.energy) & (then.hold > 0.0)
-        x, now = np.where(better, given, x), _chosen(better, then, now)
+        x, now = np.where(better, initial, x), _chosen(better, then, now)
     todo, length = np.arange(a.shape[1]), np.ones(a.shape[1])
     for _ in range(tol.SEAT_STEPS):
-        going = np.flatnonzero(now.moving)
-        if not going.size:
+        active = np.flatnonzero(now.moving)
+        if not active.size:
             break
-        parts: Any = (np.asarray(part)[..., going] for part in now)
-        todo, length, now = todo[going], length[going], SeatStep(*parts)
+        parts: Any = (np.asarray(part)[..., active] for part in now)
+        todo, length, now = todo[active], length[active], SeatStep(*parts)
         trial = x[:, todo] + length * np.stack(now.step)
         then = at(todo, trial)
-        good = improves(now, then)
-        x[:, todo[good]] = trial[:, good]
-        length = np.where(good, 1.0, 0.5 * length)
-        now = then if good.all() else _chosen(good, then, now)
+        improved = improves(now, then)
+        x[:, todo[improved]] = trial[:, improved]
+        length = np.where(improved, 1.0, 0.5 * length)
+        now = then if improved.all() else _chosen(improved, then, now)
     return x.reshape(2, *centre.shape[1:])
 
 
 def _chosen(choice: Flags, yes: SeatStep, no: SeatStep) -> SeatStep:
-    """Of each ball the one or the other."""
+    """Choose between two steps ball by ball."""
     parts: Any = (np.where(choice, *pair) for pair in zip(yes, no, strict=True))
     return SeatStep(*parts)

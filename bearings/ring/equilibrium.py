@@ -6,7 +6,7 @@ and the gyroscopic moment are then switched on by a blend t = 0 … 1, and the s
 path that ends before t = 1 (a fold, a jump of a contact, a ball lifted off) has no physical end,
 which is an outcome, not a number.
 
-All states of a batch advance together; those that are done drop out.
+All states of a batch advance together; converged ones drop out.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from bearings.ring.problem import Problem, first_displacement
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solution:
-    """d (s, 5), ball (u, s, n), balance, tangent (s, 5, 5), residual, outcome word (s,)."""
+    """Solved states: d (s, 5), ball (u, s, n), balance, K (s, 5, 5), residual, outcome (s,)."""
 
     displacement: Array
     ball: Array
@@ -43,22 +43,22 @@ class Solution:
 def solve(
     problem: Problem, displacement: Array, guess: Array | None = None, *, compiled: bool = False
 ) -> Solution:
-    """The physical state of every problem, started at ``displacement`` (s, 5).
+    """Find the physical state of every problem, starting at ``displacement`` (s, 5).
 
     ``guess`` (u, s, n): unknowns of the balls near the solution at full blend (a previous
     state of a sweep); where following from it fails, the two-stage solve decides. ``compiled``: one
     state after the other instead of all together.
     """
     if compiled and problem.compliances is None:
-        each, outcome = one_by_one(problem, displacement, guess)
-        d, x, linear = each.displacement, each.ball, None
+        states, outcome = one_by_one(problem, displacement, guess)
+        d, x, linear = states.displacement, states.ball, None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
-        lost = np.flatnonzero(outcome != "")
-        if guess is not None and lost.size:  # no state is lost by a start that leads astray
-            part = problem.take(lost)
-            again = _together(part, first_displacement(part, displacement[lost]), None)
-            d[lost], x[:, lost], outcome[lost] = again[:3]
+        failed = np.flatnonzero(outcome != "")
+        if guess is not None and failed.size:  # a bad guess must not cost a state
+            part = problem.take(failed)
+            retried = _together(part, first_displacement(part, displacement[failed]), None)
+            d[failed], x[:, failed], outcome[failed] = retried[:3]
             linear = None
     if linear is None:
         linear = linearise(problem, d, x, np.full(len(d), problem.full))
@@ -78,42 +78,42 @@ def solve(
 def one_by_one(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
 ) -> tuple[CompiledStates, Words]:
-    """Compiled, see ``compiled_states``, and the outcome of every state.
+    """Solve by the compiled solver, see ``compiled_states``; also return the outcome of each state.
 
-    What is refused so is looked for together, where free motions are followed; and so is every
-    bearing whose rings deform, which the compiled solver does not know.
+    States that it does not find are solved as a batch, where free motions are followed; and so is
+    every bearing whose rings deform, which the compiled solver does not support.
     """
     if problem.compliances is not None:
-        near = None if guess is None or guess.shape[1] != len(displacement) else guess
-        all_ = solve(problem, displacement, near)
-        exists = all_.outcome == ""
+        start = None if guess is None or guess.shape[1] != len(displacement) else guess
+        solution = solve(problem, displacement, start)
+        exists = solution.outcome == ""
         return CompiledStates(
-            all_.displacement, all_.ball, all_.ring_load, all_.stiffness, exists
-        ), all_.outcome
+            solution.displacement, solution.ball, solution.ring_load, solution.stiffness, exists
+        ), solution.outcome
     solved = compiled_states(problem, displacement, guess, chained=chained)
     outcome = _words(solved.exists)
     missing = (~solved.exists).nonzero()[0]
     if missing.size:
         part = problem.take(missing)
-        again = solve(part, first_displacement(part, displacement[missing]))
-        solved.displacement[missing], solved.load[missing] = again.displacement, again.ring_load
-        solved.ball[:, missing], solved.stiffness[missing] = again.ball, again.stiffness
-        outcome[missing], solved.exists[missing] = again.outcome, again.outcome == ""
+        retried = solve(part, first_displacement(part, displacement[missing]))
+        solved.displacement[missing], solved.load[missing] = retried.displacement, retried.ring_load
+        solved.ball[:, missing], solved.stiffness[missing] = retried.ball, retried.stiffness
+        outcome[missing], solved.exists[missing] = retried.outcome, retried.outcome == ""
     return solved, outcome
 
 
 def _together(
     problem: Problem, displacement: Array, guess: Array | None
 ) -> tuple[Array, Array, Words, Linear | None]:
-    """(d, X), the outcome of every state, and its linearisation if that is known."""
+    """Solve as a batch: (d, X), the outcome of every state, the linearisation if available."""
     states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((problem.unknowns, states, problem.assembly.balls))
-    done, linear = np.zeros(states, dtype=bool), None
+    solved, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
-        d, x, done, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
-        done &= problem.law.one_branch
-    outcome = _words(done)
-    cold = np.flatnonzero(~done)
+        d, x, solved, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
+        solved &= problem.law.one_branch
+    outcome = _words(solved)
+    cold = np.flatnonzero(~solved)
     if cold.size:
         part, linear = problem.take(cold), None
         d[cold], x[:2, cold], reached = convex_state(part, displacement[cold])
@@ -126,18 +126,18 @@ def _together(
 
 
 def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Array, Array, Flags]:
-    """``followed``; what fails is tried again as a ring of which not every motion is held.
+    """Call ``followed``, and retry failed states as rings with unrestrained motions.
 
-    A load that one or two balls carry leaves the others free: any of the places that meet it is a
-    state, and the nearest is taken. Not where contacts open and close with a jump.
+    A load on one or two balls leaves motions of the ring free: any position that balances it is a
+    state, and the nearest is taken. This excludes laws whose contacts open and close with a jump.
     """
     start = d.copy(), x.copy()
     d, x, converged, given_up = followed(problem, d, x, reached)
-    left = np.flatnonzero(reached & ~converged & ~given_up & problem.law.one_branch)
-    if left.size:
-        part = replace(problem.take(left), loose=True)
-        begun = start[0][left], start[1][:, left], np.ones(left.size, dtype=bool)
-        d[left], x[:, left], converged[left], _ = followed(part, *begun)
+    failed = np.flatnonzero(reached & ~converged & ~given_up & problem.law.one_branch)
+    if failed.size:
+        part = replace(problem.take(failed), loose=True)
+        initial = start[0][failed], start[1][:, failed], np.ones(failed.size, dtype=bool)
+        d[failed], x[:, failed], converged[failed], _ = followed(part, *initial)
     return d, x, converged
 
 
@@ -150,14 +150,14 @@ def _words(done: Flags) -> Words:
 def _last_digits(
     problem: Problem, d: Array, x: Array, linear: Linear, converged: Flags
 ) -> tuple[tuple[Array, Array], Balance, Contacts, Array]:
-    """(d, X), balance, contacts and ring load, freed from rounding of the lengths."""
-    exact = scaled_error(problem, linear.balance, linear.ring_load, rounding=0.0)
-    left = converged & (exact >= tol.TOLERANCE)
-    if not left.any():
+    """Remove rounding of the lengths from (d, X), balance, contacts and ring load."""
+    full_error = scaled_error(problem, linear.balance, linear.ring_load, rounding=0.0)
+    inexact = converged & (full_error >= tol.TOLERANCE)
+    if not inexact.any():
         return (d, x), *contacts(problem, linear.balance, (d, x)), linear.ring_load
     dd, dx = newton_step(problem, linear)
-    dd, dx = np.where(left[:, None], dd, 0.0), np.where(left[:, None], dx, 0.0)
+    dd, dx = np.where(inexact[:, None], dd, 0.0), np.where(inexact[:, None], dx, 0.0)
     load = linear.load + (linear.stiffness @ dd[..., None])[..., 0]
-    ring_load = np.where(left[:, None], load, linear.ring_load)
+    ring_load = np.where(inexact[:, None], load, linear.ring_load)
     touching = contacts(problem, linear.balance, (d, x), (dd, dx))
     return (d + dd, x + dx), *touching, ring_load

@@ -1,9 +1,9 @@
-"""Shifts of the grooves of rings that deform: more unknowns beside the ball centres.
+"""Shifts of the grooves of rings that deform: unknowns in addition to the ball centres.
 
 With rigid rings every ball depends on the motion of its ring alone. Rings that deform couple the
-balls: at each, a groove is where the ring's motion carries it, and shifted, which all contact loads
-bring about (``bearings.flexible_rings.compliance``). Once balls are eliminated, that is one linear
-equation for the shifts of all balls of a state, and the ring sees balls and shifts as springs.
+balls: at each, a groove follows the motion of its ring and is shifted by all contact loads
+(``bearings.flexible_rings.compliance``). Once balls are eliminated, that is one linear
+equation for the shifts of all balls of a state, and balls and shifts act on the ring as springs.
 
 Between one groove a ring, only the shift of the inner groove against the outer one matters to a
 ball: two unknowns. Where a ring has two, each groove has its own, in the order of the contacts:
@@ -31,11 +31,11 @@ from bearings.ring.problem import Problem
 class ShiftStep:
     """The u shifts of the grooves at every ball, linearised with the balls.
 
-    ``still`` (u, s, n) [m]: what they still change by with the ring where it is; ``follow``
-    (u, s, n, 5): with the ring's displacement. ``error`` (s,): what they miss, as a force.
-    ``ball_by`` (2, u, s, n), ``action_by`` (3, u, s, n): what a ball and its action do with them.
-    ``across`` (3, m, s, 1), of one ball that stands for all: what shifts add to its action by the
-    motion of its groove where the ring moves across the axis; else None.
+    ``still`` (u, s, n) [m]: their Newton step at a fixed ring; ``follow`` (u, s, n, 5): their
+    derivatives by the ring's displacement. ``error`` (s,): their residual, as a force. ``ball_by``
+    (2, u, s, n), ``action_by`` (3, u, s, n): derivatives of ball centre and action by the shifts.
+    ``across`` (3, m, s, 1), of one ball that represents all: contribution of the shifts to its
+    action by the motion of its groove where the ring moves across the axis; else None.
     """
 
     still: Array
@@ -47,11 +47,11 @@ class ShiftStep:
 
 
 class CentreToBall(NamedTuple):
-    """From the centre of every groove to its ball, ``way`` (s, n, c, 2) [m], and how ways move.
+    """Vectors ``way`` (s, n, c, 2) [m] from the centre of every groove to its ball, linearised.
 
-    ``still`` (s, n, 2c): as balls come into balance, with ring and shifts where they are;
-    ``by_shift`` (s, n, 2c, u), ``by_motion`` (s, n, 2c, m): by shifts, and by motions of the inner
-    ring there. ``joined`` (u, 2c): the unknowns of a ball from the shifts of all its grooves.
+    ``still`` (s, n, 2c): their Newton step at fixed ring and shifts; ``by_shift`` (s, n, 2c, u),
+    ``by_motion`` (s, n, 2c, m): derivatives by shifts, and by motions of the inner ring there.
+    ``joined`` (u, 2c): the unknowns of a ball from the shifts of all its grooves.
     """
 
     way: Array
@@ -71,9 +71,10 @@ def linearised_shifts(
     blend: Array,
     motion: tuple[Any, float],
 ) -> ShiftStep:
-    """Shifts where grooves stand at ``centre`` and balls at ``x``, whose later rows they are.
+    """Linearise the shifts at groove places ``centre`` and unknowns ``x``, whose rows from 2 on
+    they are.
 
-    ``c``: with grooves as shifted; ``blend`` (s,): share of the compliance that acts; ``motion``:
+    ``c``: with shifted grooves; ``blend`` (s,): share of the compliance that acts; ``motion``:
     blend and ``vary`` of Fc and Mg, as for ``turning_balance``.
     """
     if c.single:
@@ -84,40 +85,40 @@ def linearised_shifts(
         ways = _between_two(problem, c, centre, x, balls, ball_by)
     shift, slopes = _pressed(problem, c, ways.way, blend)
     by_ring = ways.by_motion @ np.moveaxis(problem.assembly.spread, -1, 0)
-    here = np.moveaxis(x[2:], 0, 2)
-    missing = shift @ ways.joined.T - here
-    still, follow = _solved(ways, slopes[0], missing, by_ring)
+    current = np.moveaxis(x[2:], 0, 2)
+    residual = shift @ ways.joined.T - current
+    still, follow = _solved(ways, slopes[0], residual, by_ring)
     across = None
     if len(slopes) > 1:
-        answer = _solved(ways, slopes[1], missing, ways.by_motion)[1]
-        across = np.einsum("ausn,usnm->amsn", action_by, answer)
+        response = _solved(ways, slopes[1], residual, ways.by_motion)[1]
+        across = np.einsum("ausn,usnm->amsn", action_by, response)
     stiffest = np.abs(np.asarray(balls.tangent[:2])).max(axis=(0, 1, 3))
-    error = np.abs(missing).max(axis=(1, 2)) * stiffest
+    error = np.abs(residual).max(axis=(1, 2)) * stiffest
     return ShiftStep(still, follow, error, ball_by, action_by, across)
 
 
-def _solved(ways: CentreToBall, slope: Array, missing: Array, by: Array) -> tuple[Array, Array]:
-    """Shifts of all balls: where they come to rest (u, s, n), and by given motions (u, s, n, k),
-    of which ``by`` (s, n, 2c, k) says what they do with the ways. ``slope`` (s, n, 2c, n, 2c)."""
+def _solved(ways: CentreToBall, slope: Array, residual: Array, by: Array) -> tuple[Array, Array]:
+    """Solve the shifts of all balls: their Newton step (u, s, n), and their derivatives by motions
+    (u, s, n, k) that change the ways by ``by`` (s, n, 2c, k). ``slope`` (s, n, 2c, n, 2c)."""
     # With e the shifts, y the ways and J = ``joined``: e = J E(y), so that
     # (I − J E' ∂y/∂e) de = J E − e + J E' (dy of the balls, and of the given motions).
     states, n, ends = ways.still.shape
     u = len(ways.joined)
-    turned = ways.joined @ slope.reshape(states, n, ends, n * ends)
-    turned = turned.reshape(states, n * u, n, ends)
-    tangent = turned.swapaxes(1, 2) @ ways.by_shift  # (s, n, n·u, u), ball by ball
+    gradient = ways.joined @ slope.reshape(states, n, ends, n * ends)
+    gradient = gradient.reshape(states, n * u, n, ends)
+    tangent = gradient.swapaxes(1, 2) @ ways.by_shift  # (s, n, n·u, u), ball by ball
     tangent = tangent.swapaxes(1, 2).reshape(states, n * u, n * u)
     moves = np.concatenate([ways.still[..., None], by], axis=-1).reshape(states, n * ends, -1)
-    right = turned.reshape(states, n * u, n * ends) @ moves
-    right[..., 0] += missing.reshape(states, -1)
-    found = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, -1)
-    found = np.moveaxis(found, 2, 0)
-    return found[..., 0], found[..., 1:]
+    right = gradient.reshape(states, n * u, n * ends) @ moves
+    right[..., 0] += residual.reshape(states, -1)
+    shifts = np.linalg.solve(np.eye(n * u) - tangent, right).reshape(states, n, u, -1)
+    shifts = np.moveaxis(shifts, 2, 0)
+    return shifts[..., 0], shifts[..., 1:]
 
 
 def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -> CentreToBall:
-    """One groove a ring: X counts from the outer groove, A from there to the inner one. At rest
-    both contacts are in series, and the ball takes no place."""
+    """Ways with one groove a ring: X is relative to the outer groove, A leads from there to the
+    inner one. At rest both contacts are in series, and the ball centre is no unknown."""
     eye, still = np.eye(2)[:, :, None, None], np.zeros_like(x[:2])
     by: Any = (-eye, eye)
     if problem.placed:
@@ -137,7 +138,7 @@ def _between_one(problem: Problem, centre: Motion, x: Array, balls: Condensed) -
 def _between_two(
     problem: Problem, c: Geometry, centre: Motion, x: Array, balls: Condensed, ball_by: Array
 ) -> CentreToBall:
-    """Two grooves a ring: every one with its own shift."""
+    """Ways with two grooves a ring, each with its own shift."""
     way, follow = _way(problem, c, centre, x), _rows(balls.follow, len(centre))
     still, count = np.stack(balls.still), way.shape[2]
     by_motion = np.tile(follow, (count, 1, 1, 1))  # (2c, m, s, n)
@@ -157,8 +158,8 @@ def _between_two(
 
 
 def _way(problem: Problem, c: Geometry, centre: Motion, x: Array) -> Array:
-    """From the centre of every groove to its ball (s, n, c, 2); of balls at rest between one groove
-    a ring, to the other groove."""
+    """Vectors from the centre of every groove to its ball (s, n, c, 2); for balls at rest between
+    one groove a ring, to the other groove."""
     place = (x[0], x[1])
     if not c.single:
         inner = [vector_to(groove, against(centre, place), 1.0) for groove in c.inner_grooves]
@@ -172,7 +173,7 @@ def _way(problem: Problem, c: Geometry, centre: Motion, x: Array) -> Array:
 
 
 def groove_shifts(problem: Problem, d: Array, x: Array) -> tuple[Array, Array]:
-    """Of solved states: ways from the grooves to the balls, and the shifts of the groove centres by
+    """Ways from the grooves to the balls of solved states, and the shifts of the groove centres by
     the loads there (s, n, c, 2) [m]."""
     c, centre = problem.shifted(x), tuple(problem.centres(d, x))
     way = _way(problem, c, centre, x)
@@ -187,11 +188,11 @@ def _by_grooves(
     balance: Balance,
     motion: tuple[Any, float],
 ) -> tuple[Array, Array]:
-    """What a ball does with the shifts of its grooves (2, u, s, n), and its action (3, u, s, n)."""
+    """Derivatives of a ball (2, u, s, n) and of its action (3, u, s, n) by its groove shifts."""
     law, squared = problem.law.numbers, problem.squared[:, None]
-    each = by_grooves(c, law, centre, (x[0], x[1]), squared, *motion)
+    derivatives = by_grooves(c, law, centre, (x[0], x[1]), squared, *motion)
     forces, action = (
-        np.concatenate([_rows(part[k], 2) for part in each], axis=1) for k in range(2)
+        np.concatenate([_rows(part[k], 2) for part in derivatives], axis=1) for k in range(2)
     )
     back: Any = np.asarray(inverse(balance.forces.residual_by_ball))
     ball_by = -np.einsum("xysn,yusn->xusn", back, forces)
@@ -202,8 +203,8 @@ def _by_grooves(
 def _pressed(
     problem: Problem, c: Geometry, way: Array, blend: Array
 ) -> tuple[Array, tuple[Array, ...]]:
-    """Shifts of all grooves (s, n, 2c), and what they change by with the ways of the balls
-    (s, n, 2c, n, 2c): in the motion solved for, and where one ball stands for all across it."""
+    """Shifts of all grooves (s, n, 2c), and their derivatives by the ways (s, n, 2c, n, 2c): for
+    the motion solved for, and, where one ball represents all, for motion across it."""
     states, n, contacts = way.shape[:3]
     split, rings = len(c.inner_grooves), problem.compliances
     alone = problem.assembly.balls < problem.geometry.balls
@@ -218,32 +219,32 @@ def _pressed(
         if ring is None:
             continue
         groove = grooves[0] if problem.placed else both_grooves(c)
-        there = way[:, :, part].copy()
+        vector = way[:, :, part].copy()
         if groove.walls:  # straight beyond 90°
-            there[..., 1] = outward * np.maximum(outward * there[..., 1], 0.0)
-        length = np.sqrt((there * there).sum(axis=-1))
+            vector[..., 1] = outward * np.maximum(outward * vector[..., 1], 0.0)
+        length = np.sqrt((vector * vector).sum(axis=-1))
         k: Any = np.asarray(groove.stiffness)
         distance = np.asarray(groove.centre_distance)
         if k.ndim:  # films in series with the contacts make them differ from ball to ball
             k, distance = k[..., None], distance[..., None]
         load, stiffness = hertz(k, np.maximum(length - distance, 0.0))
-        known, others = (
+        acting, others = (
             (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if alone else (ring, [])
         )
-        each = known.shifts(there, load, stiffness, others)
-        shift[:, :, part] = each.shift * blend[:, None, None, None]
-        for whole, slope in zip(slopes, each.slopes, strict=True):
-            whole[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
+        shifts = acting.shifts(vector, load, stiffness, others)
+        shift[:, :, part] = shifts.shift * blend[:, None, None, None]
+        for total, slope in zip(slopes, shifts.slopes, strict=True):
+            total[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
     flat = (states, n, 2 * contacts, n, 2 * contacts)
-    return shift.reshape(states, n, 2 * contacts), (*(each.reshape(flat) for each in slopes),)
+    return shift.reshape(states, n, 2 * contacts), (*(slope.reshape(flat) for slope in slopes),)
 
 
 def _rows(rows: Any, columns: int) -> Array:
-    """Rows of which the first ``columns`` are taken, each (s, n), as (rows, columns, s, n)."""
+    """Stack the first ``columns`` entries (s, n) of every row to (rows, columns, s, n)."""
     return np.array([row[:columns] for row in rows])
 
 
 def _last(block: Array, x: Array) -> Array:
-    """(k, l, s, n) as (s, n, k, l)."""
-    whole = np.broadcast_to(block, (*block.shape[:2], *x.shape[1:]))
-    return np.moveaxis(whole, (0, 1), (2, 3))
+    """Broadcast (k, l, s, n) and move its axes to (s, n, k, l)."""
+    full = np.broadcast_to(block, (*block.shape[:2], *x.shape[1:]))
+    return np.moveaxis(full, (0, 1), (2, 3))

@@ -1,7 +1,7 @@
-"""Balls and ring linearised where they stand: the Newton step, and how far balance is off.
+"""Linearisation of balls and ring at given places: the Newton step and the scaled residual.
 
-Each ball is eliminated, so that the ring sees it as a spring (theory: solving). Whoever follows a
-path of states, or moves rings within a larger iteration (``iterate``), takes its steps from here.
+Each ball is eliminated and acts on the ring as a spring (theory: solving). The path of states and
+larger iterations that move the rings (``iterate``) take their steps from here.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Linear:
 
     @cached_property
     def load(self) -> Array:
-        """f (s, 5) with the balls settled to first order."""
+        """f (s, 5) with the balls in balance to first order."""
         load = self.assembly.load(self.balls.action)
         return load if self.shifts is None else load + self._by_shift(self.shifts.still)
 
@@ -54,28 +54,28 @@ class Linear:
         if self.shifts is None:
             return rigid
         columns = [self._by_shift(self.shifts.follow[..., k]) for k in range(5)]
-        whole = rigid + np.stack(columns, axis=-1)
+        total = rigid + np.stack(columns, axis=-1)
         if self.shifts.across is None:
-            return whole
+            return total
         x, r, tilt = self.shifts.across
-        beside = self.assembly.stiffness(((*x,), (*r,), (*tilt,)))
-        beside[:, 0], beside[:, :, 0] = 0.0, 0.0
-        return whole + beside
+        across = self.assembly.stiffness(((*x,), (*r,), (*tilt,)))
+        across[:, 0], across[:, :, 0] = 0.0, 0.0
+        return total + across
 
     def _by_shift(self, shift: Array) -> Array:
-        """Change of f (s, 5) with ``shift`` (u, s, n) of the grooves."""
+        """Change of f (s, 5) by a ``shift`` (u, s, n) of the grooves."""
         assert self.shifts is not None
         x, r, tilt = (self.shifts.action_by * shift).sum(axis=1)
         return self.assembly.load((x, r, tilt))
 
     def _ball_by(self, shift: Array) -> Array:
-        """dX (2, s, n) with ``shift`` (u, s, n) of the grooves."""
+        """Change dX (2, s, n) by a ``shift`` (u, s, n) of the grooves."""
         assert self.shifts is not None
         return np.asarray((self.shifts.ball_by * shift).sum(axis=1))
 
     @property
     def still(self) -> Array:
-        """Step of the balls (u, s, n) with the ring where it is."""
+        """Newton step of the balls (u, s, n) at a fixed ring."""
         still = np.stack(self.balls.still)
         if self.shifts is None:
             return still
@@ -91,7 +91,7 @@ class Linear:
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
-    """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
+    """Linearise at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X has no influence."""
     g, centre = problem.shifted(x), tuple(problem.centres(d, x))
     t: Any = 0.0
     if problem.placed:
@@ -119,7 +119,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
 
 
 def reduced(problem: Problem, k: Array) -> Array:
-    """K (s, 5, 5) of the DOF whose load is given, as lengths."""
+    """Rows and columns of K (s, 5, 5) of the DOF whose load is given, scaled to lengths."""
     scale = problem.scale[problem.free]
     return np.asarray(k[:, problem.free][:, :, problem.free] / scale / scale[:, None])
 
@@ -127,16 +127,16 @@ def reduced(problem: Problem, k: Array) -> Array:
 def scaled_error(
     problem: Problem, balance: Balance, ring_load: Array, rounding: float = tol.ROUNDING
 ) -> Array:
-    """Largest scaled residual of balls and ring but for some roundings of the lengths."""
+    """Largest scaled residual of balls and ring, with a tolerance for rounding of the lengths."""
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
     noise = rounding * rounding_force(g, largest) / tol.TOLERANCE
     ball = np.maximum(*np.abs(balance.forces.residual)).max(axis=-1) / (largest + noise + 1e-300)
-    miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
-    if not miss.size:
+    imbalance = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
+    if not imbalance.size:
         return ball
     size = problem.load_size + g.balls * (1e-3 * largest + noise) + 1e-300
-    return np.maximum(ball, miss.max(axis=-1) / size)
+    return np.maximum(ball, imbalance.max(axis=-1) / size)
 
 
 def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
@@ -151,13 +151,13 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
 
 
 def followed_by(follow: Array, moved: Array) -> Array:
-    """What balls do (2, …) where their grooves move (m, …) and they ``follow`` (2, m, …)."""
+    """Motion (2, …) of balls that ``follow`` (2, m, …) the motions (m, …) of their grooves."""
     step = follow[:, 0] * moved[0] + follow[:, 1] * moved[1]
     return step if len(moved) == 2 else step + follow[:, 2] * moved[2]
 
 
 def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
-    """K⁻¹ gap; where K is singular to rounding zero, or the shortest such step if ``loose``."""
+    """K⁻¹ gap; zero where K is singular to rounding, or the shortest such step if ``loose``."""
     largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
     part = k / largest
     regular = np.abs(np.linalg.det(part)) > tol.PLAINLY_REGULAR
@@ -172,9 +172,9 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
 
 
 def frozen_tangent(operation: Operation, d: Array, x: Array, good: Flags) -> tuple[Array, Index]:
-    """Tangents (k, 5, 5) with Fc and Mg kept as they are, and the places (k,) of these states.
+    """Tangents (k, 5, 5) with Fc and Mg constant, and the indices (k,) of these states.
 
-    Of solved states, d (s, 5) and X (2, s, n): of those that are ``good`` (s,) and turn.
+    Of the states d (s, 5) and X (2, s, n) they are those that exist, ``good`` (s,), and turn.
     """
     index = np.flatnonzero(good & turns(operation.geometry, operation.speed))
     part = Problem.of(operation, full_assembly).take(index)

@@ -1,4 +1,4 @@
-"""How fast the balls of a solved state orbit, roll and spin."""
+"""Orbit, rolling and spin of the balls of a solved state."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class BallMotion(NamedTuple):
-    """Of each ball (…, balls), over the speed ω of the inner ring; it does not depend on ω.
+    """Motion of each ball (…, balls) over the speed ω of the inner ring, independent of ω.
 
     ``orbit`` ωm/ω; ``rotation`` |ωR/ω| of the ball against the cage; ``attitude`` β of its axis
     [rad], beyond π/2 where the ball turns backward about the axis of the bearing.
@@ -27,7 +27,7 @@ class BallMotion(NamedTuple):
 
 
 class ContactMotion(NamedTuple):
-    """Of each contact (…, balls, contacts), over ω; signs as if the inner ring turns positively.
+    """Motion at each contact (…, balls, contacts) over ω; signs for a positive rotation.
 
     ``roll`` and ``spin``: relative rotation of ball and race along the tangent of the contact and
     along its normal; ``slide`` [m]: relative velocity at the middle of the contact over ω, 0 where
@@ -42,19 +42,19 @@ class ContactMotion(NamedTuple):
 
 
 def ball_motion(state: BearingState) -> BallMotion:
-    """Orbit and rotation of the balls, by the angles of the resultants on their races."""
+    """Compute orbit and rotation of the balls from the angles of the resultants on their races."""
     a = state.angles
     t = state.tan_beta
     orbit = np.asarray(orbit_and_spin(a, t)[0].value)
     total = (a.cos_o + t * a.sin_o) / (1.0 + a.gamma * a.cos_o)
     total = total + (a.cos_i + t * a.sin_i) / (1.0 - a.gamma * a.cos_i)
     rotation = np.sqrt(1.0 + t * t) / (a.gamma * np.abs(total))
-    way = np.sign(total)
-    return BallMotion(orbit, np.asarray(rotation), np.arctan2(way * t, way))
+    sign = np.sign(total)
+    return BallMotion(orbit, np.asarray(rotation), np.arctan2(sign * t, sign))
 
 
 def contact_motion(state: BearingState) -> ContactMotion:
-    """Rolling, spinning and sliding of every contact, at its own angle; NaN without load.
+    """Compute rolling, spin and sliding of every contact, at its own angle; NaN without load.
 
     In the frame of the cage the ball turns by ωR about (cos β, −sin β), axial and radial, the inner
     race by ω − ωm and the outer one by −ωm about the axis, both with their sign reversed.

@@ -1,4 +1,4 @@
-"""The operating points of a bearing that are asked for, checked and laid out as a list."""
+"""Operating points of a bearing, checked and flattened to a list."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ PAIRS = ("Fx or δx", "Fy or δy", "Fz or δz", "My or θy", "Mz or θz")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """Bearing, assumptions and operating points; ``shape`` is the caller's batch shape.
+    """Bearing, hypotheses and operating points; ``shape`` is the caller's batch shape.
 
-    Where ``free`` (5,) is true ``load`` (s, 5) is given, elsewhere ``displacement`` (s, 5); what is
-    not given is zero. ``speed`` without sign, ``static_growth``, ``growth`` (s,).
+    Where ``free`` (5,) is true ``load`` (s, 5) is given, elsewhere ``displacement`` (s, 5); the
+    other one is zero. ``speed`` without sign, ``static_growth``, ``growth`` (s,).
     """
 
     grooves: Grooves
@@ -46,7 +46,7 @@ class Operation:
 
     @property
     def geometry(self) -> Geometry:
-        """What the grooves imply, with the inertia that acts."""
+        """Constants derived from the grooves, with the inertia that acts."""
         return acting(geometry(self.grooves), self.law.dynamics)
 
     @property
@@ -56,11 +56,11 @@ class Operation:
 
     @property
     def unloaded(self) -> Flags:
-        """States that no load presses together, free to retreat along the axis (s,)."""
+        """States without load whose inner ring is free along the axis (s,)."""
         return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
 
     def repeated(self, index: int | Index, speeds: Array) -> Operation:
-        """One of its points, or some (k,), at other ``speeds`` (k,)."""
+        """Repeat one point, or several (k,), at other ``speeds`` (k,)."""
         row = np.broadcast_to(index, speeds.shape)
         names = ("load", "displacement", "static_growth", "growth")
         parts: dict[str, Any] = {name: getattr(self, name)[row] for name in names}
@@ -68,21 +68,21 @@ class Operation:
         return replace(self, law=law, speed=speeds, shape=speeds.shape, **parts)
 
     def rows(self, index: Index | tuple[Index, ...]) -> Operation:
-        """Some places of the batch: of its first axis, or of its axes as numpy indexes them."""
-        whole = np.arange(len(self.speed)).reshape(self.shape)[index]
-        return replace(self.repeated(whole.ravel(), self.speed[whole.ravel()]), shape=whole.shape)
+        """Select places of the batch by indices of its first axis, or of its axes as in numpy."""
+        place = np.arange(len(self.speed)).reshape(self.shape)[index]
+        return replace(self.repeated(place.ravel(), self.speed[place.ravel()]), shape=place.shape)
 
     def at(self, displacement: Array) -> Operation:
-        """Displacements (k, …, m, 5) given around those of the points (…)."""
+        """Set displacements (k, …, m, 5), m of them at each of the points (…), k times."""
         shape = displacement.shape[:-1]
         names = ("speed", "static_growth", "growth")
         wide = {name: getattr(self, name).reshape(*self.shape, 1) for name in names}
         parts: dict[str, Any] = {
             name: np.broadcast_to(a, shape).reshape(-1) for name, a in wide.items()
         }
-        move = displacement.reshape(-1, 5)
-        load, free = np.zeros_like(move), np.zeros(5, dtype=bool)
-        return replace(self, free=free, load=load, displacement=move, shape=shape, **parts)
+        displacements = displacement.reshape(-1, 5)
+        load, free = np.zeros_like(displacements), np.zeros(5, dtype=bool)
+        return replace(self, free=free, load=load, displacement=displacements, shape=shape, **parts)
 
 
 def operation(
@@ -95,7 +95,7 @@ def operation(
     static_growth: ArrayLike,
     growth: ArrayLike | None,
 ) -> Operation:
-    """Check and broadcast; see ``BallBearing.equilibrium``.
+    """Check and broadcast operating points; see ``BallBearing.equilibrium``.
 
     Raises
     ------
@@ -116,8 +116,8 @@ def operation(
     try:
         shape = np.broadcast_shapes(*shapes)
     except ValueError as error:
-        words = ", ".join(f"{name} {each}" for name, each in zip(LARGEST, shapes, strict=True))
-        raise InvalidBearing(f"leading shapes do not fit together: {words}") from error
+        listing = ", ".join(f"{name} {size}" for name, size in zip(LARGEST, shapes, strict=True))
+        raise InvalidBearing(f"leading shapes do not fit together: {listing}") from error
     omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in (omega, static, total))
     force, move = (np.where(np.isnan(a), 0.0, a) for a in (force, move))
     force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
@@ -125,19 +125,19 @@ def operation(
 
 
 def _check_whole(name: str, values: Array) -> None:
-    """Refuse a load alone, or a displacement alone, of which some numbers are not given."""
+    """Raise InvalidBearing for a load alone, or a displacement alone, with missing numbers."""
     missing = np.flatnonzero(np.isnan(values).reshape(-1, 5).any(axis=0))
     other, place = ("displacement", 1) if name == "load" else ("load", 0)
     if missing.size:
-        words = ", ".join(PAIRS[k].split(" or ")[place] for k in missing)
-        mine = ", ".join(PAIRS[k].split(" or ")[1 - place] for k in missing)
+        other_names = ", ".join(PAIRS[k].split(" or ")[place] for k in missing)
+        names = ", ".join(PAIRS[k].split(" or ")[1 - place] for k in missing)
         raise InvalidBearing(
-            f"{name} has no number for {mine}: give {words} by {other}, or a number there"
+            f"{name} has no number for {names}: give {other_names} by {other}, or a number there"
         )
 
 
 def five_numbers(name: str, value: ArrayLike | None, some: bool = False) -> Array:
-    """Values (…, 5); what is not given is NaN, which single numbers may be where ``some``.
+    """Convert to values (…, 5), NaN for None; single numbers may be NaN if ``some``.
 
     Raises
     ------
@@ -154,7 +154,7 @@ def five_numbers(name: str, value: ArrayLike | None, some: bool = False) -> Arra
 
 
 def finite_numbers(name: str, value: ArrayLike, *, single: bool = False) -> Array:
-    """Numbers of any shape; where ``single`` one number, as (1,).
+    """Convert to numbers of any shape; to one number, as (1,), if ``single``.
 
     Raises
     ------
@@ -169,7 +169,7 @@ def finite_numbers(name: str, value: ArrayLike, *, single: bool = False) -> Arra
 
 
 def _free(load: Array, displacement: Array) -> Flags:
-    """Which of the five pairs are given by their load (5,), the same for every state."""
+    """Whether each of the five pairs is given by its load (5,), the same for every state."""
     by_load, by_move = (
         np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)
         for a in (load, displacement)

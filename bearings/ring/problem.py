@@ -1,4 +1,4 @@
-"""The equations to solve: states to find under given loads or displacements."""
+"""The equations to solve: states under given loads or displacements."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from bearings.ring.tolerances import SLOW
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """States to find: all at rest or all turning.
+    """States to solve: all at rest or all turning.
 
-    ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
-    the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
+    ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is given on
+    the DOF where ``free`` (5,) is true, the displacement on the others. ``loose``: the
     stiffness may be singular; the shortest step is taken. ``compliances``: of rings that
     deform. They couple the balls, and a ball has more unknowns than X: the shift of the inner
     groove against the outer one, or of every groove where a ring has two.
@@ -45,19 +45,19 @@ class Problem:
 
     @classmethod
     def of(cls, o: Operation, assembly: Callable[[Geometry], Assembly]) -> Problem:
-        """All operating points, taken to turn; ``assembly`` says which balls are solved."""
+        """Build from all operating points, taken as turning; ``assembly`` selects the balls."""
         g = o.geometry
         origin = groove_origin(g, o.static_growth, o.growth)
         rings = compliances(o.grooves)
-        which = assembly(g)
-        if rings is not None and which.balls > 1:  # no mirror images
-            which = full_assembly(g)
-        given = (origin, o.speed, o.load, o.free)
-        return cls(g, o.law, which, *given, turning=True, compliances=rings)
+        chosen = assembly(g)
+        if rings is not None and chosen.balls > 1:  # no mirror images
+            chosen = full_assembly(g)
+        states = (origin, o.speed, o.load, o.free)
+        return cls(g, o.law, chosen, *states, turning=True, compliances=rings)
 
     @property
     def unknowns(self) -> int:
-        """Of a ball: its place, and with rings that deform the shifts of its grooves."""
+        """Unknowns of a ball: its place, and with rings that deform the shifts of its grooves."""
         g = self.geometry
         if self.compliances is None:
             return 2
@@ -66,7 +66,7 @@ class Problem:
     def centres(self, displacement: Array, ball: Array | None = None) -> Array:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2.
 
-        ``ball`` (u, s, n): with the shift there; without, as of rigid rings.
+        ``ball`` (u, s, n): its shift of the inner groove is added; None: as of rigid rings.
         """
         centres = self.assembly.centres(self.origin, displacement)
         if ball is not None and len(ball) == 4:
@@ -74,20 +74,20 @@ class Problem:
         return centres
 
     def shifted(self, ball: Array) -> Geometry:
-        """The geometry with two grooves a ring where ``ball`` (u, s, n) says."""
+        """Geometry with the grooves shifted by ``ball`` (u, s, n) where a ring has two."""
         g = self.geometry
         if len(ball) <= 4:
             return g
-        every = [*g.inner_grooves, *g.outer_grooves]
-        moved: Any = [
+        grooves = [*g.inner_grooves, *g.outer_grooves]
+        shifted: Any = [
             groove._replace(along=axial, rise=radial)
-            for groove, axial, radial in zip(every, ball[2::2], ball[3::2], strict=True)
+            for groove, axial, radial in zip(grooves, ball[2::2], ball[3::2], strict=True)
         ]
         inner = len(g.inner_grooves)
-        return g._replace(inner_grooves=(*moved[:inner],), outer_grooves=(*moved[inner:],))
+        return g._replace(inner_grooves=(*shifted[:inner],), outer_grooves=(*shifted[inner:],))
 
     def faced(self, displacement: Array, ball: Array) -> tuple[Pair, Pair]:
-        """How balls (2, s, n) face the middles of outer and inner groove at a displacement."""
+        """Vectors along which balls (2, s, n) face the middles of outer and inner groove."""
         return faced(self.geometry, tuple(self.centres(displacement, ball)), (ball[0], ball[1]))
 
     @property
@@ -97,7 +97,7 @@ class Problem:
 
     @property
     def full(self) -> float:
-        """Blend at which a state is found: 1, or 0 where the first stage is all there is."""
+        """Blend of the full problem: 1, or 0 where the first stage is the full problem."""
         return 1.0 if self.varying or self.compliances is not None else 0.0
 
     @property
@@ -112,7 +112,7 @@ class Problem:
 
     @cached_property
     def plain(self) -> tuple[tuple[Any, ...], tuple[Array, ...]]:
-        """What compiled code takes: what the states have in common, ``One`` from ``geometry`` on;
+        """Arguments of compiled code: those common to all states, ``One`` from ``geometry`` on;
         (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)), arrays of one type for one compilation."""
         common = (
             self.geometry,
@@ -125,11 +125,11 @@ class Problem:
             self.placed,
             self.full,
         )
-        given = (self.origin.T, self.squared, self.load, self.scale)
-        return common, tuple(np.array(part, order="C") for part in given)
+        inputs = (self.origin.T, self.squared, self.load, self.scale)
+        return common, tuple(np.array(part, order="C") for part in inputs)
 
     def take(self, index: Index) -> Problem:
-        """The same problem for some of its states."""
+        """Select states by index."""
         return replace(
             self,
             law=self.law.take(index),
@@ -140,26 +140,26 @@ class Problem:
 
     @property
     def scale(self) -> Array:
-        """What makes the five DOF lengths: 1, 1, 1, Ri, Ri [m]."""
+        """Factors that make the five DOF lengths: 1, 1, 1, Ri, Ri [m]."""
         radius = self.geometry.centre_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
     @property
     def load_size(self) -> Array:
-        """Largest part of every load, as a force (s,) [N]."""
+        """Largest component of every load, as a force (s,) [N]."""
         return np.asarray(np.abs(self.load / self.scale).max(axis=-1))
 
 
 def turns(g: Geometry, speed: Array) -> Flags:
-    """False where the centrifugal force does not press a ball measurably into its race."""
+    """Whether the centrifugal force presses a ball measurably into its race (…)."""
     orbit = 0.5 * g.ball_mass * g.pitch_diameter
     depth = (orbit * g.nominal_orbit_ratio_squared * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
     return np.asarray(depth > SLOW * g.outer_centre_distance)
 
 
 def first_displacement(problem: Problem, given: Array) -> Array:
-    """Displacement to start from where a load is ``free`` to move the ring: all balls under their
-    likely share, no tilt; as ``given`` (s, 5) elsewhere."""
+    """Initial displacement (s, 5): on the free DOF axial, all balls under an estimated share of the
+    load, without tilt; as ``given`` (s, 5) on the others."""
     d = np.where(problem.free, 0.0, given)
     if not problem.free[0]:
         return d

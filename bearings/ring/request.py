@@ -1,4 +1,4 @@
-"""From operating points to solved states: alike ones together, each group in one solve."""
+"""Solution of operating points: states of one kind in groups, each solved at once."""
 
 from __future__ import annotations
 
@@ -41,24 +41,24 @@ BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 def solved(
     operation: Operation, start: BearingState | None = None, compiled: bool | None = None
 ) -> BearingState:
-    """All states of a batch; see ``BallBearing.equilibrium``."""
-    g, whole = operation.geometry, Problem.of(operation, full_assembly)
-    outcome = np.where(np.isfinite(whole.origin[0]), "", "no contact angle").astype("<U16")
+    """Solve all states of a batch; see ``BallBearing.equilibrium``."""
+    g, full_problem = operation.geometry, Problem.of(operation, full_assembly)
+    outcome = np.where(np.isfinite(full_problem.origin[0]), "", "no contact angle").astype("<U16")
     if g.touching:  # a centred ring is at rest under no load
         outcome[operation.unloaded & (outcome == "")] = "unloaded"
-    states = _blank(whole, operation, outcome)
+    states = _blank(full_problem, operation, outcome)
     fast = _compiled(g, operation) if compiled is None else compiled
     for index, axial, turning in _groups(g, operation, outcome):
-        problem = replace(whole.take(index), turning=turning)
-        if axial:  # what is not axial stays at zero by symmetry
+        problem = replace(full_problem.take(index), turning=turning)
+        if axial:  # all other components stay at zero by symmetry
             free = operation.free & np.array([True, False, False, False, False])
             problem = replace(problem, assembly=axial_assembly(g), free=free)
-        first, near = first_displacement(problem, operation.displacement[index]), None
+        first, guess = first_displacement(problem, operation.displacement[index]), None
         if start is not None and turning and np.any(operation.law.one_branch):
-            first, near = _neighbour(problem, operation, start, index, first)
-        _store(states, index, problem, solve(problem, first, near, compiled=fast))
+            first, guess = _neighbour(problem, operation, start, index, first)
+        _store(states, index, problem, solve(problem, first, guess, compiled=fast))
     shape = operation.shape
-    centre = states.pop("ball_centre").reshape(*shape, whole.unknowns, g.balls)
+    centre = states.pop("ball_centre").reshape(*shape, full_problem.unknowns, g.balls)
     return BearingState(
         operation,
         ball_centre=np.moveaxis(centre, -2, 0),
@@ -67,7 +67,7 @@ def solved(
 
 
 def _compiled(g: Geometry, operation: Operation) -> bool:
-    """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
+    """Whether the compiled solver pays for these points; an axial state counts as one ball."""
     from bearings.ring.compiled.states import pays
 
     if isinstance(operation.law, Laws):  # it takes states of one law
@@ -79,7 +79,7 @@ def _compiled(g: Geometry, operation: Operation) -> bool:
 def _groups(
     g: Geometry, operation: Operation, outcome: Words
 ) -> Iterator[tuple[Index, bool, bool]]:
-    """States alike in what must be solved: (index, axial?, turning?)."""
+    """Yield groups of states with the same unknowns: (index, axial?, turning?)."""
     is_axial, is_turning = operation.axial, turns(g, operation.speed)
     for axial in (True, False):
         for turning in (True, False):
@@ -97,7 +97,7 @@ def _neighbour(
     index: Index,
     first: Array,
 ) -> tuple[Array, Array]:
-    """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
+    """Start (d, X) from neighbouring states; ``first`` and seats at rest where one is missing."""
     theirs, ours = start.operation.grooves, operation.grooves
     if any(getattr(theirs, name) != getattr(ours, name) for name in ALIKE):
         names = ", ".join(ours.contacts)
@@ -110,23 +110,23 @@ def _neighbour(
             f"{problem.geometry.balls} balls, got {start.outcome.shape} and "
             f"{start.inner_load.shape[-1]} balls"
         )
-    near = start.ball_centre.reshape(len(start.ball_centre), len(operation.speed), -1)[:, index]
-    if len(near) != problem.unknowns:  # of rings that were rigid, or that are now
-        shifts = np.zeros((problem.unknowns - 2, *near.shape[1:]))
-        near = np.concatenate([near[:2], shifts])
-    near = near[..., : problem.assembly.balls]  # of an axial state all balls are alike
-    known = np.asarray(np.isfinite(near).all(axis=(0, 2))) & problem.law.one_branch
-    there = start.displacement.reshape(-1, 5)[index]
-    first = np.where(known[:, None] & problem.free, there, first)
+    balls = start.ball_centre.reshape(len(start.ball_centre), len(operation.speed), -1)[:, index]
+    if len(balls) != problem.unknowns:  # of rings that were rigid, or that are now
+        shifts = np.zeros((problem.unknowns - 2, *balls.shape[1:]))
+        balls = np.concatenate([balls[:2], shifts])
+    balls = balls[..., : problem.assembly.balls]  # all balls of an axial state are equal
+    usable = np.asarray(np.isfinite(balls).all(axis=(0, 2))) & problem.law.one_branch
+    displacement = start.displacement.reshape(-1, 5)[index]
+    first = np.where(usable[:, None] & problem.free, displacement, first)
     a = problem.centres(first)
     seats = np.stack(resting_seat(problem.geometry, (a[0], a[1])))
-    near[:2] = np.where(known[:, None], near[:2], seats)
-    near[2:] = np.where(known[:, None], near[2:], 0.0)
-    return first, near
+    balls[:2] = np.where(usable[:, None], balls[:2], seats)
+    balls[2:] = np.where(usable[:, None], balls[2:], 0.0)
+    return first, balls
 
 
 def _blank(problem: Problem, operation: Operation, outcome: Words) -> Arrays:
-    """Arrays for every field, NaN until a state is found."""
+    """Arrays for every field, NaN until a state is solved."""
     g = problem.geometry
     contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
     shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
@@ -139,7 +139,7 @@ def _blank(problem: Problem, operation: Operation, outcome: Words) -> Arrays:
 
 
 def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -> None:
-    """Write the states that exist; note the outcome of the others."""
+    """Write the states that exist, and the outcome of all."""
     values = _of_balls(problem, solution) | {
         "load": np.where(problem.free, problem.load, solution.ring_load),
         "displacement": solution.displacement,
@@ -153,13 +153,13 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
     outcome = np.where(crushed, "overloaded", solution.outcome)
     states["outcome"][index] = outcome
     solved = np.flatnonzero(outcome == "")
-    good, into = _places(solved), _places(index[solved])
+    source, target = _places(solved), _places(index[solved])
     for name, value in values.items():
-        states[name][into] = value[good]
+        states[name][target] = value[source]
 
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:
-    """Fields by ball and by contact."""
+    """Fields of the states by ball and by contact."""
     g, b, (load, sin, cos) = problem.geometry, solution.balance, solution.contacts
     qi, qo, mg = b.inner_load, b.outer_load, b.gyroscopic_moment
     inner = len(g.inner_grooves)
@@ -187,18 +187,18 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
 
 
 def _places(index: Index) -> Index | slice:
-    """Consecutive places as a slice, which copies nothing: a tenth of a single state's time."""
+    """Convert consecutive indices to a slice, which avoids copies: a tenth of a single solve."""
     if index.size and index[-1] - index[0] + 1 == index.size:
         return slice(index[0], index[-1] + 1)
     return index
 
 
 def sides(g: Geometry) -> list[float]:
-    """Sign of the axial direction in which the angle of each contact counts."""
+    """Sign of the axial direction in which the angle of each contact is positive."""
     inner = [1.0 if x.offset >= 0.0 else -1.0 for x in g.inner_grooves]
     return inner + [1.0 if x.offset <= 0.0 else -1.0 for x in g.outer_grooves]
 
 
 def _grip(moment: Array, load: Array, diameter: float) -> Array:
-    """Friction coefficient that holds λ Mg at a race: λ |Mg| / (D Q); 0 where nothing presses."""
+    """Friction coefficient that holds λ Mg at a race: λ |Mg| / (D Q); 0 without load."""
     return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)

@@ -1,7 +1,7 @@
-"""Where a bearing that is spun up from rest first has no state, and where it has one again.
+"""Speeds at which a bearing spun up from rest first has no state, and at which it has one again.
 
 A search is a generator: it yields speeds and is sent which of them have a state, and which balls
-touch there, so that the searches of many questions are solved together.
+touch there, so that the searches of many operating points are solved together.
 """
 
 from __future__ import annotations
@@ -14,18 +14,18 @@ from numpy.typing import NDArray
 
 from bearings.arrays import Array, Flags, Index
 
-PARTS = 64  # of the way from rest to the speed asked for
-CHUNK = 32  # of them looked at together, from below, until one has no state
+PARTS = 64  # intervals from rest to the given speed
+CHUNK = 32  # speeds solved together, from below, until one has no state
 SPLIT = 16
-ROUNDS = 2  # of splitting by that: 1/16384 of the way
-ABOVE = 24  # speeds between the first gap and the speed asked for
+ROUNDS = 2  # of splitting by SPLIT: a resolution of 1/16384 of the speed
+ABOVE = 24  # speeds between the first gap and the given speed
 
 
 class Gap(NamedTuple):
-    """Speeds [rad/s]: there is a state at all speeds looked at up to ``low``.
+    """Speeds [rad/s]: there is a state at all sampled speeds up to ``low``.
 
-    ``again``: the lowest and the highest speed met above at which there is one again, or None;
-    ``broken``: whether there was none at some speed between these two.
+    ``again``: the lowest and the highest sampled speed above at which there is one again, or None;
+    ``broken``: whether there is none at some speed between these two.
     """
 
     low: float
@@ -45,17 +45,17 @@ class Samples(NamedTuple):
 
     @property
     def last(self) -> int:
-        """Place of the last speed before the first one without a state."""
+        """Index of the last speed before the first one without a state."""
         return (len(self.there) if self.there.all() else int(np.argmin(self.there))) - 1
 
     @property
     def again(self) -> Index:
-        """Places above the first speed without a state that have one."""
-        there = np.flatnonzero(self.there)
-        return there[there > self.last]
+        """Indices of speeds with a state above the first one without."""
+        exists = np.flatnonzero(self.there)
+        return exists[exists > self.last]
 
     def joined(self, *more: NDArray[Any]) -> Samples:
-        """With more speeds, whether there is a state at each and which balls touch."""
+        """Add ``more`` speeds, whether there is a state at each, and which balls touch."""
         parts = [np.concatenate(pair) for pair in zip(self, more, strict=True)]
         order = np.argsort(parts[0], kind="stable")
         return Samples(*(part[order] for part in parts))
@@ -85,8 +85,8 @@ def spin_up(speed: float, *, jumps: bool) -> Search:
         last = samples.last
         changed = (samples.touch[1 : last + 1] != samples.touch[:last]).any(axis=1) & jumps
         doubtful = samples.between(np.append(np.flatnonzero(changed), last), speed)
-        asked = np.unique(np.concatenate([doubtful, above[above < speed]]))
-        samples = samples.joined(asked, *(yield asked))
+        requested = np.unique(np.concatenate([doubtful, above[above < speed]]))
+        samples = samples.joined(requested, *(yield requested))
         again = samples.again  # where states begin again and end again
         edges = np.array([again[0] - 1, again[-1]]) if again.size else again
         above = samples.between(edges, speed)

@@ -1,4 +1,4 @@
-"""A solved bearing: its data, and what follows from them by a formula; nothing here solves."""
+"""State of a solved bearing: its data, and quantities that follow from them without solving."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from bearings.errors import InvalidBearing
 from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.operation import Operation
 
-RATIO_ROUNDING = 1e-15  # of a ratio
-DRIVEN = 0.05  # of the largest load of a ball of the bearing
+RATIO_ROUNDING = 1e-15  # below which a ratio is rounding
+DRIVEN = 0.05  # least load of a driven ball over the largest ball load of the bearing
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class BearingState:
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
     ``ball_centre`` (2, …, balls), with the shifts of grooves behind where rings deform: a start
-    for neighbouring states; ``operation``: what was asked.
+    for neighbouring states; ``operation``: the operating points.
     """
 
     operation: Operation
@@ -70,7 +70,7 @@ class BearingState:
     ball_centre: Array
 
     def rows(self, index: Index | tuple[Index, ...]) -> BearingState:
-        """Some places of the batch: of its first axis, or of its axes as numpy indexes them."""
+        """Select places of the batch by indices of its first axis, or of its axes as in numpy."""
         names = [field.name for field in fields(self)[1:-1]]
         return BearingState(
             self.operation.rows(index),
@@ -97,17 +97,17 @@ class BearingState:
             raise InvalidBearing(
                 "differences solve the bearing again: use bearings.stiffness(state, 'difference')"
             )
-        good = self.outcome.reshape(-1) == ""
-        if not good.any() or self.operation.law.dynamics == "frozen":
+        exists = self.outcome.reshape(-1) == ""
+        if not exists.any() or self.operation.law.dynamics == "frozen":
             return self.complete_stiffness
         from bearings.ring.linearised import frozen_tangent  # the balance of balls, rarely needed
 
-        move, balls = (
+        displacements, balls = (
             self.displacement.reshape(-1, 5),
-            self.ball_centre.reshape(len(self.ball_centre), good.size, -1),
+            self.ball_centre.reshape(len(self.ball_centre), exists.size, -1),
         )
         stiffness = self.complete_stiffness.reshape(-1, 5, 5).copy()
-        tangent, turning = frozen_tangent(self.operation, move, balls, good)
+        tangent, turning = frozen_tangent(self.operation, displacements, balls, exists)
         stiffness[turning] = tangent
         return alike(self.load, self.displacement, stiffness.reshape(*self.outcome.shape, 5, 5))
 
@@ -119,7 +119,7 @@ class BearingState:
 
     @property
     def contacts(self) -> NDArray[np.int_]:
-        """How many contacts of each ball bear load (…, balls)."""
+        """Number of loaded contacts of each ball (…, balls)."""
         return np.asarray((self.contact_load > 0.0).sum(axis=-1))
 
     @property
@@ -170,8 +170,8 @@ class BearingState:
     def control_agrees(self) -> Flags:
         """False where the kinematics assumes control by a race that does not have it (…, balls).
 
-        Only "outer" and "inner" assume such a thing, and only of balls with one loaded contact a
-        race.
+        Only "outer" and "inner" assume control by a race; only balls with one loaded contact a
+        race are compared.
         """
         assumed = self._law.kinematics
         agrees = (self.control == assumed) | (self.control == "")
@@ -179,25 +179,25 @@ class BearingState:
 
     @property
     def inner_spin_to_roll(self) -> Array:
-        """Spin over rolling of each ball on the inner race (…, balls); 0 where it is not held."""
+        """Spin over rolling of each ball on the inner race (…, balls); 0 without inner load."""
         return self._spin_to_roll[0]
 
     @property
     def outer_spin_to_roll(self) -> Array:
-        """Spin over rolling of each ball on the outer race (…, balls); 0 where it is not held."""
+        """Spin over rolling of each ball on the outer race (…, balls); 0 without inner load."""
         return self._spin_to_roll[1]
 
     @cached_property
     def _spin_to_roll(self) -> tuple[Array, Array]:
-        """Of the ball's rotation against a race: the part along the contact line (sin α, cos α),
-        over that along the tangent (cos α, −sin α), components axial and radial. Without gross slip
+        """Component of the ball's rotation against a race along the contact line (sin α, cos α)
+        over that along the tangent (cos α, −sin α), axial and radial parts. Without gross slip
         (1 − γ cos αi) tan(αi − β) + γ sin αi and (1 + γ cos αo) tan(αo − β) − γ sin αo (Harris). It
-        does not depend on speed: at rest it is what the first slow turn would show.
+        does not depend on speed: at rest it is the limit of slow rotation.
         """
         (si, ci, so, co, g, _), t = self.angles, self.tan_beta
         inner = (1.0 - g * ci) * (si - ci * t) / (ci + si * t) + g * si
         outer = (1.0 + g * co) * (so - co * t) / (co + so * t) - g * so
-        return self._held(inner), self._held(outer)
+        return self._without_rounding(inner), self._without_rounding(outer)
 
     @property
     def angles(self) -> Angles:
@@ -208,29 +208,29 @@ class BearingState:
 
     @cached_property
     def tan_beta(self) -> Array:
-        """tan β of each ball's axis of rotation (…, balls) as the hypothesis has it, less where a
-        race slips."""
+        """tan β of each ball's axis of rotation (…, balls) by the hypothesis, reduced where a race
+        slips."""
         law, g, angles = self._law, self.operation.geometry, self.angles
-        wanted = np.asarray(tan_beta(law.numbers.kinematics, angles).value)
+        ideal = np.asarray(tan_beta(law.numbers.kinematics, angles).value)
         if law.friction is None:
-            return wanted
+            return ideal
         inertia = g.ball_inertia * self.speed[..., None] ** 2
-        moment = inertia * orbit_and_spin(angles, wanted)[1].value
+        moment = inertia * orbit_and_spin(angles, ideal)[1].value
         slips = self.slipping != ""
-        return np.where(slips, self.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * wanted
+        return np.where(slips, self.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * ideal
 
-    def _held(self, ratio: Array) -> Array:
-        """A ratio without its rounding, 0 of balls that carry nothing."""
-        real = (self.inner_load > 0.0) & (np.abs(ratio) > RATIO_ROUNDING)
-        return np.where(real | np.isnan(self.inner_load), ratio, 0.0)
+    def _without_rounding(self, ratio: Array) -> Array:
+        """Set a ratio to 0 where it is rounding, and for balls without inner load."""
+        significant = (self.inner_load > 0.0) & (np.abs(ratio) > RATIO_ROUNDING)
+        return np.where(significant | np.isnan(self.inner_load), ratio, 0.0)
 
     @cached_property
     def outer_ring_load(self) -> Array:
-        """(Fx, Fy, Fz, My, Mz) that the balls put on the outer ring (…, 5) [N, N·m].
+        """Load (Fx, Fy, Fz, My, Mz) of the balls on the outer ring (…, 5) [N, N·m].
 
         Fx is that of ``load``; Fy and Fz are greater by the centrifugal forces. The moments are
-        about the centre of the circle of *outer* groove middles, to which the axial place of the
-        inner ones adds lever arms: per ball axial force fa, radial force fr (contacts, and friction
+        about the centre of the circle of *outer* groove middles, for which the axial place of the
+        inner ones gives arms: per ball axial force fa, radial force fr (contacts, and friction
         λo Mg/D across their resultant) give Ro fa − x̄ fr + λo fo Mg, x̄ the axial place where the
         resultant acts (0 with one groove), Ro the radius of the circle of outer groove centres.
         """
@@ -242,8 +242,8 @@ class BearingState:
         axial, radial = along * sin + across * cos, along * cos - across * sin
         tilting = -g.outer_conformity * moment + self._outer_middle() * radial
         action = (axial, radial, tilting)
-        each = (part.reshape(-1, g.balls) for part in action)
-        return full_assembly(g, outer=True).load((*each,)).reshape(*self.outcome.shape, 5)
+        flat = (part.reshape(-1, g.balls) for part in action)
+        return full_assembly(g, outer=True).load((*flat,)).reshape(*self.outcome.shape, 5)
 
     def _outer_middle(self) -> Array | float:
         """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""

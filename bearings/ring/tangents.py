@@ -35,10 +35,10 @@ def _difference(state: BearingState) -> Array:
     operation = state.operation
     radius = operation.geometry.centre_radius
     step = STEP * np.diag([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
-    known = state.outcome == ""
-    middle = np.where(known[..., None], state.displacement, 0.0)
-    moved = [middle[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
-    load = solved(operation.at(np.stack(moved))).load
+    exists = state.outcome == ""
+    middle = np.where(exists[..., None], state.displacement, 0.0)
+    displaced = [middle[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
+    load = solved(operation.at(np.stack(displaced))).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
-    slope = np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan)
+    slope = np.where(exists[..., None, None], slope.swapaxes(-1, -2), np.nan)
     return alike(state.load, state.displacement, slope)

@@ -43,17 +43,17 @@ class Truncation:
 
     @property
     def shoulder_margin(self) -> Array:
-        """From the upper end to the shoulder (…, balls, contacts) [rad]; negative past it."""
+        """Angle from the upper end to the shoulder (…, balls, contacts) [rad]; negative past it."""
         return self.shoulder_angle - self.upper_end
 
     @property
     def middle_margin(self) -> Array:
-        """From the groove's middle to the lower end (…, balls, contacts) [rad]; negative past."""
+        """Angle from the groove's middle to the lower end (…, balls, contacts) [rad]."""
         return self.lower_end - self.middle_angle
 
     @property
     def across_middle(self) -> Flags:
-        """Contacts that stand beyond the middle of their groove (…, balls, contacts)."""
+        """Contacts whose centre is beyond the middle of their groove (…, balls, contacts)."""
         with np.errstate(invalid="ignore"):
             return np.asarray(0.5 * (self.lower_end + self.upper_end) < self.middle_angle)
 
@@ -72,9 +72,9 @@ class Truncation:
 
 @checked
 def truncation(state: BearingState) -> Truncation:
-    """How contact ellipses lie on their grooves, and how much of them grooves cut off.
+    """Compute the places of contact ellipses on their grooves, and the shares that grooves cut off.
 
-    A groove of one arc has alike shoulders on both sides where the bearing takes thrust both ways;
+    A groove of one arc has equal shoulders on both sides where the bearing takes thrust both ways;
     an ellipse may then pass either. An angular-contact ring has its shoulder on the loaded side.
     """
     grooves = state.operation.grooves
@@ -86,18 +86,18 @@ def truncation(state: BearingState) -> Truncation:
         np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
         for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
     )
-    alike = np.isnan(middle) & g.both_ways
-    angle = np.where(alike, np.abs(state.contact_angle), state.contact_angle)
+    symmetric = np.isnan(middle) & g.both_ways
+    angle = np.where(symmetric, np.abs(state.contact_angle), state.contact_angle)
     lower, upper = angle - major / radii, angle + major / radii
-    far = np.where(alike, -shoulder, np.nan)
-    none = np.full_like(shoulder, np.nan)
+    other_shoulder = np.where(symmetric, -shoulder, np.nan)
+    unbounded = np.full_like(shoulder, np.nan)
     return Truncation(
         major=major,
         minor=minor,
         lower_end=lower,
         upper_end=upper,
-        beyond_shoulder=share_outside(lower, upper, far, shoulder),
-        beyond_middle=share_outside(lower, upper, middle, none),
+        beyond_shoulder=share_outside(lower, upper, other_shoulder, shoulder),
+        beyond_middle=share_outside(lower, upper, middle, unbounded),
         shoulder_angle=shoulder,
         middle_angle=middle,
     )
@@ -110,7 +110,7 @@ def half_axes(race: HertzContact, load: Array) -> tuple[Array, Array]:
 
 
 def share_outside(lower: Array, upper: Array, least: Array, most: Array) -> Array:
-    """Share of the length lower … upper that lies outside least … most; NaN bounds are none."""
+    """Share of the length lower … upper outside least … most; a NaN bound means no bound."""
     low = np.where(np.isnan(least), -np.inf, least)
     high = np.where(np.isnan(most), np.inf, most)
     beyond = np.maximum(upper - np.maximum(high, lower), 0.0)

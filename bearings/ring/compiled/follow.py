@@ -1,7 +1,7 @@
 """The two stages of ``bearings.ring.equilibrium`` for one state.
 
-What is solved and when a stride is taken back is the same there; motions that no ball holds are
-left to it.
+The equations and the reasons to undo a stride are the same there; motions that no ball restrains
+are left to that solver.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ from bearings.ring.compiled.one_state import (
 
 
 def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
-    """The physical state: d (5,) and X (n, 2) written anew from a start, and whether there is one.
+    """Find the physical state: overwrite the start d (5,) and X (n, 2); return whether it exists.
 
-    ``near``: the start is a state close by, which is tried first.
+    ``near``: the start is a nearby state, which is tried first.
     """
     blend, stride, direct = 0.0, tol.FIRST_BLEND, near and p.turning
     if not direct and not convex(p, d, x, w):
@@ -40,8 +40,8 @@ def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
         return True
     while blend < 1.0 and stride >= tol.SHORTEST_BLEND:  # one call of ``correct``: it compiles once
         target = 1.0 if direct or p.full == 0.0 else min(1.0, blend + stride)
-        good, used = correct(p, d, x, p.full * target, w)
-        if good:
+        accepted, used = correct(p, d, x, p.full * target, w)
+        if accepted:
             blend, stride = target, stride * (2.0 if used <= tol.QUICK_STEPS else 1.0)
         elif not direct:
             stride *= 0.25 * p.full  # full at blend 0: the only stride
@@ -52,66 +52,66 @@ def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
 
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[bool, int]:
-    """Plain Newton at ``blend`` from a point close by, taken back where it fails.
+    """Newton's method without line search at ``blend`` from a nearby point, undone where it fails.
 
     Returns success, and the iterations used.
     """
     put(w.d, d)
     put(w.x, x)
     needed, used = (tol.ON_THE_WAY if blend < p.full else tol.TOLERANCE), 0
-    there = evaluate(p, d, x, blend, w)
+    sums = evaluate(p, d, x, blend, w)
     put(w.first_grip, w.grip)
-    while error(p, there, w) >= needed and used < tol.NEWTON_STEPS:
+    while error(p, sums, w) >= needed and used < tol.NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
-        there = evaluate(p, d, x, blend, w)
-    good = error(p, there, w) < needed
-    if good and p.turning:
-        good = there.fold > 0.0 and there.pressed and _turned_little(p, d, x, w)
-        good = good and not _jumped(p, there.largest, w)
-        good = good and (len(p.free) == 0 or eliminated(*_reduced(p, w.action, w))[1] > 0.0)
-    if not good:
+        sums = evaluate(p, d, x, blend, w)
+    accepted = error(p, sums, w) < needed
+    if accepted and p.turning:
+        accepted = sums.fold > 0.0 and sums.pressed and _turned_little(p, d, x, w)
+        accepted = accepted and not _jumped(p, sums.largest, w)
+        accepted = accepted and (len(p.free) == 0 or eliminated(*_reduced(p, w.action, w))[1] > 0.0)
+    if not accepted:
         put(d, w.d)
         put(x, w.x)
-    return good, used
+    return accepted, used
 
 
 def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
-    """(d, X) of the convex stage, written anew; whether it was reached."""
-    there = evaluate_convex(p, d, x, w)
+    """Solve the convex stage: overwrite (d, X); return whether it converged."""
+    sums = evaluate_convex(p, d, x, w)
     reach = p.geometry.free_distance
     soft = tol.SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
     for _ in range(tol.CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
-        largest, missing = np.abs(k).max(), np.abs(gap).max()
-        size = p.load_size + 1e-3 * p.geometry.balls * there.largest
+        largest, residual = np.abs(k).max(), np.abs(gap).max()
+        size = p.load_size + 1e-3 * p.geometry.balls * sums.largest
         needed = tol.BALANCED if p.turning else 0.1 * tol.TOLERANCE
-        if missing <= needed * size + tol.ROUNDING * EPS * reach * largest:
+        if residual <= needed * size + tol.ROUNDING * EPS * reach * largest:
             return True
-        share = missing / (missing + p.load_size + 1e-300)
+        share = residual / (residual + p.load_size + 1e-300)
         for i in range(len(gap)):
             k[i, i] += soft + tol.SOFTEST * max(share, tol.HARDEST) * largest
         part, step = eliminated(k, gap)[0], np.zeros(5)
         shrink = min(1.0, tol.LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
         for i, j in enumerate(p.free):
             step[j] = shrink * part[i] / p.scale[j]
-        there = _searched(p, d, x, step, there, w)
+        sums = _searched(p, d, x, step, sums, w)
     return len(p.free) == 0
 
 
-def error(p: One, there: Evaluation, w: Workspace) -> float:
-    """Scaled residual of balls and ring; rounding of the lengths is not counted."""
+def error(p: One, sums: Evaluation, w: Workspace) -> float:
+    """Scaled residual of balls and ring, with a tolerance for rounding of the lengths."""
     c = p.geometry
-    noise = tol.ROUNDING * rounding_force(c, there.largest) / tol.TOLERANCE
-    worst = there.imbalance / (there.largest + noise + 1e-300)
-    size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
+    noise = tol.ROUNDING * rounding_force(c, sums.largest) / tol.TOLERANCE
+    worst = sums.imbalance / (sums.largest + noise + 1e-300)
+    size = p.load_size + c.balls * (1e-3 * sums.largest + noise) + 1e-300
     for j in p.free:
         worst = max(worst, abs(w.action[j] - p.load[j]) / p.scale[j] / size)
     return worst
 
 
 def _newton(p: One, d: Array, x: Array, w: Workspace) -> None:
-    """A Newton step of balls and ring together."""
+    """Take a Newton step of balls and ring together."""
     step = np.zeros(5)
     if len(p.free):
         part = eliminated(*_reduced(p, w.condensed, w))[0]
@@ -125,7 +125,7 @@ def _newton(p: One, d: Array, x: Array, w: Workspace) -> None:
 
 
 def _reduced(p: One, carried: Array, w: Workspace) -> tuple[Array, Array]:
-    """Tangent and missing load of the free DOF, as lengths."""
+    """Tangent and residual load of the free DOF, scaled to lengths."""
     size = len(p.free)
     k, gap = np.empty((size, size)), np.empty(size)
     for i, row in enumerate(p.free):
@@ -136,10 +136,10 @@ def _reduced(p: One, carried: Array, w: Workspace) -> tuple[Array, Array]:
 
 
 def eliminated(matrix: Array, right: Array) -> tuple[Array, float]:
-    """x of ``matrix`` x = ``right``, and the determinant of the matrix over its largest entry.
+    """Solve ``matrix`` x = ``right``; also return the determinant of the scaled matrix.
 
-    x = 0 where that is singular to rounding. Elimination with pivots: a library call would cost
-    more than the work.
+    The matrix is scaled by its largest entry; x = 0 where it is singular to rounding. Elimination
+    with pivoting: a library call would cost more than the work.
     """
     largest, determinant = max(np.abs(matrix).max(), 1e-300), 1.0
     a, x = matrix / largest, right / largest
@@ -168,12 +168,12 @@ def eliminated(matrix: Array, right: Array) -> tuple[Array, float]:
 
 
 def _searched(
-    p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Workspace
+    p: One, d: Array, x: Array, step: Array, sums: Evaluation, w: Workspace
 ) -> Evaluation:
-    """A step of the convex stage, halved until the potential falls."""
-    g, before = p.geometry, there.energy - (p.load * d).sum()
+    """Take a step of the convex stage, halved until the potential falls."""
+    g, previous = p.geometry, sums.energy - (p.load * d).sum()
     load = 64.0 * p.load_size + 4.0 * g.balls * frozen_force(g, p.squared)
-    most = before + EPS * (64.0 * abs(before) + g.free_distance * load)
+    limit = previous + EPS * (64.0 * abs(previous) + g.free_distance * load)
     follow, length = w.follow.copy(), 1.0
     put(w.d, d)
     put(w.x, x)
@@ -183,15 +183,15 @@ def _searched(
         for ball in range(len(x)):
             axial, radial = followed_by(follow[ball], moved(p, length * step, ball))
             x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial
-        there = evaluate_convex(p, d, x, w)
-        if there.energy - (p.load * d).sum() <= most:
+        sums = evaluate_convex(p, d, x, w)
+        if sums.energy - (p.load * d).sum() <= limit:
             break
         length *= 0.5
-    return there
+    return sums
 
 
 def _turned_little(p: One, d: Array, x: Array, w: Workspace) -> bool:
-    """Whether no direction to a groove centre has turned far since the stride began."""
+    """Whether all directions to groove centres have turned little since the stride began."""
     for ball in range(len(x)):
         before = faced(p.geometry, centre_of(p, w.d, ball), (w.x[ball, 0], w.x[ball, 1]))
         now = faced(p.geometry, centre_of(p, d, ball), (x[ball, 0], x[ball, 1]))
@@ -203,7 +203,7 @@ def _turned_little(p: One, d: Array, x: Array, w: Workspace) -> bool:
 
 
 def _jumped(p: One, largest: float, w: Workspace) -> bool:
-    """Whether an inner contact has opened or closed with a moment that does not fade."""
+    """Whether an inner contact has opened or closed while its moment did not vanish."""
     for ball in range(len(w.grip)):
         before, now = w.first_grip[ball], w.grip[ball]
         changed = (before[0] > 0.0) != (now[0] > 0.0) and not p.one_branch

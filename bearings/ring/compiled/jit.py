@@ -1,4 +1,4 @@
-"""Plain functions of this package compiled as they stand, together with all they call.
+"""Compilation of plain functions of this package, together with all functions they call.
 
 numba is imported here alone, when it is first needed; without it the functions run as they are,
 some hundred times slower. Its cache notices no change in a function that is called from another
@@ -27,8 +27,8 @@ LEAST_DISK = 50e6  # bytes a disk must have free to keep compiled functions
 
 @cache
 def compiled(function: Callable[..., Any]) -> Any:
-    """``function`` with all functions of this package that it calls, compiled at its first call and
-    kept on disk for the next process."""
+    """Compile ``function`` with all functions of this package that it calls, at its first call, and
+    keep it on disk for the next process."""
     if not available():
         return function
     import numba
@@ -36,25 +36,25 @@ def compiled(function: Callable[..., Any]) -> Any:
     folder = _folder()
     if folder is None:
         return numba.njit(_bound(function), error_model="numpy")
-    usual: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
+    default: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
     try:
         numba.config.CACHE_DIR = str(folder)  # type: ignore[attr-defined]
         return numba.njit(_bound(function), cache=True, error_model="numpy")
     finally:
-        numba.config.CACHE_DIR = usual  # type: ignore[attr-defined]
+        numba.config.CACHE_DIR = default  # type: ignore[attr-defined]
 
 
 @cache
 def _callee(function: FunctionType) -> Any:
-    """``function`` compiled for calls from compiled code only.
+    """Compile ``function`` for calls from compiled code only.
 
     It has no wrapper by which Python could call it: compiling takes 0.6 of the time with wrappers.
     """
     import numba
 
     njit: Any = numba.njit  # its types leave these options out, with which it compiles its own
-    alone = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return njit(_bound(function), error_model="numpy", **alone)
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return njit(_bound(function), error_model="numpy", **options)
 
 
 @cache
@@ -74,17 +74,17 @@ def is_kept() -> bool:
 
 
 def _chosen(condition: Any, yes: Any, no: Any) -> Any:
-    """``bearings.ball.plane.where`` of one ball."""
+    """``bearings.ball.plane.where`` for one ball."""
     return yes if condition else no
 
 
 def _itself(condition: Any) -> Any:
-    """``bearings.ball.plane.some`` of one ball."""
+    """``bearings.ball.plane.some`` for one ball."""
     return condition
 
 
 def _bound(function: Callable[..., Any]) -> FunctionType:
-    """The function with the names of others bound to their compiled forms."""
+    """Copy a function with the names of the functions it calls bound to their compiled forms."""
     assert isinstance(function, FunctionType)
     names = dict(function.__globals__)
     for name in function.__code__.co_names:
@@ -102,7 +102,7 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
 
 @cache
 def _folder() -> Path | None:
-    """A writable folder of this user, named by a hash of the sources; None where there is none."""
+    """Writable folder of this user, named by a hash of the sources; None where there is none."""
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parents[2].rglob("*.py")):
         digest.update(source.read_bytes())
@@ -119,25 +119,25 @@ def _folder() -> Path | None:
 
 
 def _roots() -> Iterator[Path]:
-    """Where caches belong: as numba's user has it, else as this user's system has it; where none
-    of these can be written, among temporary files."""
+    """Yield folders for caches: that set for numba, else those of this user's system; where none
+    of these can be written, one among temporary files."""
     for variable in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
-        if given := os.environ.get(variable):
-            yield Path(given) / "rotordyn"
+        if path := os.environ.get(variable):
+            yield Path(path) / "rotordyn"
     with suppress(RuntimeError):  # a user without a home
         yield Path.home() / ".cache" / "rotordyn"
-    if hasattr(os, "getuid") and (own := _own_temporary(os.getuid())) is not None:
-        yield own
+    if hasattr(os, "getuid") and (temporary := _private_temporary(os.getuid())) is not None:
+        yield temporary
 
 
-def _own_temporary(user: int) -> Path | None:
-    """A folder among temporary files into which this user alone may write: what is in it is run."""
+def _private_temporary(user: int) -> Path | None:
+    """Folder among temporary files that only this user may write to, since its files are run."""
     try:
         folder = Path(tempfile.gettempdir()) / f"rotordyn-{user}"
         with suppress(FileExistsError):
             folder.mkdir(mode=0o700)
-        held = folder.lstat()
+        status = folder.lstat()
     except OSError:
         return None
-    ours = stat.S_ISDIR(held.st_mode) and held.st_uid == user and not held.st_mode & 0o077
-    return folder if ours else None
+    private = stat.S_ISDIR(status.st_mode) and status.st_uid == user and not status.st_mode & 0o077
+    return folder if private else None

@@ -1,4 +1,4 @@
-"""One state to find: what its balls do together, evaluated ball by ball."""
+"""One state to solve: sums over its balls, evaluated ball by ball."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from bearings.ring.tolerances import SEAT_STEPS
 
 
 class One(NamedTuple):
-    """A state to find.
+    """A state to solve.
 
     ``origin`` (2,), ``load`` (5,), ``scale`` (5,), ``placed`` and ``full`` as in
     ``bearings.ring.problem.Problem``; ``azimuth`` (n, 5) and ``products`` (n, 5, 5) as in
@@ -52,11 +52,11 @@ class One(NamedTuple):
 class Workspace(NamedTuple):
     """Arrays that an evaluation writes into.
 
-    ``still`` (n, 2), ``follow`` (n, 6): how each ball moves with the ring. ``grip`` (n, 2): inner
-    load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
-    ``condensed`` (5,): load on the ring, as it is and with the balls condensed.
-    ``stiffness`` (5, 5); ``local`` (3, 3): share of one ball. ``d``, ``x``: where the last stride
-    began.
+    ``still`` (n, 2), ``follow`` (n, 6): Newton step of each ball at a fixed ring, and its motion
+    with the ring. ``grip`` (n, 2): inner load and gyroscopic moment of each ball, ``first_grip``
+    at the begin of a stride. ``action``, ``condensed`` (5,): load on the ring, as it is and with
+    the balls condensed. ``stiffness`` (5, 5); ``local`` (3, 3): that of one ball. ``d``, ``x``: at
+    the begin of the last stride.
     """
 
     still: Array
@@ -95,20 +95,20 @@ def workspace(n: int) -> Workspace:
 
 
 def centre_of(p: One, d: Array, ball: int) -> Motion:
-    """A of one ball."""
+    """Middle A of the inner groove at one ball."""
     start = without_tilt(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0))
     return plus(moved(p, d, ball), start)
 
 
 def without_tilt(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
-    """What a ball notices of a motion of its ring: of one groove not the tilt about its centre."""
+    """Drop the tilt of a motion of the ring if it has one groove, whose centre the tilt leaves."""
     if len(grooves) == 1:
         return motion[0], motion[1]
     return motion
 
 
 def moved(p: One, d: Array, ball: int) -> Motion:
-    """What a displacement adds to A of one ball."""
+    """Change of A at one ball by a displacement."""
     c = p.azimuth[ball]
     tilt = d[4] * c[4] + d[3] * c[3]
     motion = (d[0] - p.geometry.centre_radius * tilt, d[1] * c[1] + d[2] * c[2], tilt)
@@ -116,7 +116,7 @@ def moved(p: One, d: Array, ball: int) -> Motion:
 
 
 def followed_by(f: Array, step: Motion) -> Pair:
-    """What a ball does where its groove moves by ``step``."""
+    """Motion of a ball that follows a motion ``step`` of its groove."""
     axial, radial = f[0] * step[0] + f[1] * step[1], f[3] * step[0] + f[4] * step[1]
     if len(step) == 2:
         return axial, radial
@@ -124,7 +124,7 @@ def followed_by(f: Array, step: Motion) -> Pair:
 
 
 def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluation:
-    """The full problem at (d, X)."""
+    """Evaluate the full problem at (d, X)."""
     largest, imbalance, fold, pressed = 0.0, 0.0, np.inf, True
     _clear(w)
     for ball in range(len(x)):
@@ -134,8 +134,8 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluati
             largest = max(largest, np.sqrt(s.action[0] ** 2 + s.action[1] ** 2))
             _add(p, ball, s.action, s, w)
             continue
-        here = (x[ball, 0], x[ball, 1])
-        b = turning_balance(p.geometry, p.law, centre, here, p.squared, blend, 1.0)
+        place = (x[ball, 0], x[ball, 1])
+        b = turning_balance(p.geometry, p.law, centre, place, p.squared, blend, 1.0)
         s = condensed(b.forces)
         largest = max(largest, b.inner_load, b.outer_load)
         residual = b.forces.residual
@@ -149,21 +149,21 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluati
 
 
 def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
-    """The convex stage at d, balls settled from X, which is written anew."""
+    """Evaluate the convex stage at d, the balls seated from X, which is overwritten."""
     largest, energy, c = 0.0, 0.0, p.geometry
     centrifugal_force = frozen_force(c, p.squared)
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if p.placed:
-            here = seat(c, centre, centrifugal_force, (x[ball, 0], x[ball, 1]))
-            potential, s = reaction(c, centre, here, centrifugal_force)
+            place = seat(c, centre, centrifugal_force, (x[ball, 0], x[ball, 1]))
+            potential, s = reaction(c, centre, place, centrifugal_force)
             _keep(s.follow[0], s.follow[1], w.follow[ball])
         else:
-            here = resting_seat(c, (centre[0], centre[1]))
+            place = resting_seat(c, (centre[0], centre[1]))
             potential, s = resting_reaction(c, centre)
         energy += potential
-        x[ball, 0], x[ball, 1] = here
+        x[ball, 0], x[ball, 1] = place
         largest = max(largest, np.sqrt(s.action[0] ** 2 + s.action[1] ** 2))
         _add(p, ball, s.action, s, w)
     return Evaluation(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
@@ -176,8 +176,8 @@ def _keep(first: Motion, second: Motion, f: Array) -> None:
 
 
 def put(into: Array, values: Array) -> None:
-    """Copy ``values`` into an array that is contiguous, or nothing is written; an assignment to a
-    slice takes half a second to compile, each time."""
+    """Copy ``values`` into an array, which must be contiguous, else nothing is written; a slice
+    assignment would take half a second to compile, each time."""
     to, of = into.ravel(), values.ravel()
     for k in range(len(to)):
         to[k] = of[k]
@@ -193,42 +193,42 @@ def _clear(w: Workspace) -> None:
 def _add(p: One, ball: int, action: Triple, s: Condensed, w: Workspace) -> None:
     """Add one ball to load and stiffness of the ring.
 
-    ``action`` as it is; ``s``: the ball condensed. A tilt of the ring moves its groove axially by
-    the lever −Ri, and turns it.
+    ``action``: at the point itself; ``s``: of the condensed ball. A tilt of the ring moves its
+    groove axially by the lever −Ri, and turns it.
     """
     c, products, radius = p.azimuth[ball], p.products[ball], p.geometry.centre_radius
-    local, after, (axial, across, couple) = w.local, s.action, s.tangent
+    local, reduced, (axial, across, couple) = w.local, s.action, s.tangent
     _by_motion(axial, radius, local[0])
     _by_motion(across, radius, local[1])
     _by_motion(couple, radius, local[2])
     for j in range(3):
         local[2, j] -= radius * local[0, j]
-    here = (action[0], action[1], action[2] - radius * action[0])
-    there = (after[0], after[1], after[2] - radius * after[0])
+    load = (action[0], action[1], action[2] - radius * action[0])
+    condensed_load = (reduced[0], reduced[1], reduced[2] - radius * reduced[0])
     for i in range(5):
         row = (i + 1) // 2  # axial, radial twice, tilting twice
-        w.action[i] += c[i] * here[row]
-        w.condensed[i] += c[i] * there[row]
+        w.action[i] += c[i] * load[row]
+        w.condensed[i] += c[i] * condensed_load[row]
         for j in range(5):
             w.stiffness[i, j] += products[i, j] * local[row, (j + 1) // 2]
 
 
 def _by_motion(slopes: Motion, radius: float, row: Array) -> None:
-    """Slopes by axial, radial and tilting motion of the ring."""
+    """Write slopes by axial, radial and tilting motion of the ring into ``row``."""
     row[0], row[1], row[2] = slopes[0], slopes[1], -radius * slopes[0]
     if len(slopes) == 3:
         row[2] += slopes[2]
 
 
 def seat(c: Geometry, centre: Motion, centrifugal_force: float, start: Pair) -> Pair:
-    """X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
+    """Ball centre X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
     first = first_seat(c, centre, centrifugal_force)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, centrifugal_force), 1.0
     if start[0] != 0.0 or start[1] != 0.0:
-        given = seat_step(c, centre, start, centrifugal_force)
-        if given.energy < now.energy and given.hold > 0.0:
-            x, now = start, given
+        initial = seat_step(c, centre, start, centrifugal_force)
+        if initial.energy < now.energy and initial.hold > 0.0:
+            x, now = start, initial
     for _ in range(SEAT_STEPS):
         if not now.moving:
             break

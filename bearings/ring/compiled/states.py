@@ -1,4 +1,4 @@
-"""A list of states handed to the compiled solver; in a chain each may start from the last.
+"""Call of the compiled solver for a list of states; in a chain each may start from the last.
 
 Compiled at its first call, kept on disk for the next process (``bearings.ring.compiled.jit``).
 """
@@ -17,7 +17,7 @@ from bearings.ring.compiled.jit import available, compiled, is_kept
 from bearings.ring.compiled.one_state import One, put, workspace
 from bearings.ring.problem import Problem
 
-BALL = 6e-6  # s that a ball takes without compiling
+BALL = 6e-6  # s per ball of the batched solver
 FROM_DISK = 2.0  # s to get the compiled solver from the disk
 AT_ONCE = 256  # states in one call
 COMPILING = 15.0  # s to compile it
@@ -27,7 +27,7 @@ _loaded: set[tuple[int, int, int]] = set()
 
 
 class CompiledStates(NamedTuple):
-    """d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and where there is a state (s,)."""
+    """Solved states: d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and which exist (s,)."""
 
     displacement: Array
     ball: Array
@@ -37,18 +37,18 @@ class CompiledStates(NamedTuple):
 
 
 def pays(balls: int, g: Geometry) -> bool:
-    """Whether so many balls are found sooner with the compiled solver, its loading included."""
+    """Whether the compiled solver, its loading included, is faster for this number of balls."""
     return loaded(g) or _worth(BALL * balls, g)
 
 
 def expect(seconds: float, g: Geometry) -> None:
-    """Take the compiled solver from now on if it pays where so much time is to be saved by it."""
+    """Use the compiled solver from now on if it pays where it is to save ``seconds``."""
     if not loaded(g) and _worth(seconds, g):
         _loaded.add(_type(g))
 
 
 def loaded(g: Geometry) -> bool:
-    """Whether this process has the compiled solver for such grooves."""
+    """Whether this process has loaded the compiled solver for grooves of this type."""
     return _type(g) in _loaded
 
 
@@ -58,7 +58,7 @@ def _worth(seconds: float, g: Geometry) -> bool:
 
 
 def _type(g: Geometry) -> tuple[int, int, int]:
-    """What the solver is compiled for, once each: numbers of inner and outer grooves, of walls."""
+    """Type for which the solver is compiled once: numbers of inner and outer grooves, of walls."""
     return len(g.inner_grooves), len(g.outer_grooves), len(g.inner_grooves[0].walls)
 
 
@@ -82,31 +82,31 @@ def compiled_states(
     arrays = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
         _loaded.add(_type(g))
-    shared, whole = problem.plain
+    shared, inputs = problem.plain
     near = np.arange(states) < (0 if guess is None else guess.shape[1])
     for first in range(0, states, AT_ONCE):  # Ctrl-C waits for one call
-        _entry()(shared, whole, arrays, near, chained, first, min(first + AT_ONCE, states))
+        _entry()(shared, inputs, arrays, near, chained, first, min(first + AT_ONCE, states))
     return CompiledStates(d, x.transpose(2, 0, 1), *arrays[2:])
 
 
 def find_all(
     shared: tuple[Any, ...],
-    given: tuple[Array, Array, Array, Array],
+    inputs: tuple[Array, Array, Array, Array],
     states: tuple[Array, Array, Array, Array, Flags],
     near: Flags,
     chained: bool,
     first: int,
     last: int,
 ) -> None:
-    """States of ``given`` = (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)) from ``first`` up to
-    ``last``.
+    """Solve the states from ``first`` up to ``last`` of ``inputs`` = (A₀ (s, 2), ω² (s,),
+    load (s, 5), scale (5,)).
 
-    ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``states`` =
-    (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), exists (s,)), where d and, if ``near`` (s,), X
-    are the starts. ``chained``: a state starts from the one before where load, displacement and
-    speed are close; otherwise every state is found on its own.
+    ``shared``: data common to all, ``One`` from ``geometry`` on. Results are written into
+    ``states`` = (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), exists (s,)), where d and, if
+    ``near`` (s,), X are the starts. ``chained``: a state starts from the one before where load,
+    displacement and speed are close; otherwise every state is solved independently.
     """
-    origin, squared, load, scale = given
+    origin, squared, load, scale = inputs
     d, x, carried, stiffness, exists = states
     w = workspace(x.shape[1])
     for k in range(first, last):
@@ -128,9 +128,9 @@ def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:
     speed, last = np.sqrt(squared[k]), np.sqrt(squared[k - 1])
     if abs(speed - last) > NEAR * speed:
         return False
-    moved = np.abs(d[k] - d[k - 1]) * p.scale
+    change = np.abs(d[k] - d[k - 1]) * p.scale
     for j in p.free:
-        moved[j] = 0.0
+        change[j] = 0.0
     reach = p.geometry.free_distance
-    near = np.abs((load[k] - load[k - 1]) / p.scale).max() <= NEAR * p.load_size
-    return near and moved.max() <= 0.01 * NEAR * reach
+    close = np.abs((load[k] - load[k - 1]) / p.scale).max() <= NEAR * p.load_size
+    return close and change.max() <= 0.01 * NEAR * reach
