@@ -2,7 +2,7 @@
 
 ``plain`` reads a ``network`` with the ``laws`` of its bearings, ``rest`` mounts it, ``along``
 follows a step of its path: ``contacts`` between two events, ``conditions`` that end such a part,
-``rates`` that say how it goes on, ``settle`` after a snap.
+``rates`` that determine how it continues, ``settle`` after a snap.
 """
 
 from __future__ import annotations

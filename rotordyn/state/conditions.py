@@ -1,4 +1,4 @@
-"""What ends a smooth part of a path: a contact that may not stay what it is any longer."""
+"""Conditions that end a smooth part of a path: limits at which a contact changes its kind."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from rotordyn.state.contacts import TINY, State
 from rotordyn.state.network import Load, Network, Step, limits
 from rotordyn.state.rates import Rates, rates
 
-SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}  # way in which friction goes on
+SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}  # direction of sliding after the event
 MODES = {1: "slip+", -1: "slip-", 0: "stick"}
-LENGTH = 1e-3  # m: what gaps and deflections are measured by
+LENGTH = 1e-3  # m: unit of the margins of gaps and deflections
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Event:
 
 
 def conditions(step: Step, state: State) -> list[Condition]:
-    """All that may end the part that begins with ``state``."""
+    """List all conditions that may end the part that begins with ``state``."""
     rubs = step.network.frictions.limit > 0.0
     laws = step.load(0.0).laws
     low, high = limits(laws, state.piece)
@@ -54,27 +54,27 @@ def conditions(step: Step, state: State) -> list[Condition]:
 def measures(
     step: Step, state: State, load: Load, of: list[Condition], rate: Rates | None = None
 ) -> Array:
-    """How far every condition is from being violated, positive before (conditions,).
+    """Margin of every condition, positive while it is met (conditions,).
 
     ``rate`` of the state, if it is known.
     """
     stops, frictions = step.network.stops, step.network.frictions
     gap = stops.side * (stops.row @ state.x - stops.limit) / LENGTH
     low, high = limits(load.laws, state.piece)
-    way = np.zeros(len(state.slip))
-    if any(one.kind == "halt" for one in of):
+    sliding = np.zeros(len(state.slip))
+    if any(condition.kind == "halt" for condition in of):
         rate = rate or rates(step, state)
-        way = state.slip * (frictions.row @ rate.x) / rate.pace
+        sliding = state.slip * (frictions.row @ rate.x) / rate.pace
     values = {
         "slip+": 1.0 + state.friction / np.maximum(frictions.limit, TINY),
         "slip-": 1.0 - state.friction / np.maximum(frictions.limit, TINY),
-        "halt": way,
+        "halt": sliding,
         "close": gap,
         "open": state.press / (state.at.size + TINY),
         "fall": (state.at.deflection - low) / LENGTH,
         "rise": (high - state.at.deflection) / LENGTH,
     }
-    return np.array([values[one.kind][one.index] for one in of])
+    return np.array([values[condition.kind][condition.index] for condition in of])
 
 
 def slopes(step: Step, state: State, of: list[Condition], rate: Rates) -> Array:
@@ -91,11 +91,11 @@ def slopes(step: Step, state: State, of: list[Condition], rate: Rates) -> Array:
         "fall": pressed,
         "rise": -pressed,
     }
-    return np.array([values[one.kind][one.index] for one in of])
+    return np.array([values[condition.kind][condition.index] for condition in of])
 
 
 def changed(network: Network, state: State, ended: Condition) -> State:
-    """The state in which the contact that ended a part is something else."""
+    """Change the kind of the contact that ended a part."""
     k = ended.index
     if ended.kind in SLIPS:
         slip, friction, anchor = state.slip.copy(), state.friction.copy(), state.anchor.copy()
@@ -113,7 +113,7 @@ def changed(network: Network, state: State, ended: Condition) -> State:
 
 
 def events(before: State, after: State, share: float, ended: Condition | None) -> list[Event]:
-    """What changed at an event; friction that sticks counts where it came to rest by itself."""
+    """List what changed at an event; sticking counts only where sliding has come to rest."""
     crossed = []
     for k, (was, now) in enumerate(zip(before.slip.tolist(), after.slip.tolist(), strict=True)):
         halts = ended is not None and ended.kind in ("halt", "rise", "fall")
@@ -123,7 +123,7 @@ def events(before: State, after: State, share: float, ended: Condition | None) -
         (before.closed, after.closed, "close", "open"),
         (before.piece > 0, after.piece > 0, "load", "unload"),
     )
-    for was_so, is_so, begins, ends in pairs:
-        for k in np.flatnonzero(was_so != is_so).tolist():
-            crossed.append(Event(share, begins if is_so[k] else ends, k))
+    for before_flags, after_flags, begins, ends in pairs:
+        for k in np.flatnonzero(before_flags != after_flags).tolist():
+            crossed.append(Event(share, begins if after_flags[k] else ends, k))
     return crossed

@@ -25,7 +25,7 @@ def follow(description: Mapping[str, Any]) -> list[dict[str, Any]]:
 
     Returns one mapping for the end of every step: ``x`` {body: m}; of one bearing of each set its
     ``deflection`` [m] and ``load`` [N]; forces on the bodies [N]: ``friction`` with its ``mode``
-    (stick, slip+ or slip-: the way it slides), ``stop`` (the limits in their order) and ``rigid``
+    (stick, slip+ or slip-: its direction), ``stop`` (the limits in their order) and ``rigid``
     springs; ``events`` of the step: ``step`` from 1, ``at``: its share done, ``kind`` (slip+,
     slip-, close, open; stick where sliding comes to rest within a step; snap where the network
     jumps to another equilibrium), ``index``: of the friction, the limit or the body that jumps
@@ -41,7 +41,7 @@ def follow(description: Mapping[str, Any]) -> list[dict[str, Any]]:
     """
     parts, rest, laws = network(description)
     state = mounted_state(parts, rest)
-    answers = []
+    results = []
     for k, step in enumerate(steps(description, parts, rest, laws), start=1):
         try:
             state, events = along(step, state)
@@ -49,12 +49,12 @@ def follow(description: Mapping[str, Any]) -> list[dict[str, Any]]:
             raise NoEquilibrium(
                 none.share, none.body, f"step {k} of the path, at {none.share:.6g} of it: {none}"
             ) from None
-        answers.append(_answer(parts, state, k, events))
-    return answers
+        results.append(_result(parts, state, k, events))
+    return results
 
 
-def _answer(parts: Network, state: State, k: int, events: list[Event]) -> dict[str, Any]:
-    plain = [
+def _result(parts: Network, state: State, k: int, events: list[Event]) -> dict[str, Any]:
+    listed = [
         {"step": k, "at": event.share, "kind": event.kind, "index": event.index} for event in events
     ]
     return {
@@ -62,9 +62,9 @@ def _answer(parts: Network, state: State, k: int, events: list[Event]) -> dict[s
         "deflection": state.at.deflection.tolist(),
         "load": state.at.load.tolist(),
         "friction": state.friction.tolist(),
-        "mode": [MODES[int(np.sign(way))] for way in state.slip],
+        "mode": [MODES[int(np.sign(slip))] for slip in state.slip],
         "stop": (parts.stops.side * state.press).tolist(),
         "rigid": state.rigid.tolist(),
-        "events": [event for event in plain if event["kind"] not in OF_BEARINGS],
-        "unloading": [event for event in plain if event["kind"] in OF_BEARINGS],
+        "events": [event for event in listed if event["kind"] not in OF_BEARINGS],
+        "unloading": [event for event in listed if event["kind"] in OF_BEARINGS],
     }

@@ -1,7 +1,7 @@
 """Axial laws of a bearing: load F(d) [N] of a deflection d [m], and its slope [N/m].
 
-No law falls. One that takes thrust one way is F = 0 up to its first kink and rises from there, one
-for both ways is odd; between two kinks they are smooth.
+No law decreases. One for thrust in one direction is F = 0 up to its first kink and rises beyond,
+one for both directions is odd; between two kinks they are smooth.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Protocol, cast
 
 from scipy.optimize import brentq
 
-FURTHEST = 1.0  # m: no bearing is pressed so far
+FURTHEST = 1.0  # m, beyond any deflection of a bearing
 
 
 class AxialLaw(Protocol):
@@ -77,8 +77,8 @@ class RestBall:
 class Table:
     """Cubic pieces between ``knots`` [m], each (d³, d², d, 1) from its left knot.
 
-    Beyond the last knot the last slope goes on; before the first one the first, down to no load, or
-    on where that knot is pressed the other way.
+    Beyond the last knot the last slope continues; before the first one the first slope, down to
+    zero load, or further where the load at that knot is negative.
     """
 
     knots: Sequence[float]
@@ -104,7 +104,7 @@ class Table:
 
 
 def table(d: Sequence[float], force: Sequence[float], *, cubic: bool = False) -> Table:
-    """A law through points: straight lines, or a cubic spline (not-a-knot)."""
+    """Build a law through points: straight lines, or a cubic spline (not-a-knot)."""
     from scipy.interpolate import CubicSpline
 
     if cubic:
@@ -120,7 +120,7 @@ def table(d: Sequence[float], force: Sequence[float], *, cubic: bool = False) ->
 
 
 def sloped_table(d: Sequence[float], force: Sequence[float], slope: Sequence[float]) -> Table:
-    """A law through points whose slopes are known too."""
+    """Build a law through points with given slopes, by cubic Hermite pieces."""
     from scipy.interpolate import CubicHermiteSpline
 
     pieces = CubicHermiteSpline(d, force, slope).c.T.tolist()
@@ -128,16 +128,16 @@ def sloped_table(d: Sequence[float], force: Sequence[float], slope: Sequence[flo
 
 
 def _free(d: Sequence[float], force: Sequence[float], slope: float) -> float:
-    """Where the law begins: the last point without load, or where its first slope comes to it."""
-    nothing = [at for at, load in zip(d, force, strict=True) if load <= 0.0]
-    if nothing:
-        return nothing[-1]
+    """Deflection where load begins: the last point without load, or the zero of its first slope."""
+    unloaded = [at for at, load in zip(d, force, strict=True) if load <= 0.0]
+    if unloaded:
+        return unloaded[-1]
     return d[0] - force[0] / slope if slope > 0.0 else -math.inf
 
 
 @dataclass(frozen=True, slots=True)
 class Blend:
-    """(1 − share) of one law and ``share`` of another."""
+    """Weighted sum of two laws: (1 − share) of ``old`` and ``share`` of ``new``."""
 
     old: AxialLaw
     new: AxialLaw
@@ -145,7 +145,7 @@ class Blend:
 
     @property
     def kinks(self) -> tuple[float, ...]:
-        """Those of both [m]."""
+        """Kinks of both laws [m]."""
         return tuple(sorted({*self.old.kinks, *self.new.kinks}))
 
     def __call__(self, d: float) -> tuple[float, float]:

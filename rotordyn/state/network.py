@@ -1,8 +1,8 @@
-"""A network on one axis: who is joined to whom by bearings, springs, stops and friction.
+"""A network on one axis: bodies joined by bearings, springs, stops and friction.
 
 Bodies are rigid and have one position each [m], from the mounted state at rest; the ground is at 0.
-A joint of two bodies is a row of ±1 over the bodies: row · x is the position of one against the
-other.
+A joint of two bodies is a row of ±1 over the bodies: row · x is the position of one relative to
+the other.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from rotordyn.state.laws import AxialLaw, Blend
 
 Pieces = NDArray[np.int_]
 EDGE = 1e-12  # m from a kink of a law
-SMALL = 1.0  # N: rounding is measured by at least that
+SMALL = 1.0  # N, least reference of rounding errors
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bearings:
-    """``row`` (bearings, bodies): inner against outer ring; all others (bearings,): ``side`` ±1 by
-    the thrust; ``count`` in tandem; ``rest``: deflection of each at rest [m]."""
+    """Bearings: ``row`` (bearings, bodies): inner against outer ring; all others (bearings,):
+    ``side`` ±1 by the thrust; ``count`` in tandem; ``rest``: deflection of each at rest [m]."""
 
     row: Array
     side: Array
@@ -35,11 +35,11 @@ class Bearings:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Springs:
-    """``row`` (springs, bodies); ``force`` (springs,) on the first body at rest, towards +x [N];
-    ``stiffness`` (springs,) [N/m], infinite where rigid.
+    """Springs: ``row`` (springs, bodies); ``force`` (springs,) on the first body at rest, towards
+    +x [N]; ``stiffness`` (springs,) [N/m], infinite where rigid.
 
-    ``rigid``: springs whose gap keeps its size; without those: ``soft`` [N/m], what they ``push``
-    with at rest [N], all together a ``matrix`` (bodies, bodies) [N/m].
+    ``rigid``: springs of constant gap; with 0 for those: stiffness ``soft`` [N/m], force at rest
+    ``push`` [N], and the stiffness ``matrix`` of all (bodies, bodies) [N/m].
     """
 
     row: Array
@@ -53,20 +53,20 @@ class Springs:
     def __post_init__(self) -> None:
         rigid = np.isinf(self.stiffness)
         soft = np.where(rigid, 0.0, self.stiffness)
-        made = {
+        derived = {
             "rigid": rigid,
             "soft": soft,
             "push": np.where(rigid, 0.0, self.force),
             "matrix": (self.row.T * soft) @ self.row,
         }
-        for name, value in made.items():
+        for name, value in derived.items():
             object.__setattr__(self, name, value)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stops:
-    """One-sided: side·(row·x − limit) ≥ 0 [m]; ``row`` (stops, bodies), ``side`` (stops,) +1 of a
-    lower, −1 of an upper limit."""
+    """One-sided constraints side·(row·x − limit) ≥ 0 [m]; ``row`` (stops, bodies), ``side``
+    (stops,) +1 of a lower, −1 of an upper limit."""
 
     row: Array
     side: Array
@@ -75,7 +75,7 @@ class Stops:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Frictions:
-    """Coulomb: forces on the first body within ±``limit`` (frictions,) [N]; ``start``: at rest."""
+    """Coulomb friction: force on the first body within ±``limit`` [N]; ``start``: that at rest."""
 
     row: Array
     limit: Array
@@ -84,7 +84,7 @@ class Frictions:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Network:
-    """Everything between ``bodies``."""
+    """Bodies by name, and the joints between them."""
 
     bodies: tuple[str, ...]
     bearings: Bearings
@@ -95,7 +95,7 @@ class Network:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Load:
-    """What acts on a network: ``force`` (bodies,) [N], ``shift`` (bearings,) of the seats of inner
+    """Loads on a network: ``force`` (bodies,) [N], ``shift`` (bearings,) of the seats of inner
     rings, ``gap`` (springs,) by which springs are displaced [m], the law of every bearing."""
 
     force: Array
@@ -107,18 +107,18 @@ class Load:
 def limits(laws: Sequence[AxialLaw], piece: Pieces) -> tuple[Array, Array]:
     """Deflections (bearings,) [m] between which every law is on its ``piece``."""
     ends = [(-np.inf, *law.kinks, np.inf) for law in laws]
-    low = [one[k] for one, k in zip(ends, piece.tolist(), strict=True)]
-    high = [one[k + 1] for one, k in zip(ends, piece.tolist(), strict=True)]
+    low = [kinks[k] for kinks, k in zip(ends, piece.tolist(), strict=True)]
+    high = [kinks[k + 1] for kinks, k in zip(ends, piece.tolist(), strict=True)]
     return np.array(low), np.array(high)
 
 
 def pieces(laws: Sequence[AxialLaw], deflection: Array, near: Pieces | None = None) -> Pieces:
-    """How many kinks of every law lie below its ``deflection`` (bearings,) [m].
+    """Number of kinks of every law below its ``deflection`` (bearings,) [m].
 
     ``near``: the pieces before; they stay where the deflection is at a kink.
     """
-    found = [bisect_left(law.kinks, d) for law, d in zip(laws, deflection.tolist(), strict=True)]
-    piece = np.array(found, dtype=int)
+    counts = [bisect_left(law.kinks, d) for law, d in zip(laws, deflection.tolist(), strict=True)]
+    piece = np.array(counts, dtype=int)
     if near is None:
         return piece
     most = np.array([len(law.kinks) for law in laws], dtype=int)
@@ -147,7 +147,7 @@ class Forces:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Step:
-    """The way from one load to the next; every quantity goes linearly with the share done."""
+    """Path from one load to the next; every quantity varies linearly with the share done."""
 
     network: Network
     start: Load
@@ -155,15 +155,15 @@ class Step:
 
     @property
     def single(self) -> bool:
-        """Only one force changes: every body then moves one way (K is an M-matrix: its inverse has
-        no negative entry)."""
+        """Whether only one force changes: every body then moves in one direction (K is an M-matrix:
+        its inverse has no negative entry)."""
         start, end = self.start, self.end
         same = np.array_equal(start.shift, end.shift) and np.array_equal(start.gap, end.gap)
         forces = np.count_nonzero(end.force - start.force)
         return same and start.laws == end.laws and bool(forces <= 1)
 
     def load(self, share: float) -> Load:
-        """What acts when ``share`` of the step is done."""
+        """Load at ``share`` of the step."""
         a, b = self.start, self.end
         laws = tuple(
             old if old is new else Blend(old, new, share)
@@ -177,24 +177,24 @@ class Step:
         )
 
     def forces(self, x: Array, load: Load) -> Forces:
-        """Forces and stiffness at positions ``x`` (bodies,)."""
+        """Compute forces and stiffness at positions ``x`` (bodies,)."""
         bearings, springs = self.network.bearings, self.network.springs
         deflection = bearings.side * (bearings.row @ x + load.shift) + bearings.rest
         pairs = [law(d) for law, d in zip(load.laws, deflection.tolist(), strict=True)]
-        each, slope = np.array(pairs).reshape(-1, 2).T
-        push = bearings.count * bearings.side * each
+        bearing_load, slope = np.array(pairs).reshape(-1, 2).T
+        push = bearings.count * bearings.side * bearing_load
         pull = springs.push - springs.soft * (springs.row @ x - load.gap)
         return Forces(
             force=load.force + pull @ springs.row - push @ bearings.row,
             stiffness=springs.matrix + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
             size=SMALL + float(np.abs(load.force).sum() + np.abs(pull).sum() + np.abs(push).sum()),
             deflection=deflection,
-            load=each,
+            load=bearing_load,
             slope=bearings.count * slope,
         )
 
     def beside(self, at: Forces, load: Load, piece: Pieces) -> Forces:
-        """The same forces; at a kink the slope of a law is that of its ``piece`` (bearings,)."""
+        """Replace the slope of every law at a kink by that of its ``piece`` (bearings,)."""
         low, high = limits(load.laws, piece)
         inside = np.clip(at.deflection, low + EDGE, high - EDGE)
         at_kink = np.flatnonzero(inside != at.deflection).tolist()
@@ -203,11 +203,11 @@ class Step:
         bearings, slope = self.network.bearings, at.slope.copy()
         for k in at_kink:
             slope[k] = bearings.count[k] * load.laws[k](inside[k])[1]
-        more = (bearings.row.T * (slope - at.slope)) @ bearings.row
-        return replace(at, stiffness=at.stiffness + more, slope=slope)
+        change = (bearings.row.T * (slope - at.slope)) @ bearings.row
+        return replace(at, stiffness=at.stiffness + change, slope=slope)
 
     def rate(self, at: Forces) -> tuple[Array, Array, float]:
-        """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],
+        """Change of the forces (bodies,) [N] at fixed positions, and of the gaps of springs [m],
         over the whole step; the sum of the magnitudes of force that are added [N]."""
         a, b = self.start, self.end
         bearings, springs = self.network.bearings, self.network.springs

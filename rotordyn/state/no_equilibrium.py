@@ -1,4 +1,4 @@
-"""Where a path cannot be followed any further, and the sentence about it."""
+"""Error of a path that cannot be followed any further."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rotordyn.state.network import Step
 
 
 class NoEquilibrium(NoSolution):
-    """Nothing balances a body beyond some place of the path.
+    """A body has no equilibrium beyond some place of the path.
 
     ``share`` of the step done; ``body`` that runs away.
     """
@@ -21,7 +21,7 @@ class NoEquilibrium(NoSolution):
 
 
 def endless(step: Step, share: float, v: Array) -> NoEquilibrium:
-    """Contacts change back and forth; ``v`` (bodies,): rates of the positions."""
+    """Error of contacts that change back and forth; ``v`` (bodies,): rates of the positions."""
     body = step.network.bodies[int(np.abs(v).argmax())]
     return NoEquilibrium(
         share,
@@ -32,7 +32,7 @@ def endless(step: Step, share: float, v: Array) -> NoEquilibrium:
 
 
 def runaway(step: Step, share: float, v: Array) -> NoEquilibrium:
-    """A body runs away; ``v`` (bodies,): rates of the positions."""
+    """Error of a body that runs away; ``v`` (bodies,): rates of the positions."""
     bodies, force = step.network.bodies, step.load(share).force
     body = bodies[int(np.abs(v).argmax())]
     pushed = int(np.abs(force).argmax())

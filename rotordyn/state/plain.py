@@ -1,4 +1,4 @@
-"""Networks and paths in plain form (dicts, lists, numbers), read and refused.
+"""Networks and paths in plain form (dicts, lists, numbers), read and checked.
 
 A plain network is a dict (SI; positions from the mounted state at rest, where all are 0):
 
@@ -9,10 +9,10 @@ them pulls.
 ``bearings``: ``inner``, ``outer``, ``s`` ±1, ``n`` in tandem, ``law`` (of several the first holds
 at rest), ``preload`` of one bearing at rest [N] or its deflection ``d0`` [m].
 ``springs``: ``body``, ``other``, ``P`` [N], ``e`` ±1, ``K`` [N/m] (0: constant force) or ``rigid``.
-``stops``: ``body``, ``other``, ``low`` and ``high`` [m], one of which may be left out.
+``stops``: ``body``, ``other``, ``low`` and ``high`` [m], one of which may be omitted.
 ``frictions``: ``body``, ``other``, ``limit`` [N], ``start``: its force at rest [N].
 ``path``: steps of ``force`` {body: N}, ``shift`` {"bearing 0" or ("spring", 0): m} and ``law``
-{"0": name}; what a step does not name stays.
+{"0": name}; values that a step does not name stay.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ Plain = Mapping[str, Any]
 LARGEST = 1e12  # N on a body
 BETWEEN = 9  # places between two points of a table at which it must not fall
 ROUND = 1e-9  # N
-KEYS = {  # from name on, those of a network belong to files of known answers, and are not read
+KEYS = {  # those of a network from name on belong to files of reference results: not read
     "network": "bodies laws bearings springs stops frictions path name why real answers events",
     "bearings": "inner outer s n law preload d0 name",
     "springs": "body other P K e rigid name",
@@ -53,7 +53,7 @@ LAWS = {
 
 
 def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
-    """The network, what acts on it at rest, and its laws by name.
+    """Read the network, its load at rest, and its laws by name.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
     bodies = tuple(_list(plain, "bodies"))
     if not bodies or len(set(bodies)) < len(bodies) or not all(isinstance(b, str) for b in bodies):
         _refuse("bodies", f"given {list(bodies)}; allowed: names, each once, at least one")
-    laws = {name: _law(one, f"laws {name}") for name, one in _mapping(plain, "laws").items()}
+    laws = {name: _law(entry, f"laws {name}") for name, entry in _mapping(plain, "laws").items()}
     bearings, first = _bearings(_list(plain, "bearings"), bodies, laws)
     springs = _springs(_list(plain, "springs"), bodies)
     parts = Network(
@@ -78,29 +78,31 @@ def network(plain: Plain) -> tuple[Network, Load, dict[str, AxialLaw]]:
 
 
 def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, AxialLaw]) -> Iterator[Step]:
-    """The steps of the path, each from where the one before ended."""
-    for k, way in enumerate(_list(plain, "path"), start=1):
-        end = _load(way, f"step {k} of the path", parts, rest, laws)
+    """Yield the steps of the path, each from the end of the one before."""
+    for k, entry in enumerate(_list(plain, "path"), start=1):
+        end = _load(entry, f"step {k} of the path", parts, rest, laws)
         yield Step(parts, rest, end)
         rest = end
 
 
-def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, AxialLaw]) -> Load:
-    """What acts at the end of a step; what the step does not name stays as ``before``."""
-    _keys(way, KEYS["path"], at)
-    force, shift, gap = (each.copy() for each in (before.force, before.shift, before.gap))
+def _load(
+    entry: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, AxialLaw]
+) -> Load:
+    """Read the load at the end of a step; values that it does not name stay as ``before``."""
+    _keys(entry, KEYS["path"], at)
+    force, shift, gap = (values.copy() for values in (before.force, before.shift, before.gap))
     chosen = list(before.laws)
-    for body, value in _mapping(way, "force", at).items():
+    for body, value in _mapping(entry, "force", at).items():
         k = parts.bodies.index(_known(body, parts.bodies, f"{at}, force", "body"))
         force[k] = _number(value, f"{at}, force on {body}", least=-LARGEST, most=LARGEST)
     places = {f"bearing {k}": (shift, k) for k in range(len(shift))}
     places |= {f"spring {k}": (gap, k) for k in range(len(gap))}
-    for place, value in _mapping(way, "shift", at).items():
+    for place, value in _mapping(entry, "shift", at).items():
         name = " ".join(map(str, place)) if isinstance(place, tuple) else place
         of, k = places[_known(name, places, f"{at}, shift", "place")]
         of[k] = _number(value, f"{at}, shift of {place}")
     numbers = {str(k): k for k in range(len(chosen))}
-    for bearing, name in _mapping(way, "law", at).items():
+    for bearing, name in _mapping(entry, "law", at).items():
         k = numbers[_known(str(bearing), numbers, f"{at}, law", "bearing")]
         chosen[k] = laws[_known(name, laws, f"{at}, law of bearing {bearing}", "law")]
     return Load(force, shift, gap, tuple(chosen))
@@ -151,28 +153,28 @@ def _bearings(
     given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, AxialLaw]
 ) -> tuple[Bearings, tuple[AxialLaw, ...]]:
     row, side, count, rest, first = [], [], [], [], []
-    for k, one in enumerate(given):
+    for k, entry in enumerate(given):
         at = f"bearing {k}"
-        _keys(one, KEYS["bearings"], at)
-        row.append(_row(one, ("inner", "outer"), bodies, at))
-        side.append(_sign(one, "s", at))
-        count.append(_count(one.get("n", 1), f"{at}, n"))
-        named = one.get("law")
-        several = named if isinstance(named, list | tuple) and named else [named]
-        known = [laws[_known(each, laws, at, "law")] for each in several]
-        first.append(known[0])
-        rest.append(_rest(one, first[-1], at))
+        _keys(entry, KEYS["bearings"], at)
+        row.append(_row(entry, ("inner", "outer"), bodies, at))
+        side.append(_sign(entry, "s", at))
+        count.append(_count(entry.get("n", 1), f"{at}, n"))
+        given_law = entry.get("law")
+        names = given_law if isinstance(given_law, list | tuple) and given_law else [given_law]
+        candidates = [laws[_known(name, laws, at, "law")] for name in names]
+        first.append(candidates[0])
+        rest.append(_rest(entry, first[-1], at))
     bearings = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
     return bearings, tuple(first)
 
 
-def _rest(one: Plain, law: AxialLaw, at: str) -> float:
-    """Deflection of a bearing at rest, given or by its preload [m]."""
-    if one.get("d0") is not None:
-        return _number(one["d0"], f"{at}, d0")
-    if one.get("preload") is None:
+def _rest(entry: Plain, law: AxialLaw, at: str) -> float:
+    """Read the deflection of a bearing at rest [m], given or by its preload."""
+    if entry.get("d0") is not None:
+        return _number(entry["d0"], f"{at}, d0")
+    if entry.get("preload") is None:
         _refuse(at, "missing key: its preload or its deflection d0 at rest")
-    preload = _number(one["preload"], f"{at}, preload", least=0.0)
+    preload = _number(entry["preload"], f"{at}, preload", least=0.0)
     d0 = deflection(law, preload)
     if not math.isfinite(d0):
         _refuse(f"{at}, preload", f"its law does not reach {preload:g} N; give another preload")
@@ -181,66 +183,66 @@ def _rest(one: Plain, law: AxialLaw, at: str) -> float:
 
 def _springs(given: Sequence[Plain], bodies: Sequence[str]) -> Springs:
     row, force, stiffness = [], [], []
-    for k, one in enumerate(given):
+    for k, entry in enumerate(given):
         at = f"spring {k}"
-        _keys(one, KEYS["springs"], at)
-        row.append(_row(one, ("body", "other"), bodies, at))
-        force.append(_sign(one, "e", at) * _number(one.get("P", 0.0), f"{at}, P"))
-        named = one.get("rigid", False)
-        if not isinstance(named, bool):
-            _refuse(f"{at}, rigid", f"given {shown(named)}; allowed: True and False")
-        rigid = named or one.get("K") == math.inf
-        if rigid and one.get("K") not in (None, math.inf):
-            _refuse(at, f"rigid beside K {one['K']:g} N/m; leave one of them out")
-        stiffness.append(math.inf if rigid else _number(one.get("K"), f"{at}, K", least=0.0))
+        _keys(entry, KEYS["springs"], at)
+        row.append(_row(entry, ("body", "other"), bodies, at))
+        force.append(_sign(entry, "e", at) * _number(entry.get("P", 0.0), f"{at}, P"))
+        flag = entry.get("rigid", False)
+        if not isinstance(flag, bool):
+            _refuse(f"{at}, rigid", f"given {shown(flag)}; allowed: True and False")
+        rigid = flag or entry.get("K") == math.inf
+        if rigid and entry.get("K") not in (None, math.inf):
+            _refuse(at, f"rigid beside K {entry['K']:g} N/m; leave one of them out")
+        stiffness.append(math.inf if rigid else _number(entry.get("K"), f"{at}, K", least=0.0))
     return Springs(_rows(row, bodies), np.array(force), np.array(stiffness))
 
 
 def _stops(given: Sequence[Plain], bodies: Sequence[str]) -> Stops:
     row, side, limit = [], [], []
-    for k, one in enumerate(given):
+    for k, entry in enumerate(given):
         at = f"stop {k}"
-        _keys(one, KEYS["stops"], at)
-        ends = _row(one, ("body", "other"), bodies, at)
-        if one.get("low") is None and one.get("high") is None:
+        _keys(entry, KEYS["stops"], at)
+        ends = _row(entry, ("body", "other"), bodies, at)
+        if entry.get("low") is None and entry.get("high") is None:
             _refuse(at, "missing key: low, high or both")
-        for key, way in (("low", 1.0), ("high", -1.0)):
-            if one.get(key) is not None:
-                value = _number(one[key], f"{at}, {key}")
-                if way * value > 0.0:
+        for key, sign in (("low", 1.0), ("high", -1.0)):
+            if entry.get(key) is not None:
+                value = _number(entry[key], f"{at}, {key}")
+                if sign * value > 0.0:
                     _refuse(
                         f"{at}, {key}",
                         f"violated at rest, where the position is 0: given {value:g} m; allowed: "
-                        f"0 or {'below' if way > 0.0 else 'above'}",
+                        f"0 or {'below' if sign > 0.0 else 'above'}",
                     )
                 row.append(ends)
-                side.append(way)
+                side.append(sign)
                 limit.append(value)
     return Stops(_rows(row, bodies), np.array(side), np.array(limit))
 
 
 def _frictions(given: Sequence[Plain], bodies: Sequence[str]) -> Frictions:
     row, limit, start = [], [], []
-    for k, one in enumerate(given):
+    for k, entry in enumerate(given):
         at = f"friction {k}"
-        _keys(one, KEYS["frictions"], at)
-        row.append(_row(one, ("body", "other"), bodies, at))
-        limit.append(_number(one.get("limit"), f"{at}, limit", least=0.0))
+        _keys(entry, KEYS["frictions"], at)
+        row.append(_row(entry, ("body", "other"), bodies, at))
+        limit.append(_number(entry.get("limit"), f"{at}, limit", least=0.0))
         start.append(
-            _number(one.get("start", 0.0), f"{at}, start", least=-limit[-1], most=limit[-1])
+            _number(entry.get("start", 0.0), f"{at}, start", least=-limit[-1], most=limit[-1])
         )
     return Frictions(_rows(row, bodies), np.array(limit), np.array(start))
 
 
-def _row(one: Plain, ends: tuple[str, str], bodies: Sequence[str], at: str) -> Array:
-    """The joint of two bodies: +1 at the first, −1 at the second, the ground left out (bodies,)."""
+def _row(entry: Plain, ends: tuple[str, str], bodies: Sequence[str], at: str) -> Array:
+    """Row of a joint of two bodies: +1 at the first, −1 at the second, none for the ground."""
     row = np.zeros(len(bodies))
-    names = [one.get(end) for end in ends]
+    names = [entry.get(end) for end in ends]
     if names[0] == names[1]:
         _refuse(at, f"both its ends are {names[0]}; allowed: two bodies, or one and the ground")
-    for name, way in zip(names, (1.0, -1.0), strict=True):
+    for name, sign in zip(names, (1.0, -1.0), strict=True):
         if name is not None:
-            row[list(bodies).index(_known(name, bodies, at, "body"))] = way
+            row[list(bodies).index(_known(name, bodies, at, "body"))] = sign
     return row
 
 

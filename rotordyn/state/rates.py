@@ -1,6 +1,6 @@
-"""Which contacts change where the path goes on, from the rates of positions and contact forces.
+"""Contacts that change as a path continues, from the rates of positions and contact forces.
 
-A contact that may change has a rate of its way w ≥ 0 and one of its force λ ≥ 0, of which one is
+A contact that may change has a rate of displacement w ≥ 0 and one of force λ ≥ 0, of which one is
 zero: a closed stop without force opens or presses, sliding friction slides on or sticks. With K
 positive this is a linear complementarity problem; the least-index method of Murty solves it.
 """
@@ -20,14 +20,14 @@ from rotordyn.state.no_equilibrium import endless
 AT_LIMIT = 1e-9  # of the friction limit, of the sum of forces
 TOUCHING = 1e-13  # m
 ROUNDING = 1e-9  # of the largest rate
-SLOW = 1e-3  # of what the force moves the stiffest body by
-FLIPS = 400  # of one contact each
+SLOW = 1e-3  # of the displacement of the stiffest body by the force
+FLIPS = 400  # changes of one contact each
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Undecided:
-    """Contacts that may change: ``row`` (contacts, bodies) points the way they move, with forces
-    along it; all others (contacts,): ``acts``: they hold; ``stop``: index of the stop, or −1;
+    """Contacts that may change: ``row`` (contacts, bodies) is the direction of their motion and
+    force; all others (contacts,): ``acts``: whether they hold; ``stop``: index of the stop, or −1;
     ``friction`` likewise."""
 
     row: Array
@@ -38,10 +38,10 @@ class Undecided:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Rates:
-    """Over the share of the step, contacts as they are: of positions ``x`` (bodies,) [m], of
-    ``friction`` that sticks (frictions,) and of what closed stops ``press`` with (stops,) [N].
+    """Rates over the share of the step at unchanged contacts: of positions ``x`` (bodies,) [m], of
+    ``friction`` that sticks (frictions,) and of the forces ``press`` of closed stops (stops,) [N].
 
-    ``pace`` [m]: what ``x`` is measured by, more than rounding leaves where every body is held.
+    ``pace`` [m]: reference of ``x``, above its rounding also where every body is held.
     """
 
     x: Array
@@ -51,11 +51,11 @@ class Rates:
 
 
 def rates(step: Step, state: State) -> Rates:
-    """Rates of a state whose contacts stay as they are."""
+    """Compute the rates of a state at unchanged contacts."""
     force, gap, size = step.rate(state.at)
     joints = held(step.network, state, gap)
-    way = _driven(joints.row, joints.rigid, gap)
-    x, mu = solve(state.at.stiffness, force, joints.row, way)
+    driven = _driven(joints.row, joints.rigid, gap)
+    x, mu = solve(state.at.stiffness, force, joints.row, driven)
     friction, press = np.zeros_like(state.friction), np.zeros_like(state.press)
     _, pressing, friction[joints.sticks] = joints.forces(mu)
     press[joints.closed] = step.network.stops.side[joints.closed] * pressing
@@ -63,50 +63,53 @@ def rates(step: Step, state: State) -> Rates:
 
 
 def _pace(v: Array, size: float, state: State) -> float:
-    """``Rates.pace`` [m]: without its second term bodies that are all held would have none."""
+    """``Rates.pace`` [m]; its second term keeps it positive where all bodies are held."""
     slow = SLOW * size / max(float(state.at.stiffness.max()), TINY)
     return float(np.abs(v).max()) + slow + TINY
 
 
 def velocity(step: Step, state: State) -> Array:
-    """dx over the share of the step (bodies,), contacts as they are."""
+    """dx over the share of the step (bodies,) at unchanged contacts."""
     return rates(step, state).x
 
 
 def updated_contacts(step: Step, state: State, share: float, sticks: int | None = None) -> State:
-    """The state with the contacts the path goes on with, ``share`` of the step done; friction
+    """Determine the contacts with which the path continues at ``share`` of the step; friction
     ``sticks`` is known to stick.
 
     Raises
     ------
     NoEquilibrium : rounding decides which contacts hold
     """
-    may = _undecided(step.network, state, sticks)
-    if not len(may.row):
+    pending = _undecided(step.network, state, sticks)
+    if not len(pending.row):
         return state
     slip, closed = state.slip.copy(), state.closed.copy()
-    slip[may.friction[may.friction >= 0]], closed[may.stop[may.stop >= 0]] = 1, False
+    slip[pending.friction[pending.friction >= 0]], closed[pending.stop[pending.stop >= 0]] = (
+        1,
+        False,
+    )
     fixed = replace(state, slip=slip, closed=closed)
-    return _decided(step.network, state, may, _complementary(step, fixed, share, may))
+    return _decided(step.network, state, pending, _complementary(step, fixed, share, pending))
 
 
 def _undecided(network: Network, state: State, sticks: int | None) -> Undecided:
-    """Stops that just touch or carry nothing, friction at its limit but for ``sticks``."""
+    """Stops that just touch or carry no force, and friction at its limit except ``sticks``."""
     stops, frictions = network.stops, network.frictions
     gap = stops.side * (stops.row @ state.x - stops.limit)
     stop = np.flatnonzero(
         np.where(state.closed, state.press <= AT_LIMIT * state.at.size, gap <= TOUCHING)
     )
-    full = np.abs(state.friction) >= (1.0 - AT_LIMIT) * frictions.limit
-    full &= frictions.limit > 0.0
-    full[[] if sticks is None else [sticks]] = False
-    friction = np.flatnonzero(full)
-    way = np.where(state.slip == 0, -np.sign(state.friction), state.slip)
+    at_limit = np.abs(state.friction) >= (1.0 - AT_LIMIT) * frictions.limit
+    at_limit &= frictions.limit > 0.0
+    at_limit[[] if sticks is None else [sticks]] = False
+    friction = np.flatnonzero(at_limit)
+    direction = np.where(state.slip == 0, -np.sign(state.friction), state.slip)
     return Undecided(
         row=np.concatenate(
             [
                 stops.side[stop, None] * stops.row[stop],
-                way[friction, None] * frictions.row[friction],
+                direction[friction, None] * frictions.row[friction],
             ]
         ),
         acts=np.concatenate([state.closed[stop], state.sticks[friction]]),
@@ -115,58 +118,60 @@ def _undecided(network: Network, state: State, sticks: int | None) -> Undecided:
     )
 
 
-def _complementary(step: Step, fixed: State, share: float, may: Undecided) -> Flags:
-    """Which of the contacts hold; ``fixed``: the state with all of them free.
+def _complementary(step: Step, fixed: State, share: float, pending: Undecided) -> Flags:
+    """Whether each of the contacts holds; ``fixed``: the state with all of them free.
 
-    Those that hold are independent: without that the least-index method may go round for ever.
+    Those that hold are independent: otherwise the least-index method may cycle.
     """
     force, gap, size = step.rate(fixed.at)
     joints = held(step.network, fixed, gap)
-    way = _driven(joints.row, joints.rigid, gap)
-    acts = may.acts.copy()
-    acts[acts] = independent(np.concatenate([joints.row, may.row[acts]]))[len(way) :]
+    driven = _driven(joints.row, joints.rigid, gap)
+    acts = pending.acts.copy()
+    acts[acts] = independent(np.concatenate([joints.row, pending.row[acts]]))[len(driven) :]
     for _ in range(FLIPS):
-        row = np.concatenate([joints.row, may.row[acts]])
-        target = np.concatenate([way, np.zeros(len(row) - len(way))])
+        row = np.concatenate([joints.row, pending.row[acts]])
+        target = np.concatenate([driven, np.zeros(len(row) - len(driven))])
         v, mu = solve(fixed.at.stiffness, force, row, target)
         push = np.zeros(len(acts))
-        push[acts] = mu[len(way) :]
-        opening = np.where(acts, 0.0, may.row @ v)
-        wrong = opening < -ROUNDING * _pace(v, size, fixed)
-        wrong |= push < -ROUNDING * size
-        if not wrong.any():
+        push[acts] = mu[len(driven) :]
+        opening = np.where(acts, 0.0, pending.row @ v)
+        violated = opening < -ROUNDING * _pace(v, size, fixed)
+        violated |= push < -ROUNDING * size
+        if not violated.any():
             return acts
-        first = int(np.flatnonzero(wrong)[0])
+        first = int(np.flatnonzero(violated)[0])
         acts[first] = not acts[first]
     raise endless(step, share, velocity(step, fixed))
 
 
 def _driven(row: Array, rigid: list[int], gap: Array) -> Array:
-    """Rates of the held joints: rigid springs follow their gaps, all others stand."""
-    way = np.zeros(len(row))
-    way[: len(rigid)] = gap[rigid]
-    return way
+    """Rates of the held joints: rigid springs follow their gaps, all others are at rest."""
+    rate = np.zeros(len(row))
+    rate[: len(rigid)] = gap[rigid]
+    return rate
 
 
-def _decided(network: Network, state: State, may: Undecided, acts: Flags) -> State:
-    """The state in which those contacts hold that ``acts`` says, and the others move."""
+def _decided(network: Network, state: State, pending: Undecided, acts: Flags) -> State:
+    """Update the contacts: those that ``acts`` marks hold, and the others move."""
     closed, press = state.closed.copy(), state.press.copy()
     slip, friction, anchor = state.slip.copy(), state.friction.copy(), state.anchor.copy()
-    for k, (stop, rub) in enumerate(zip(may.stop.tolist(), may.friction.tolist(), strict=True)):
+    for k, (stop, index) in enumerate(
+        zip(pending.stop.tolist(), pending.friction.tolist(), strict=True)
+    ):
         if stop >= 0:
             closed[stop] = acts[k]
             press[stop] = max(press[stop], 0.0) if acts[k] else 0.0
         elif acts[k]:
-            anchor[rub] = network.frictions.row[rub] @ state.x if slip[rub] else anchor[rub]
-            slip[rub] = 0
+            anchor[index] = network.frictions.row[index] @ state.x if slip[index] else anchor[index]
+            slip[index] = 0
         else:
-            way = slip[rub] or -int(np.sign(friction[rub]))
-            slip[rub], friction[rub] = way, -way * network.frictions.limit[rub]
+            direction = slip[index] or -int(np.sign(friction[index]))
+            slip[index], friction[index] = direction, -direction * network.frictions.limit[index]
     return replace(state, closed=closed, press=press, slip=slip, friction=friction, anchor=anchor)
 
 
 def compliance(step: Step, state: State) -> Array:
-    """dx (bodies,) over the change of force of the step, contacts as they are."""
+    """dx (bodies,) by the change of force of the step, at unchanged contacts."""
     force = step.end.force - step.start.force
     joints = held(step.network, state, np.zeros(len(step.network.springs.force)))
     return solve(state.at.stiffness, force, joints.row, np.zeros(len(joints.row)))[0]

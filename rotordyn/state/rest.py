@@ -1,4 +1,4 @@
-"""The mounted state: held bodies whose preloads are in balance, from which a path starts."""
+"""The mounted state, from which a path starts: restrained bodies with balanced preloads."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ BALANCED = 1e-6  # of the sum of forces
 
 
 def mounted_state(parts: Network, load: Load) -> State:
-    """The mounted state, every position 0.
+    """Solve the mounted state, every position 0.
 
     Raises
     ------
     InvalidInput : a body is held by nothing or by friction alone, or not in balance
     """
-    _held(parts)
+    _check_restraint(parts)
     step = Step(parts, load, load)
     springs, stops, frictions = parts.springs, parts.stops, parts.frictions
     x = np.zeros(len(parts.bodies))
@@ -29,8 +29,8 @@ def mounted_state(parts: Network, load: Load) -> State:
     rigid = springs.rigid
     rows = np.concatenate([springs.row[rigid], (stops.side[:, None] * stops.row)[closed]])
     free = at.force + frictions.start @ frictions.row
-    lows = np.concatenate([np.full(rigid.sum(), -np.inf), np.zeros(closed.sum())])
-    carried = lsq_linear(rows.T, -free, (lows, np.inf)).x if len(rows) else np.zeros(0)
+    least = np.concatenate([np.full(rigid.sum(), -np.inf), np.zeros(closed.sum())])
+    carried = lsq_linear(rows.T, -free, (least, np.inf)).x if len(rows) else np.zeros(0)
     press = np.zeros(len(closed))
     press[closed] = carried[rigid.sum() :]
     state = State(
@@ -44,24 +44,24 @@ def mounted_state(parts: Network, load: Load) -> State:
         piece=pieces(load.laws, at.deflection),
         at=at,
     )
-    left = at.force + contact_forces(parts, state)
-    if np.abs(left).max() > BALANCED * at.size:
-        worst = int(np.abs(left).argmax())
+    error = at.force + contact_forces(parts, state)
+    if np.abs(error).max() > BALANCED * at.size:
+        worst = int(np.abs(error).argmax())
         raise InvalidInput(
-            f"body {parts.bodies[worst]}: not in balance at rest, {left[worst]:+.4g} N are left: "
+            f"body {parts.bodies[worst]}: not in balance at rest, {error[worst]:+.4g} N are left: "
             "make the preloads of its bearings and springs equal and opposite"
         )
     return state
 
 
-def _held(parts: Network) -> None:
-    """Raise InvalidInput where bearings and springs do not hold a body."""
+def _check_restraint(parts: Network) -> None:
+    """Raise InvalidInput where bearings and springs do not restrain a body."""
     springs = parts.springs
-    holding = np.concatenate([parts.bearings.row, springs.row[springs.stiffness > 0.0]])
-    held = _reached(holding, len(parts.bodies))
-    rubbing = _reached(np.concatenate([holding, parts.frictions.row]), len(parts.bodies))
-    for name, is_held, rubs in zip(parts.bodies, held, rubbing, strict=True):
-        if not is_held:
+    restraints = np.concatenate([parts.bearings.row, springs.row[springs.stiffness > 0.0]])
+    restrained = _reached(restraints, len(parts.bodies))
+    rubbing = _reached(np.concatenate([restraints, parts.frictions.row]), len(parts.bodies))
+    for name, is_restrained, rubs in zip(parts.bodies, restrained, rubbing, strict=True):
+        if not is_restrained:
             what = "held by friction alone" if rubs else "held by nothing"
             raise InvalidInput(
                 f"body {name}: {what}: join it to the ground by bearings or springs, or to a body "
@@ -70,5 +70,5 @@ def _held(parts: Network) -> None:
 
 
 def _reached(rows: Array, count: int) -> list[bool]:
-    """Bodies that rows of ±1 join to the ground: one more joint to it would hold nothing new."""
+    """Whether rows of ±1 join each body to the ground: one more joint to it is redundant then."""
     return [not independent(np.vstack([rows, to_ground]))[-1] for to_ground in np.eye(count)]
