@@ -1,4 +1,4 @@
-"""What can go wrong with one rolling bearing.
+"""Errors of one rolling bearing.
 
 BearingError
 ├── InvalidBearing        the description itself is impossible (also a ValueError)

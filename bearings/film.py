@@ -144,5 +144,5 @@ def film(
 
 def _heaviest(load: Array, thickness: Array, race: Flags) -> Array:
     """Film thickness (…, balls) of the most loaded of the contacts where ``race`` is true."""
-    most = load[..., race].argmax(axis=-1, keepdims=True)
-    return np.take_along_axis(thickness[..., race], most, axis=-1)[..., 0]
+    index = load[..., race].argmax(axis=-1, keepdims=True)
+    return np.take_along_axis(thickness[..., race], index, axis=-1)[..., 0]

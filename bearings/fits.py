@@ -172,4 +172,4 @@ def _size(diameter: float) -> int:
         raise InvalidBearing(
             f"tolerances are tabled above {SIZES[0]:g} mm up to {SIZES[-1]:g} mm: got {size:g} mm"
         )
-    return bisect_left(SIZES, round(size, 6)) - 1
+    return bisect_left(SIZES, round(size, 6)) - 1  # rounded, since 0.018 m must count as 18 mm

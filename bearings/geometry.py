@@ -130,8 +130,8 @@ def geometry(bearing: Grooves) -> Geometry:
 
 
 def acting(g: Geometry, dynamics: str) -> Geometry:
-    """Set the inertia of rotation of the balls to zero ("centrifugal": Fc alone) or their orbital
-    factor ("gyroscopic": Mg alone)."""
+    """Set the inertia of rotation of the balls to zero for "centrifugal" (Fc alone), their orbital
+    factor for "gyroscopic" (Mg alone), and neither for other ``dynamics``."""
     if dynamics == "centrifugal":
         return g._replace(ball_inertia=0.0)
     return g._replace(orbital_factor=0.0) if dynamics == "gyroscopic" else g

@@ -48,19 +48,19 @@ class Rolling(NamedTuple):
 
 
 def outer_control(a: Angles) -> Partial:
-    """No spin on the outer race: tan β = sin αo / (cos αo + γ)."""
+    """tan β without spin on the outer race, sin αo / (cos αo + γ)."""
     below = a.cos_o + a.gamma
     return Partial(a.sin_o / below, 0.0, (1.0 + a.gamma * a.cos_o) / below**2, 0.0)
 
 
 def inner_control(a: Angles) -> Partial:
-    """No spin on the inner race: tan β = sin αi / (cos αi − γ)."""
+    """tan β without spin on the inner race, sin αi / (cos αi − γ)."""
     below = a.cos_i - a.gamma
     return Partial(a.sin_i / below, (1.0 - a.gamma * a.cos_i) / below**2, 0.0, 0.0)
 
 
 def geometric(a: Angles) -> Partial:
-    """β = (αi + αo)/2, by the half-angle form tan β = (sin αi + sin αo)/(cos αi + cos αo)."""
+    """tan β of β = (αi + αo)/2, by its half-angle form (sin αi + sin αo)/(cos αi + cos αo)."""
     below = a.cos_i + a.cos_o
     below = where(np.abs(below) < FLAT, FLAT, below)
     slope = (1.0 + a.cos_i * a.cos_o + a.sin_i * a.sin_o) / below**2
@@ -68,7 +68,7 @@ def geometric(a: Angles) -> Partial:
 
 
 def hybrid(a: Angles) -> Partial:
-    """Both races share control by their weight C; C = 0 is exactly outer control."""
+    """tan β where both races share control by their weight C; C = 0 is exactly outer control."""
     g, c = a.gamma, a.weight
     inner_gap = 1.0 - g * a.cos_i
     s = (1.0 + g * a.cos_o) / inner_gap
@@ -111,7 +111,7 @@ def tan_beta(law: Any, a: Angles) -> Partial:
 
 
 def _by_law(law: Any, first: Any, second: Any, third: Any, fourth: Any) -> Any:
-    """One of four values by the number of the hypothesis, state by state."""
+    """Choose one of four values by the number of the hypothesis, state by state."""
     return where(law == 0, first, where(law == 1, second, where(law == 2, third, fourth)))
 
 

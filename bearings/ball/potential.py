@@ -234,7 +234,7 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
         + centrifugal_force
     )
     hold = both[0][0] + both[1][1]
-    noise = 4.0 * EPS * c.free_distance * hold
+    noise = 4.0 * EPS * c.free_distance * hold  # force by rounding of the lengths
     energy = potential(c, inner, outer, ball, centrifugal_force)
     slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + c.free_distance * size)
     step = dot(back[0], gap), dot(back[1], gap)

@@ -207,9 +207,9 @@ def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[A
 
     It is the nearer groove to a ball without load, and the one whose straight wall carries a ball.
     """
-    one, two = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
-    first = dot(one, one) >= dot(two, two)
-    vector = (where(first, one[0], two[0]), where(first, one[1], two[1]))
+    v1, v2 = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
+    first = dot(v1, v1) >= dot(v2, v2)
+    vector = (where(first, v1[0], v2[0]), where(first, v1[1], v2[1]))
     sin, cos, _, turn = facing(grooves[0], vector)
     return sin, cos, turn, where(first, grooves[0].offset, grooves[1].offset)
 
@@ -244,11 +244,11 @@ def spring(groove: Groove, vector: Motion) -> Springs:
     approach = np.maximum(length - groove.centre_distance, 0.0)
     load, along = hertz(groove.stiffness, approach)
     across = load * part
-    more = along - across
-    radially = across + more * cos * cos
+    difference = along - across
+    radially = across + difference * cos * cos
     if len(groove.walls) > 0:
         radially = where(vector[1] > 0.0, radially, 0.0)
-    slope = (across + more * sin * sin, more * sin * cos, radially)
+    slope = (across + difference * sin * sin, difference * sin * cos, radially)
     return Springs(0.4 * load * approach, (load * sin, load * cos), slope, 0.0, (0.0, 0.0, 0.0))
 
 

@@ -28,13 +28,15 @@ _SLIPS = {
 _NEAR = 0.25  # of ln(factor)
 
 
-def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weight: Array) -> None:
+def refuse_contradictions(
+    catalogue: Catalogue, apart: Array, computed: Array, weight: Array
+) -> None:
     """Raise InvalidBearing where no internal geometry is within the limits of all values.
 
     ``computed`` (values, insides), ``apart``: its ln(computed/printed) in standard deviations;
     ``weight`` (insides,): logarithm of the prior probability of each, up to a constant.
     """
-    values = given.values
+    values = catalogue.values
     if not values:
         return
     ratio = np.log(computed / np.array([v.number for v in values])[:, None])

@@ -118,11 +118,11 @@ class EstimatedBearing(AngularContactBallBearing):
 
     @property
     def _of_pair(self) -> str:
-        given = self.catalogue
-        printed = given.dynamic_rating
-        if printed is None or (given.static_rating is None and given.ball_diameter is None):
+        catalogue = self.catalogue
+        printed = catalogue.dynamic_rating
+        if printed is None or (catalogue.static_rating is None and catalogue.ball_diameter is None):
             return ""
-        without_rating = likeliest(replace(given, dynamic_rating=None))
+        without_rating = likeliest(replace(catalogue, dynamic_rating=None))
         expected = float(rating(without_rating._inside))
         if not _PAIR[0] < printed / expected < _PAIR[1]:
             return ""
@@ -198,7 +198,7 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
     InvalidBearing : a value is out of range; or values contradict one another, with the largest
         set that does not
     """
-    given = Catalogue(
+    catalogue = Catalogue(
         bore=bore,
         outside_diameter=outside_diameter,
         width=width,
@@ -215,59 +215,59 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
         inner_conformity=inner_conformity,
         outer_conformity=outer_conformity,
     )
-    return likeliest(given)
+    return likeliest(catalogue)
 
 
 @lru_cache(maxsize=32)  # seats and variants of a machine have the same few catalogue bearings
-def likeliest(given: Catalogue) -> EstimatedBearing:
+def likeliest(catalogue: Catalogue) -> EstimatedBearing:
     """Return the estimate from printed values; errors as for ``estimate``."""
-    x, likely, share = _weighed(given)
-    best = _refined(x, likely, given)
+    x, likely, share = _weighed(catalogue)
+    best = _refined(x, likely, catalogue)
     spread = {name: _range(getattr(x, name), share, getattr(best, name)) for name in FIELDS}
-    return EstimatedBearing(**_fields(best, given), catalogue=given, spread=spread)
+    return EstimatedBearing(**_fields(best, catalogue), catalogue=catalogue, spread=spread)
 
 
-def _weighed(given: Catalogue) -> tuple[Insides, Array, Array]:
+def _weighed(catalogue: Catalogue) -> tuple[Insides, Array, Array]:
     """Return all plausible internal geometries, the logarithm of the posterior probability of each
     up to a constant, and the probability, normalised to a sum of 1."""
-    x, weight = plausible(given)
-    computed = _computed(x, given)
-    apart = _apart(computed, given)
-    refuse_contradictions(given, apart, computed, weight)
+    x, weight = plausible(catalogue)
+    computed = _computed(x, catalogue)
+    apart = _apart(computed, catalogue)
+    refuse_contradictions(catalogue, apart, computed, weight)
     likely = weight - 0.5 * (apart**2).sum(axis=0)
     share = np.exp(likely - likely.max())
     return x, likely, share / share.sum()
 
 
-def _apart(computed: Array, given: Catalogue) -> Array:
+def _apart(computed: Array, catalogue: Catalogue) -> Array:
     """ln(computed/printed) in standard deviations, shape (values, insides)."""
-    printed = np.array([v.number for v in given.values]).reshape(-1, 1)
-    deviations = np.array([_deviation(v) for v in given.values]).reshape(-1, 1)
+    printed = np.array([v.number for v in catalogue.values]).reshape(-1, 1)
+    deviations = np.array([_deviation(v) for v in catalogue.values]).reshape(-1, 1)
     return np.log(computed / printed) / deviations
 
 
-def _scale(x: Insides, given: Catalogue) -> tuple[Array, Array]:
+def _scale(x: Insides, catalogue: Catalogue) -> tuple[Array, Array]:
     """P [N] and BD [m] of ``bearings.catalogue.pair``."""
     distance = x.free_distance
-    stiffness = contact_stiffness(x, given.ball_material, given.ring_material)
+    stiffness = contact_stiffness(x, catalogue.ball_material, catalogue.ring_material)
     return x.balls * stiffness * distance**1.5, distance
 
 
-def _computed(x: Insides, given: Catalogue) -> Array:
+def _computed(x: Insides, catalogue: Catalogue) -> Array:
     """Compute each printed value for each internal geometry, shape (values, insides)."""
     law = axial_law(x.contact_angle)
-    scale, distance = _scale(x, given)
+    scale, distance = _scale(x, catalogue)
     at = {
         p: pair_values(law, scale, distance, p)
-        for p in {v.preload for v in given.values}
+        for p in {v.preload for v in catalogue.values}
         if p > 0.0
     }
     rows: list[Any] = []
-    for value in given.values:
+    for value in catalogue.values:
         if value.kind == "dynamic":
             rows.append(rating(x))
         elif value.kind == "static":
-            rows.append(static_rating(x, given.ball_material, given.ring_material))
+            rows.append(static_rating(x, catalogue.ball_material, catalogue.ring_material))
         else:
             rows.append(at[value.preload][0 if value.kind == "rigidity" else 1])
     return np.array(rows).reshape(len(rows), np.size(x.balls))
@@ -285,12 +285,12 @@ def _deviation(value: Value) -> float:
     return math.hypot(share, rounding, _WHOLE_NEWTON / value.number)
 
 
-def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
+def _refined(x: Insides, likely: Array, catalogue: Catalogue) -> Insides:
     """Return the likeliest internal geometry, its conformities refined between grid points."""
     from scipy.optimize import minimize
 
-    free = [name for name in FIELDS[3:] if getattr(given, name) is None]
-    section = given.outside_diameter - given.bore
+    free = [name for name in FIELDS[3:] if getattr(catalogue, name) is None]
+    section = catalogue.outside_diameter - catalogue.bore
     order = np.argsort(-likely)
     balls = np.stack([x.ball_diameter[order], x.balls[order]])
     _, first = np.unique(balls, axis=1, return_index=True)
@@ -303,7 +303,7 @@ def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
 
     def cost(values: Array, start: Insides) -> float:
         trial = at(start, values)
-        apart = _apart(_computed(trial, given), given)
+        apart = _apart(_computed(trial, catalogue), catalogue)
         return float(0.5 * (apart**2).sum() - usual(trial, section))
 
     fitted = []
@@ -324,12 +324,12 @@ def _range(values: Array, share: Array, estimate: Any) -> tuple[float, float]:
     return min(float(low), float(estimate)), max(float(high), float(estimate))
 
 
-def _fields(x: Insides, given: Catalogue) -> dict[str, Any]:
+def _fields(x: Insides, catalogue: Catalogue) -> dict[str, Any]:
     """Arguments of the constructor of an angular-contact bearing."""
     values: dict[str, Any] = {name: float(getattr(x, name)) for name in FIELDS}
     return values | {
         "balls": round(values["balls"]),
         "contact_angle": x.contact_angle,
-        "ball_material": given.ball_material,
-        "ring_material": given.ring_material,
+        "ball_material": catalogue.ball_material,
+        "ring_material": catalogue.ring_material,
     }

@@ -27,36 +27,38 @@ _CONFORMITIES = np.arange(0.508, 0.602, 0.004)
 _STEP = 0.0254 / 64.0  # balls come in 64ths of an inch, larger ones in 32nds and 16ths
 
 
-def plausible(given: Catalogue) -> tuple[Insides, Array]:
+def plausible(catalogue: Catalogue) -> tuple[Insides, Array]:
     """Return all combinations as flat arrays of equal length, and the logarithm of the prior
     probability of each up to a constant."""
-    pitch = given.pitch_diameter or 0.5 * (given.bore + given.outside_diameter)
-    section = given.outside_diameter - given.bore
-    candidates = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
-    diameters = [value for value in candidates if _within(given, pitch, value)]
+    pitch = catalogue.pitch_diameter or 0.5 * (catalogue.bore + catalogue.outside_diameter)
+    section = catalogue.outside_diameter - catalogue.bore
+    candidates = (
+        _diameters(section) if catalogue.ball_diameter is None else [catalogue.ball_diameter]
+    )
+    diameters = [value for value in candidates if _within(catalogue, pitch, value)]
     if not diameters:
         largest, least = (
-            1e3 * value for value in ring_limits(pitch, candidates[0], given.contact_angle)
+            1e3 * value for value in ring_limits(pitch, candidates[0], catalogue.contact_angle)
         )
         raise InvalidBearing(
             f"no ring left beside balls of {candidates[0] * 1e3:.4g} mm on a pitch circle of "
-            f"{pitch * 1e3:.4g} mm: given bore {given.bore * 1e3:g} mm, outside_diameter "
-            f"{given.outside_diameter * 1e3:g} mm; allowed: a bore below {largest:.4g} mm, an "
+            f"{pitch * 1e3:.4g} mm: given bore {catalogue.bore * 1e3:g} mm, outside_diameter "
+            f"{catalogue.outside_diameter * 1e3:g} mm; allowed: a bore below {largest:.4g} mm, an "
             f"outside diameter above {least:.4g} mm"
         )
     pairs = [
         (diameter, count)
         for diameter in diameters
-        for count in (_counts(diameter, pitch) if given.balls is None else [given.balls])
+        for count in (_counts(diameter, pitch) if catalogue.balls is None else [catalogue.balls])
         if diameter < 0.98 * pitch * math.sin(math.pi / count)
-    ] or [(float(diameters[0]), given.balls or 3)]  # balls that overlap: the bearing refuses them
+    ] or [(float(diameters[0]), catalogue.balls or 3)]  # they overlap: the bearing refuses them
     inner, outer = (
         _CONFORMITIES if f is None else np.array([f])
-        for f in (given.inner_conformity, given.outer_conformity)
+        for f in (catalogue.inner_conformity, catalogue.outer_conformity)
     )
     which, fi, fo = (a.ravel() for a in np.meshgrid(range(len(pairs)), inner, outer, indexing="ij"))
     ball, count = np.array(pairs, dtype=float)[which].T
-    x = Insides(ball, count, np.full_like(ball, pitch), fi, fo, float(given.contact_angle))
+    x = Insides(ball, count, np.full_like(ball, pitch), fi, fo, float(catalogue.contact_angle))
     return x, usual(x, section)
 
 
@@ -83,10 +85,10 @@ def _diameters(section: float) -> list[float]:
     return [step * k for k in steps] or [BALL_SHARE[0] * section]
 
 
-def _within(given: Catalogue, pitch: float, diameter: float) -> bool:
+def _within(catalogue: Catalogue, pitch: float, diameter: float) -> bool:
     """Whether balls of a diameter leave both rings a wall of the least thickness."""
-    largest, least = ring_limits(pitch, diameter, given.contact_angle)
-    return given.bore < largest and given.outside_diameter > least
+    largest, least = ring_limits(pitch, diameter, catalogue.contact_angle)
+    return catalogue.bore < largest and catalogue.outside_diameter > least
 
 
 def _counts(diameter: float, pitch: float) -> range:

@@ -136,8 +136,8 @@ class Catalogue:
     def values(self) -> tuple[Value, ...]:
         """Printed values that can be compared with those of an internal geometry."""
         values = []
-        for kind, given in (("rigidity", self.rigidities), ("unloading", self.unloading)):
-            for number, preload in zip(given, self.preloads, strict=False):
+        for kind, column in (("rigidity", self.rigidities), ("unloading", self.unloading)):
+            for number, preload in zip(column, self.preloads, strict=False):
                 if number is not None:
                     values.append(Value(kind, float(number), float(preload)))
         if self.dynamic_rating is not None:

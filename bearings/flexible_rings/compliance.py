@@ -115,8 +115,8 @@ class Compliance:
         half = self.between.transpose(1, 0, 2, 3).reshape(z, z * places, places) @ by
         half = half.reshape(states, z, z, places, ends).transpose(0, 2, 3, 1, 4)
         read = np.moveaxis(read, 3, 4).reshape(states, z, ends, places)
-        whole = read @ half.reshape(states, z, places, z * ends)
-        return whole.reshape(states, z, grooves, 2, z, grooves, 2)
+        slope = read @ half.reshape(states, z, places, z * ends)
+        return slope.reshape(states, z, grooves, 2, z, grooves, 2)
 
     def _in_groove(self, g: int, angle: Array) -> tuple[Array, Array, Array]:
         """Weights (s, z, k) of the computed angles at any φ (s, z), and their derivatives; beyond

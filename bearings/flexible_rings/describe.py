@@ -71,10 +71,10 @@ class ElasticRing:
                 raise InvalidBearing(f"{name} of a ring must be {rule}, got {shown(value)}")
         if self.ends not in ENDS:
             raise InvalidBearing(f"ends must be one of {', '.join(ENDS)}, got {shown(self.ends)}")
-        given: object = self.backing_material
-        if not isinstance(given, Material):
+        material: object = self.backing_material
+        if not isinstance(material, Material):
             raise InvalidBearing(
-                f"backing_material must be a bearings.Material, got {shown(given)}"
+                f"backing_material must be a bearings.Material, got {shown(material)}"
             )
         if self.backing_diameter == self.seat_diameter:
             raise InvalidBearing(

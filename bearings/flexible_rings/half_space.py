@@ -35,8 +35,8 @@ def _distances() -> tuple[Array, Array]:
     """Distances of two points of the parabola over a, (k,), and their probability weights."""
     node, weight = np.polynomial.legendre.leggauss(POINTS)
     t = 0.5 * (node + 1.0)
-    far, near = 2.0 * t**3, 3.0 * t**2 * weight  # dense at 0, where the kernel is a logarithm
-    half = 0.5 * (2.0 - far)
-    s = 0.5 * far[:, None] + half[:, None] * node
-    both = 0.75**2 * (1.0 - s**2) * (1.0 - (s - far[:, None]) ** 2)
-    return far, 2.0 * near * half * (both @ weight)
+    gap, jacobian = 2.0 * t**3, 3.0 * t**2 * weight  # dense at 0, where the kernel is a logarithm
+    half = 0.5 * (2.0 - gap)
+    s = 0.5 * gap[:, None] + half[:, None] * node
+    both = 0.75**2 * (1.0 - s**2) * (1.0 - (s - gap[:, None]) ** 2)
+    return gap, 2.0 * jacobian * half * (both @ weight)

@@ -54,7 +54,7 @@ class Body:
             np.where(self.section.backing, back, ring)[:, None] * r * basis.dx
             for ring, back in zip(_lame(self.material), _lame(self.backing), strict=True)
         )
-        constant, linear = zip(*(_strains(each, r) for (each,) in basis.basis), strict=True)
+        constant, linear = zip(*(_strains(field, r) for (field,) in basis.basis), strict=True)
         a, b = (np.moveaxis(np.array(part), 2, 0) for part in (constant, linear))
         stress_a, stress_b = (_stress(part, first, shear) for part in (a, b))
         mixed = _work(stress_a, b)

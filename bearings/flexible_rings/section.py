@@ -80,20 +80,20 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
         if ring.places[right] - ring.places[left] < (1.0 + TOUCHING) * ring.width:
             numbers[right][-1, 0] = numbers[left][-1, -1]  # both share one corner of the seat
     rings = np.concatenate([_quads(number) for number in numbers])
-    grid, more = _backing(ring, outward, [numbers[k][-1] for k in in_row], corners)
-    corners, beyond = np.concatenate([corners, more]), _quads(grid)
+    grid, added = _backing(ring, outward, [numbers[k][-1] for k in in_row], corners)
+    corners, beyond = np.concatenate([corners, added]), _quads(grid)
     backing = np.arange(len(rings) + len(beyond)) >= len(rings)
     quads = np.concatenate([rings, beyond])
     used, place_of = np.unique(quads, return_inverse=True)  # corners that two rings share are one
     corners, quads = corners[used], place_of.reshape(quads.shape)
-    middle, turned = len(raceway) // 2, len(half)
+    middle, count = len(raceway) // 2, len(half)
     arcs = []
     for number, place in zip(numbers, ring.places, strict=True):
         along = np.searchsorted(used, number[0])
-        first = along[middle : middle + turned], half, (place - offset, centre)
-        second = along[middle - turned + 1 : middle + 1], -half[::-1], (place + offset, centre)
-        whole = np.append(second[0], first[0][1:]), np.append(second[1], half[1:]), (place, centre)
-        arcs.append((second, first) if offset > 0.0 else (whole,))
+        first = along[middle : middle + count], half, (place - offset, centre)
+        second = along[middle - count + 1 : middle + 1], -half[::-1], (place + offset, centre)
+        joined = np.append(second[0], first[0][1:]), np.append(second[1], half[1:]), (place, centre)
+        arcs.append((second, first) if offset > 0.0 else (joined,))
     return Section(
         corners.T,
         _right_handed(corners, quads).T,
@@ -113,10 +113,10 @@ def _backing(
     """Grid of all corners of the backing, its first row with the ``seats`` of the rings from left
     to right, and the places of the new corners, whose numbers continue those of ``corners``."""
     first = ring.width / FIRST
-    beside = 0.5 * (ring.length - ring.width)
+    overhang = 0.5 * (ring.length - ring.width)
     left, right = corners[seats[0][0], 0], corners[seats[-1][-1], 0]
     top = [np.full(0, -1), seats[0]]
-    x = [left - _graded(beside, first)[::-1], corners[seats[0], 0]]
+    x = [left - _graded(overhang, first)[::-1], corners[seats[0], 0]]
     for left_seat, right_seat in pairwise(seats):
         start, end = corners[left_seat[-1], 0], corners[right_seat[0], 0]
         half = _graded(0.5 * (end - start), first)
@@ -124,7 +124,7 @@ def _backing(
         shared = int(left_seat[-1] == right_seat[0])
         x += [between, corners[right_seat[shared:], 0]]
         top += [np.full(len(between), -1), right_seat[shared:]]
-    x.append(right + _graded(beside, first))
+    x.append(right + _graded(overhang, first))
     top[0] = np.full(len(x[0]), -1)
     top.append(np.full(len(x[-1]), -1))
     along = np.concatenate(x)

@@ -75,8 +75,8 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     if not (finite(friction) and friction > 0.0):
         raise InvalidBearing(f"friction of a contact must be positive, got {shown(friction)}")
     # under an axial load all balls are equally loaded: one ball represents them
-    g, alike = state.operation.geometry, bool(state.operation.axial.all())
-    split, balls = len(g.inner_grooves), slice(1) if alike else slice(None)
+    g, axial = state.operation.geometry, bool(state.operation.axial.all())
+    split, balls = len(g.inner_grooves), slice(1) if axial else slice(None)
     load = np.asarray(state.contact_load)[..., balls, :]
     motion = contact_motion(state)
     inner = np.arange(load.shape[-1]) < split

@@ -32,8 +32,8 @@ DEFAULT = "angular_contact"  # of a file that names no kind
 def kind_class(kind: str) -> type[BallBearing]:
     """Return the class of a kind by its name in ``KINDS``; raises KeyError for another name."""
     name = KINDS[kind]
-    kind_of: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
-    return kind_of
+    cls: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
+    return cls
 
 
 def kind_of(bearing: BallBearing) -> str:

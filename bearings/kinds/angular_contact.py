@@ -1,4 +1,4 @@
-"""The angular-contact ball bearing: one groove a ring, thrust one way."""
+"""The angular-contact ball bearing: one groove a ring, thrust in one direction."""
 
 from __future__ import annotations
 

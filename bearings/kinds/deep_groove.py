@@ -1,4 +1,4 @@
-"""The deep-groove ball bearing: one groove a ring, thrust both ways, radial clearance."""
+"""The deep-groove ball bearing: one groove a ring, thrust in both directions, radial clearance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The four-point-contact ball bearing: two arcs a ring, thrust both ways.
+"""The four-point-contact ball bearing: two arcs a ring, thrust in both directions.
 
 Geometry after Lacroix, doctoral thesis, INSA Lyon, 2014, ch. 2: a shim of thickness g is taken out
 of the middle of a circular groove, so that the centres of its two arcs lie g apart.

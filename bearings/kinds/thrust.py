@@ -1,4 +1,4 @@
-"""The thrust ball bearing: one groove a washer, contact at 90°, thrust one way."""
+"""The thrust ball bearing: one groove a washer, contact at 90°, thrust in one direction."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class ThrustBallBearing(BallBearing):
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Sentence on a radial load, or on thrust or a moment that separates the washers."""
         thrust, *radial = load[:3]
-        if any(force != 0.0 and given for force, given in zip(radial, free[1:3], strict=True)):
+        if any(force != 0.0 and flag for force, flag in zip(radial, free[1:3], strict=True)):
             return (
                 f"a thrust ball bearing carries no radial load: got {math.hypot(*radial):g} N; "
                 "give its radial displacement instead, and a radial bearing beside it"
@@ -36,7 +36,7 @@ class ThrustBallBearing(BallBearing):
                 f"a thrust ball bearing carries thrust towards +x only: got {thrust:g} N; turn it "
                 "round, or use one for each direction"
             )
-        moment = [part if given else 0.0 for part, given in zip(load[3:], free[3:], strict=True)]
+        moment = [part if flag else 0.0 for part, flag in zip(load[3:], free[3:], strict=True)]
         if free[0] and (size := math.hypot(*moment)) > (most := self._tipping(thrust, *moment)):
             return (
                 f"under {thrust:g} N of thrust a thrust ball bearing carries a moment up to "

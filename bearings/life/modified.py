@@ -36,8 +36,8 @@ def reliability_factor(reliability: float) -> float:
     """
     key = round(reliability, 6)
     if key not in _RELIABILITY:
-        known = ", ".join(f"{100 * r:g} %" for r in _RELIABILITY)
-        raise InvalidBearing(f"a1 is tabled for {known}: got {100 * reliability:g} %")
+        listing = ", ".join(f"{100 * r:g} %" for r in _RELIABILITY)
+        raise InvalidBearing(f"a1 is tabled for {listing}: got {100 * reliability:g} %")
     return _RELIABILITY[key]
 
 

@@ -30,7 +30,7 @@ EXPONENT = 3.0 * WEIBULL_SLOPE  # of loads where probabilities of survival multi
 
 
 def nominal_angle(grooves: Grooves) -> float:
-    """Contact angle of ratings [rad]: the free one; 0 of a deep groove, where it is only play."""
+    """Contact angle of ratings [rad]: the free one; 0 for a deep groove, where it is clearance."""
     one_arc = len(grooves.inner_offsets) == len(grooves.outer_offsets) == 1
     return 0.0 if one_arc and grooves.both_ways else grooves.free_angle
 
@@ -41,7 +41,7 @@ def is_thrust(grooves: Grooves) -> bool:
 
 
 def steep(contact_angle: float) -> bool:
-    """Whether a contact angle [rad] is beyond 45°, but for rounding."""
+    """Whether a contact angle [rad] is beyond 45°, with a tolerance for rounding."""
     return contact_angle > STEEPEST_RADIAL + 1e-9
 
 

@@ -153,7 +153,7 @@ def _searched(problem: Problem, d: Array, now: Seated, step: Array) -> tuple[Arr
 
     previous = total(now, d)
     load = 64.0 * problem.load_size + 4.0 * g.balls * frozen_force(g, problem.squared)
-    slack = EPS * (64.0 * np.abs(previous) + g.free_distance * load)
+    slack = EPS * (64.0 * np.abs(previous) + g.free_distance * load)  # rounding of the potential
     length, along = np.ones((len(d), 1)), followed_by(now.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step

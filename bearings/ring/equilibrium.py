@@ -142,9 +142,9 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
 
 
 def _words(done: Flags) -> Words:
-    words = np.zeros(len(done), dtype="<U16")
-    words[~done] = "no equilibrium"
-    return words
+    outcome = np.zeros(len(done), dtype="<U16")
+    outcome[~done] = "no equilibrium"
+    return outcome
 
 
 def _last_digits(

@@ -207,10 +207,10 @@ def _pressed(
     the motion solved for, and, where one ball represents all, for motion across it."""
     states, n, contacts = way.shape[:3]
     split, rings = len(c.inner_grooves), problem.compliances
-    alone = problem.assembly.balls < problem.geometry.balls
+    axial = problem.assembly.balls < problem.geometry.balls
     assert rings is not None
     shift = np.zeros((states, n, contacts, 2))
-    slopes = [np.zeros((states, n, contacts, 2, n, contacts, 2)) for _ in range(2 if alone else 1)]
+    slopes = [np.zeros((states, n, contacts, 2, n, contacts, 2)) for _ in range(2 if axial else 1)]
     ends = (
         (rings.inner, c.inner_grooves, -1.0, slice(split)),
         (rings.outer, c.outer_grooves, 1.0, slice(split, None)),
@@ -229,7 +229,7 @@ def _pressed(
             k, distance = k[..., None], distance[..., None]
         load, stiffness = hertz(k, np.maximum(length - distance, 0.0))
         acting, others = (
-            (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if alone else (ring, [])
+            (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if axial else (ring, [])
         )
         shifts = acting.shifts(vector, load, stiffness, others)
         shift[:, :, part] = shifts.shift * blend[:, None, None, None]

@@ -150,10 +150,10 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
     return dd, linear.still + linear.along(dd)
 
 
-def followed_by(follow: Array, moved: Array) -> Array:
-    """Motion (2, …) of balls that ``follow`` (2, m, …) the motions (m, …) of their grooves."""
-    step = follow[:, 0] * moved[0] + follow[:, 1] * moved[1]
-    return step if len(moved) == 2 else step + follow[:, 2] * moved[2]
+def followed_by(follow: Array, motion: Array) -> Array:
+    """Motion (2, …) of balls that ``follow`` (2, m, …) a ``motion`` (m, …) of their grooves."""
+    step = follow[:, 0] * motion[0] + follow[:, 1] * motion[1]
+    return step if len(motion) == 2 else step + follow[:, 2] * motion[2]
 
 
 def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
@@ -171,12 +171,12 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     return step
 
 
-def frozen_tangent(operation: Operation, d: Array, x: Array, good: Flags) -> tuple[Array, Index]:
+def frozen_tangent(operation: Operation, d: Array, x: Array, exists: Flags) -> tuple[Array, Index]:
     """Tangents (k, 5, 5) with Fc and Mg constant, and the indices (k,) of these states.
 
-    Of the states d (s, 5) and X (2, s, n) they are those that exist, ``good`` (s,), and turn.
+    Of the states d (s, 5) and X (2, s, n) they are those that exist, ``exists`` (s,), and turn.
     """
-    index = np.flatnonzero(good & turns(operation.geometry, operation.speed))
+    index = np.flatnonzero(exists & turns(operation.geometry, operation.speed))
     part = Problem.of(operation, full_assembly).take(index)
     linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
     return linear.stiffness, index

@@ -22,7 +22,7 @@ DRIVEN = 0.05  # least load of a driven ball over the largest ball load of the b
 
 @dataclass(frozen=True, eq=False)
 class BearingState:
-    """Physical state of a bearing, or of a batch of states with leading shape (…).
+    """Physical state of a bearing, or a batch of states with leading shape (…).
 
     ``load`` (…, 5) [N, N·m], ``displacement`` (…, 5) [m, rad], ``speed`` (…) [rad/s] without its
     sign. ``residual`` (…): largest imbalance of a ball over the largest ball load, or of the ring

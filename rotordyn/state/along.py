@@ -261,8 +261,8 @@ def _lowest(
     """
     turns = (left.slope < 0.0) & (right.slope > 0.0)
     steep = np.where(turns, left.slope - right.slope, -1.0)
-    way = (right.value - right.slope * (right.share - left.share) - left.value) / steep
-    low = left.value + left.slope * way
+    distance = (right.value - right.slope * (right.share - left.share) - left.value) / steep
+    low = left.value + left.slope * distance
     doubtful = low < 0.5 * np.minimum(left.value, right.value) - AFTER
     for k in np.flatnonzero(turns & doubtful).tolist():
 
@@ -316,7 +316,7 @@ def _near(known: dict[float, State], share: float) -> Array:
 def _continuous(step: Step, a: float, part: Part) -> Part | None:
     """Return the part, begun at ``a``, or that before a jump of positions at its end, or None."""
     state = part.state
-    shares = [max(part.share + way, a) for way in (-SHORTEST, SHORTEST)]
+    shares = [max(part.share + offset, a) for offset in (-SHORTEST, SHORTEST)]
     before, after = (hold(step, state, share, state.x) for share in shares)
     if before is None:
         return None

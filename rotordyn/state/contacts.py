@@ -88,8 +88,8 @@ def _joints(
     ``closed``, ``sticks``: one byte of each stop and friction.
     """
     springs, stops, frictions = network.springs, network.stops, network.frictions
-    held = np.frombuffer(sticks, bool) & (frictions.limit > 0.0)
-    parts = [np.flatnonzero(flag) for flag in (springs.rigid, np.frombuffer(closed, bool), held)]
+    stick = np.frombuffer(sticks, bool) & (frictions.limit > 0.0)
+    parts = [np.flatnonzero(flag) for flag in (springs.rigid, np.frombuffer(closed, bool), stick)]
     rows = (springs.row, stops.row, frictions.row)
     row = np.concatenate([block[part] for block, part in zip(rows, parts, strict=True)])
     needed = independent(row)
@@ -118,7 +118,7 @@ def solve(stiffness: Array, force: Array, row: Array, miss: Array) -> tuple[Arra
     matrix = np.zeros((n + m, n + m))
     matrix[:n, :n] = stiffness
     matrix.ravel()[: n * (n + m + 1) : n + m + 1] += SOFTEST * scale
-    matrix[:n, n:] = -scale * row.T
+    matrix[:n, n:] = -scale * row.T  # scaled for entries of one size, as is μ
     matrix[n:, :n] = scale * row
     solution = dgesv(matrix, np.concatenate([force, scale * miss]))[2]
     return solution[:n], scale * solution[n:]
@@ -153,6 +153,7 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
         residual = float(np.abs(force + mu @ joints.row).max()) / (
             at.size + np.abs(fixed).sum() + TINY
         )
+        # a balance that rounding keeps from improving any further counts as one, too
         if placed and (residual < EXACT or (best < ENOUGH and residual >= 0.5 * best)):
             solved = with_joint_forces(step.network, loose, joints, x, at, mu)
             return None if _driven_through(step.network, solved) else solved

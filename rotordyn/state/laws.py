@@ -150,9 +150,9 @@ class Blend:
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
-        (force, slope), (other, steep) = self.old(d), self.new(d)
+        (force, slope), (new_force, new_slope) = self.old(d), self.new(d)
         share = self.share
-        return (1.0 - share) * force + share * other, (1.0 - share) * slope + share * steep
+        return (1.0 - share) * force + share * new_force, (1.0 - share) * slope + share * new_slope
 
 
 def deflection(law: AxialLaw, load: float) -> float:

@@ -108,30 +108,30 @@ def _load(
     return Load(force, shift, gap, tuple(chosen))
 
 
-def _law(given: Plain, at: str) -> AxialLaw:
-    _keys(given, " ".join(dict.fromkeys(" ".join(LAWS.values()).split())), at)
-    kind = _known(given.get("kind"), LAWS, at, "kind of law")
-    _keys(given, LAWS[kind], at)
+def _law(entry: Plain, at: str) -> AxialLaw:
+    _keys(entry, " ".join(dict.fromkeys(" ".join(LAWS.values()).split())), at)
+    kind = _known(entry.get("kind"), LAWS, at, "kind of law")
+    _keys(entry, LAWS[kind], at)
     if kind == "table":
-        return _table(given, at)
+        return _table(entry, at)
     if kind != "rest_ball":
-        p = _number(given.get("p"), f"{at}, p", least=1.0) if kind == "power" else 1.0
-        return Power(_number(given.get("k"), f"{at}, k", above=0.0), p)
-    distance = _number(given.get("BD"), f"{at}, BD", above=0.0)
-    angle = math.radians(_number(given.get("alpha_deg"), f"{at}, alpha_deg", least=0.0, most=89.0))
-    growth = _number(given.get("growth", 0.0), f"{at}, growth")
+        p = _number(entry.get("p"), f"{at}, p", least=1.0) if kind == "power" else 1.0
+        return Power(_number(entry.get("k"), f"{at}, k", above=0.0), p)
+    distance = _number(entry.get("BD"), f"{at}, BD", above=0.0)
+    angle = math.radians(_number(entry.get("alpha_deg"), f"{at}, alpha_deg", least=0.0, most=89.0))
+    growth = _number(entry.get("growth", 0.0), f"{at}, growth")
     if abs(math.cos(angle) + growth / distance) >= 1.0:
         _refuse(f"{at}, growth", f"{growth:g} m takes the whole contact angle; allowed: less")
-    balls = _count(given.get("z"), f"{at}, z")
+    balls = _count(entry.get("z"), f"{at}, z")
     return RestBall(
-        balls, _number(given.get("kn"), f"{at}, kn", above=0.0), distance, angle, growth
+        balls, _number(entry.get("kn"), f"{at}, kn", above=0.0), distance, angle, growth
     )
 
 
-def _table(given: Plain, at: str) -> AxialLaw:
-    d = [_number(value, f"{at}, d") for value in _list(given, "d")]
-    force = [_number(value, f"{at}, F", least=0.0) for value in _list(given, "F")]
-    between = _known(given.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
+def _table(entry: Plain, at: str) -> AxialLaw:
+    d = [_number(value, f"{at}, d") for value in _list(entry, "d")]
+    force = [_number(value, f"{at}, F", least=0.0) for value in _list(entry, "F")]
+    between = _known(entry.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
     cubic = between == "cubic"
     least = 4 if cubic else 2
     if len(d) != len(force) or len(d) < least or any(np.diff(d) <= 0.0):
@@ -139,7 +139,7 @@ def _table(given: Plain, at: str) -> AxialLaw:
     law = table(d, force, cubic=cubic)
     places = np.linspace(d[:-1], d[1:], BETWEEN, axis=-1).ravel()
     loads = [law(place)[0] for place in places.tolist()]
-    fall = next((k for k, (one, other) in enumerate(pairwise(loads)) if other < one - ROUND), None)
+    fall = next((k for k, (a, b) in enumerate(pairwise(loads)) if b < a - ROUND), None)
     if fall is not None:
         _refuse(
             f"{at}, F",
@@ -150,10 +150,10 @@ def _table(given: Plain, at: str) -> AxialLaw:
 
 
 def _bearings(
-    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, AxialLaw]
+    entries: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, AxialLaw]
 ) -> tuple[Bearings, tuple[AxialLaw, ...]]:
     row, side, count, rest, first = [], [], [], [], []
-    for k, entry in enumerate(given):
+    for k, entry in enumerate(entries):
         at = f"bearing {k}"
         _keys(entry, KEYS["bearings"], at)
         row.append(_row(entry, ("inner", "outer"), bodies, at))
@@ -181,9 +181,9 @@ def _rest(entry: Plain, law: AxialLaw, at: str) -> float:
     return d0
 
 
-def _springs(given: Sequence[Plain], bodies: Sequence[str]) -> Springs:
+def _springs(entries: Sequence[Plain], bodies: Sequence[str]) -> Springs:
     row, force, stiffness = [], [], []
-    for k, entry in enumerate(given):
+    for k, entry in enumerate(entries):
         at = f"spring {k}"
         _keys(entry, KEYS["springs"], at)
         row.append(_row(entry, ("body", "other"), bodies, at))
@@ -198,9 +198,9 @@ def _springs(given: Sequence[Plain], bodies: Sequence[str]) -> Springs:
     return Springs(_rows(row, bodies), np.array(force), np.array(stiffness))
 
 
-def _stops(given: Sequence[Plain], bodies: Sequence[str]) -> Stops:
+def _stops(entries: Sequence[Plain], bodies: Sequence[str]) -> Stops:
     row, side, limit = [], [], []
-    for k, entry in enumerate(given):
+    for k, entry in enumerate(entries):
         at = f"stop {k}"
         _keys(entry, KEYS["stops"], at)
         ends = _row(entry, ("body", "other"), bodies, at)
@@ -221,9 +221,9 @@ def _stops(given: Sequence[Plain], bodies: Sequence[str]) -> Stops:
     return Stops(_rows(row, bodies), np.array(side), np.array(limit))
 
 
-def _frictions(given: Sequence[Plain], bodies: Sequence[str]) -> Frictions:
+def _frictions(entries: Sequence[Plain], bodies: Sequence[str]) -> Frictions:
     row, limit, start = [], [], []
-    for k, entry in enumerate(given):
+    for k, entry in enumerate(entries):
         at = f"friction {k}"
         _keys(entry, KEYS["frictions"], at)
         row.append(_row(entry, ("body", "other"), bodies, at))
@@ -250,8 +250,8 @@ def _rows(row: Sequence[Array], bodies: Sequence[str]) -> Array:
     return np.array(row).reshape(-1, len(bodies))
 
 
-def _sign(one: Plain, key: str, at: str) -> float:
-    value = _number(one.get(key, 1), f"{at}, {key}")
+def _sign(entry: Plain, key: str, at: str) -> float:
+    value = _number(entry.get(key, 1), f"{at}, {key}")
     if abs(value) != 1.0:
         _refuse(f"{at}, {key}", f"given {value:g}; allowed: 1 and -1")
     return value
@@ -294,15 +294,15 @@ def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, w
     return value
 
 
-def _keys(given: object, allowed: str, at: str) -> None:
-    if not isinstance(given, Mapping):
-        _refuse(at, f"given {shown(given)}; allowed: a mapping with the keys {allowed}")
-    for key in given:
+def _keys(mapping: object, allowed: str, at: str) -> None:
+    if not isinstance(mapping, Mapping):
+        _refuse(at, f"given {shown(mapping)}; allowed: a mapping with the keys {allowed}")
+    for key in mapping:
         _known(key, allowed.split(), at, "key")
 
 
-def _list(given: Plain, key: str) -> list[Any]:
-    value = given.get(key)
+def _list(plain: Plain, key: str) -> list[Any]:
+    value = plain.get(key)
     if value is None:
         return []
     if not isinstance(value, list | tuple | np.ndarray):
@@ -310,8 +310,8 @@ def _list(given: Plain, key: str) -> list[Any]:
     return list(value)
 
 
-def _mapping(given: Plain, key: str, at: str = "") -> Mapping[Any, Any]:
-    value = given.get(key, {})
+def _mapping(plain: Plain, key: str, at: str = "") -> Mapping[Any, Any]:
+    value = plain.get(key, {})
     if not isinstance(value, Mapping):
         _refuse(f"{at}, {key}".removeprefix(", "), f"given {shown(value)}; allowed: a mapping")
     return dict(value)

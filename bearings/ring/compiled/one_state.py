@@ -101,7 +101,7 @@ def centre_of(p: One, d: Array, ball: int) -> Motion:
 
 
 def without_tilt(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
-    """Drop the tilt of a motion of the ring if it has one groove, whose centre the tilt leaves."""
+    """Drop the tilt of a ring with one groove: it does not move the centre of the groove."""
     if len(grooves) == 1:
         return motion[0], motion[1]
     return motion

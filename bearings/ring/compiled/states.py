@@ -42,7 +42,7 @@ def pays(balls: int, g: Geometry) -> bool:
 
 
 def expect(seconds: float, g: Geometry) -> None:
-    """Use the compiled solver from now on if it pays where it is to save ``seconds``."""
+    """Use the compiled solver from now on if an expected saving of ``seconds`` pays for it."""
     if not loaded(g) and _worth(seconds, g):
         _loaded.add(_type(g))
 
