@@ -4,11 +4,11 @@ A kind is one frozen dataclass derived from ``BallBearing``, in a file of its ow
 ``bearings/kinds``, and its lines in ``bearings/kinds/__init__.py``. It keeps this contract:
 
 1. **Fields.** Data of a maker's drawing besides the common fields, declared with ``measured``:
-   quantity, range, meaning and default stand on the field. Python, files, JSON Schema and key
+   quantity, range, meaning and default are on the field. Python, files, JSON Schema and key
    reference read them from there. A common field is declared again where its default differs.
 2. **Grooves.** ``grooves`` gives the places of the groove centres (``bearings.grooves.Grooves``):
    one or two grooves a ring, the free contact angle, and where displacement is zero. Everything
-   else about the physics follows from it: no other file knows the kind.
+   else about the physics follows from it: no other file depends on the kind.
 3. **Faults.** ``_faults`` yields a sentence, with its remedy, for data that contradict one another.
 4. **Loads it cannot carry.** ``refusal(load, free)`` is a sentence where a load given on a free
    component cannot be carried by this kind at all; empty by default.
@@ -269,7 +269,7 @@ class BallBearing:
     def contact_lines(self) -> tuple[float, ...]:
         """Angles from the radial direction of the lines along which a ball can carry load [rad].
 
-        Positive as seen along the thrust that loads them; what a drawing of the section shows.
+        Positive in the direction of the thrust that loads them, as in a drawing of the section.
         """
         angle = self.free_angle
         return (angle, -angle) if self.both_ways and angle > 0.0 else (angle,)

@@ -1,7 +1,7 @@
 """Limits of tolerance classes (ISO 286), of bearing rings (ISO 492), and the interference of fits.
 
 Deviations and interferences are on the DIAMETER [m]; ``bearings.fit.compound`` takes the radius.
-Grades IT3 to IT7 above 18 mm and rings of the normal class were read in catalogues; all else is
+Grades IT3 to IT7 above 18 mm and rings of the normal class are from catalogues; all others are
 from memory of the standard [M].
 """
 

@@ -52,14 +52,14 @@ class Explained(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EstimatedBearing(AngularContactBallBearing):
-    """An angular-contact bearing whose inside is an estimate, from what a catalogue prints.
+    """An angular-contact bearing whose internal geometry is estimated from catalogue values.
 
-    It is the likeliest of the plausible insides and serves wherever a bearing does.
+    It has the likeliest of the plausible geometries and can be used as any other bearing.
 
     Parameters
     ----------
     catalogue : the printed values
-    spread : field -> (low, high), between which nine in ten of the plausible insides lie; both
+    spread : field -> (low, high), between which nine in ten of the plausible geometries lie; both
         are the value itself where the catalogue gives it
 
     Raises

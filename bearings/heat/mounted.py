@@ -37,7 +37,7 @@ class Mounting:
     ----------
     lubricant, conductances, surroundings : of its heat
     rigid : the rings keep the axial place that the preload gives them at rest and 20 °C, so that
-        growth raises the load; False: a spring holds the load
+        growth raises the load; False: a spring keeps the load constant
     friction, oil_factor, model : of ``losses``
     law : hypotheses about the balls
     static_growth : of the inner groove at rest [m]

@@ -93,7 +93,7 @@ def life_of(
     state : of leading shape (…)
     dynamic_rating : C of one bearing after a catalogue [N]; None: from the grooves
     rotating : "inner", "outer" or "both": the ring that turns against the load. Under an unbalance
-        the inner ring stands still against it and the outer one turns
+        the inner ring is at rest relative to it and the outer one turns
 
     Raises
     ------

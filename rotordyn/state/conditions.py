@@ -18,9 +18,9 @@ LENGTH = 1e-3  # m: unit of the margins of gaps and deflections
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """``kind``: slip+ and slip- (friction at its limit), halt (sliding comes to rest), close, open
-    (stops), rise, fall (a bearing to the next kink of its law, or the last); ``index`` among those.
-    """
+    """Limit of a part. ``kind``: slip+, slip- (friction at its limit), halt (of sliding),
+    close, open (stops), rise, fall (a bearing to the next or the last kink of its law); ``index``
+    among these."""
 
     kind: str
     index: int
@@ -28,8 +28,8 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """``share`` of the step done; ``kind``: slip+, slip-, stick, close, open, snap, unload or load;
-    ``index`` of the friction, stop (limits in their order), body or bearing."""
+    """Event at a ``share`` of the step. ``kind``: slip+, slip-, stick, close, open, snap, unload or
+    load; ``index`` of the friction, stop (limits in their order), body or bearing."""
 
     share: float
     kind: str

@@ -1,4 +1,4 @@
-"""A plain network followed along its plain path (``rotordyn.state.plain`` says what that is)."""
+"""Solution of a plain network along its plain path (both as in ``rotordyn.state.plain``)."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def follow(description: Mapping[str, Any]) -> list[dict[str, Any]]:
     springs; ``events`` of the step: ``step`` from 1, ``at``: its share done, ``kind`` (slip+,
     slip-, close, open; stick where sliding comes to rest within a step; snap where the network
     jumps to another equilibrium), ``index``: of the friction, the limit or the body that jumps
-    farthest; and ``unloading``, the same of bearings (unload, load). Where a body both rubs and
-    stands at a stop, only the sum of both forces is determined.
+    farthest; and ``unloading``, the same of bearings (unload, load). Where friction and a stop
+    both hold a body, only the sum of their forces is determined.
 
     Raises
     ------

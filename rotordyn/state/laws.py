@@ -19,8 +19,8 @@ FURTHEST = 1.0  # m, beyond any deflection of a bearing
 
 
 class AxialLaw(Protocol):
-    """F and dF/dd at a deflection; ``kinks`` [m], ascending: nothing is pressed up to the first, at
-    all others the slope jumps."""
+    """Function of deflection that returns F and dF/dd; ``kinks`` [m], ascending: there is no load
+    up to the first, and the slope jumps at all others."""
 
     @property
     def kinks(self) -> tuple[float, ...]: ...

@@ -6,7 +6,7 @@ A plain network is a dict (SI; positions from the mounted state at rest, where a
 ``laws``: name -> ``{kind: power, k, p}``, ``{kind: linear, k}``, ``{kind: table, d, F,
 interpolation: linear | cubic}`` or ``{kind: rest_ball, z, kn, BD, alpha_deg, growth}``; none of
 them pulls.
-``bearings``: ``inner``, ``outer``, ``s`` ±1, ``n`` in tandem, ``law`` (of several the first holds
+``bearings``: ``inner``, ``outer``, ``s`` ±1, ``n`` in tandem, ``law`` (of several the first applies
 at rest), ``preload`` of one bearing at rest [N] or its deflection ``d0`` [m].
 ``springs``: ``body``, ``other``, ``P`` [N], ``e`` ±1, ``K`` [N/m] (0: constant force) or ``rigid``.
 ``stops``: ``body``, ``other``, ``low`` and ``high`` [m], one of which may be omitted.
