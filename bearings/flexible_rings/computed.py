@@ -28,7 +28,7 @@ from bearings.flexible_rings.section import Section, section
 from bearings.grooves import Grooves
 
 HARMONICS = 40
-DENSE, SPARSER = 8, 0.25  # harmonics all solved from 0 on; then step over their number
+DENSE, SPARSER = 8, 0.25  # number of first harmonics, all solved; step of others over their number
 SMOOTH = 3  # first harmonic of the spline: lower ones move the ring as a whole, or make it oval
 ANGLES = 9  # points along a groove (Chebyshev)
 

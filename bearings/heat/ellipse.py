@@ -146,7 +146,7 @@ def mean_speed(contacts: Contacts) -> Array:
         part = weight / size
         total = part.sum(axis=1)
         force_x, force_y = (part * vx).sum(axis=1) - contacts.creep, (part * vy).sum(axis=1)
-        if step < _STEPS:  # reweighted least squares: always a descent, but linear convergence
+        if step < _STEPS:  # reweighted least squares: always a descent, but slow near the end
             dv, dc = -force_x / total, -force_y / total
         else:  # Newton: h the second derivatives, kept from being singular
             cube = part / (size * size)

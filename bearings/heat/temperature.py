@@ -120,7 +120,8 @@ def _step(gaps: Array) -> Array:
 
     ``gaps`` (4, …, 3): differences of both, at the current temperatures and with each node warmer
     by ``_NUDGE``. It is Newton's where a small warming decays (negative eigenvalues), as below the
-    balance that a cold bearing reaches first; elsewhere the gap itself. NaN gaps give no step.
+    balance that a cold bearing reaches first; elsewhere it is the gap itself, ``_LEAST`` at least,
+    as the bearing would warm or cool in time. NaN gaps give no step.
     """
     residual = np.nan_to_num(gaps[0])
     slope = np.nan_to_num(np.moveaxis(gaps[1:] - gaps[0], 0, -1)) / _NUDGE  # (…, to, of)

@@ -1,7 +1,8 @@
 """Equilibrium of a network after a snap: the next one in the direction of falling energy.
 
-Friction resists from its place before, stops from their limits: the energy is convex between its
-kinks, and an active set of kinks is updated until every held joint carries an admissible force.
+Friction resists from its place before the snap, stops from their limits: the energy is convex
+between its kinks, and an active set of kinks is updated until every held joint carries an
+admissible force.
 """
 
 from __future__ import annotations
