@@ -145,6 +145,7 @@ def finite(value: object) -> TypeGuard[float]:
 
 
 def _number(value: Any) -> bool:
+    """Whether a value is 0 or a number whose powers neither overflow nor vanish."""
     fraction = isinstance(value, Rational) and not isinstance(value, Integral)
     if fraction or not finite(value):
         return False

@@ -101,6 +101,7 @@ class Follower:
     def _followed(
         self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool
     ) -> Followed:
+        """Solve states in order, in runs that are all at rest or all turning."""
         shape = load.shape[:-1]
         if speed is None:
             omega = np.full(shape, abs(self.speed)).reshape(-1)

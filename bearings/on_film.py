@@ -97,6 +97,7 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
 
 
 def _axially_shifted(displacement: ArrayLike, axial: Array) -> Array:
+    """Add ``axial`` (…) to the axial component of displacements (…, 5)."""
     displacements = np.asarray(displacement, float)
     shape = np.broadcast_shapes(displacements.shape[:-1], axial.shape)
     shifted = np.broadcast_to(displacements, (*shape, 5)).copy()

@@ -89,6 +89,7 @@ def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
 
 
 def _single(groove: Groove, vector: Motion) -> Race:
+    """Race of one groove: its contact itself."""
     sin, cos, approach, angle_by = facing(groove, vector)
     contact = hertz(groove.stiffness, approach)
     along = (sin, cos)
@@ -138,6 +139,7 @@ def facing_radius(groove: Groove, radial: Any) -> Any:
 
 
 def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
+    """Race of two grooves: the resultant of their contacts, with derivatives."""
     contacts = springs(grooves, vector, side)
     (axial, radial), (a11, a12, a22), (t1, t2, tt) = (
         contacts.force,

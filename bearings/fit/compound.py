@@ -208,6 +208,7 @@ def _contact_pressure(free: Array, compliance: Array) -> Array:
 
 
 def _pressing(free: Array, compliance: Array, active: Flags) -> Array:
+    """Pressures (…, fits) that close the ``active`` fits, 0 in the others."""
     pressure = np.zeros_like(free)
     if active.any():
         block = compliance[np.ix_(active, active)]

@@ -133,6 +133,7 @@ class Body:
         return np.flatnonzero(~fixed)
 
     def _component(self, k: int) -> Index:
+        """Unknowns of displacement component ``k``: axial, radial, circumferential."""
         basis = self.basis
         rows = (basis.nodal_dofs[k], basis.facet_dofs[k], basis.interior_dofs[k])
         return np.concatenate([row.ravel() for row in rows])

@@ -119,6 +119,7 @@ def half_assembly(geometry: Geometry) -> Assembly:
 
 
 def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array]:
+    """``spread`` and ``gather`` of ``Assembly`` for all balls; ``radius`` of the groove centres."""
     one, cos, sin = _azimuth(geometry)[0].T[:3]
     zero, radius = np.zeros_like(one), geometry.centre_radius if radius is None else radius
     spread = np.array(
@@ -133,6 +134,7 @@ def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array
 
 
 def _azimuth(geometry: Geometry) -> tuple[Array, Array]:
+    """``azimuth`` and ``products`` of ``Assembly`` for all balls."""
     angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
     sin, cos = np.sin(angle), np.cos(angle)
     row = np.stack([np.ones_like(angle), cos, sin, -sin, cos], axis=1)

@@ -117,6 +117,7 @@ def first_gaps(operation: Operation, index: Index) -> list[Gap]:
 
 
 def _ending(operation: Operation, gap: Gap, thrown: Flags) -> str:
+    """Describe what ends the states at a gap of speed, and where there are states again."""
     free = operation.free
     given = GIVEN[int(free.sum() > 0) + free.all()]
     where = f"above {gap.low / RPM:.0f} rpm at this {given}"

@@ -142,6 +142,7 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
 
 
 def _words(done: Flags) -> Words:
+    """Outcome of each state: empty where it is ``done``."""
     outcome = np.zeros(len(done), dtype="<U16")
     outcome[~done] = "no equilibrium"
     return outcome

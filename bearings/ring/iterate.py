@@ -135,6 +135,7 @@ def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> 
 
 
 def _pressure(problem: Problem, linear: Linear) -> Array:
+    """Largest contact pressure of each state (s,) [Pa]."""
     g, balance = problem.geometry, linear.balance
     inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
     return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))

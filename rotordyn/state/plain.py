@@ -272,6 +272,7 @@ def _number(
     above: float = -math.inf,
     most: float = math.inf,
 ) -> float:
+    """Read a finite number within limits; raise InvalidInput for another value."""
     try:
         counts = isinstance(value, Real) and not isinstance(value, bool)
         number = float(value) if counts else math.nan  # type: ignore[arg-type]
@@ -286,6 +287,7 @@ def _number(
 
 
 def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, what: str) -> str:
+    """Return a name that is ``allowed``; raise InvalidInput for another value."""
     if not isinstance(value, str) or value not in allowed:
         known = list(allowed)
         listed = ", ".join(known) or "none, there are none"

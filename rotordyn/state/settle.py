@@ -114,6 +114,7 @@ def _first_kink(network: Network, state: State, dx: Array) -> tuple[float, int]:
 
 
 def _on_kink(network: Network, state: State, kink: int) -> State:
+    """Hold the contact with index ``kink``: a stop, or a friction after all stops."""
     if kink < len(state.closed):
         closed = state.closed.copy()
         closed[kink] = True

@@ -170,6 +170,7 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
 
 
 def _keep(first: Motion, second: Motion, f: Array) -> None:
+    """Store both rows of ``follow`` of a ball in ``f`` (6,)."""
     f[0], f[1], f[3], f[4] = first[0], first[1], second[0], second[1]
     if len(first) == 3:
         f[2], f[5] = first[2], second[2]
