@@ -147,7 +147,7 @@ class Conditions(Description):
 
 
 def gravity_vector(gravity: str) -> tuple[float, float, float]:
-    """Acceleration along x, y and z [m/s²] of gravity along "+x", "-y" …; none of another word."""
+    """Return the acceleration along x, y and z [m/s²] of gravity along "+x", "-y" …; else zero."""
     size = -STANDARD_GRAVITY if gravity.startswith("-") else STANDARD_GRAVITY
-    x, y, z = (size if gravity[1:] == way else 0.0 for way in "xyz")
+    x, y, z = (size if gravity[1:] == axis else 0.0 for axis in "xyz")
     return x, y, z

@@ -125,7 +125,7 @@ class BalanceGrade(Description):
 
 @dataclass(frozen=True, slots=True)
 class TwistLimit(Description):
-    """How far the shaft may twist [rad], and which uniform outer diameter just keeps to it."""
+    """Limit of the twist of the shaft [rad], for which a uniform outer diameter is computed."""
 
     start: Annotated[At, Key("from"), "one end"]
     to: Annotated[At, "the other end"]
@@ -135,7 +135,7 @@ class TwistLimit(Description):
 
     @property
     def called(self) -> str:
-        """Its name, or where it goes from and to."""
+        """Given name, or both ends."""
         return self.name or f"{_place(self.start)} to {_place(self.to)}"
 
 
