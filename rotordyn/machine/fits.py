@@ -82,7 +82,7 @@ class Fits(Description):
         yield from no_housing(self.housing_diameter, self.outside_diameter)
 
     def _of_ring(self, key: str, needs: str, kind: str) -> Faults:
-        """The class at ``key`` is one of such a ``kind``, tabled for the diameter that it needs."""
+        """Yield a fault where the class at ``key`` is of another ``kind`` or lacks a diameter."""
         word, size, inner = getattr(self, key), getattr(self, needs), key == "shaft"
         if not word or size != size:
             return
@@ -101,25 +101,25 @@ class Fits(Description):
 
     @property
     def inner(self) -> Interference:
-        """Of the inner ring on the shaft, on the diameter [m]."""
+        """Interference of the inner ring on the shaft, on the diameter [m]."""
         assert self.bore_diameter is not None
         shaft = limits(self.shaft, self.bore_diameter)
         return interference(shaft, bearing_bore(self.bore_diameter, self.rings))
 
     @property
     def outer(self) -> Interference:
-        """Of the outer ring in the housing, on the diameter [m]; below 0: clearance."""
+        """Interference of the outer ring in the housing, on the diameter [m], < 0: clearance."""
         assert self.outside_diameter is not None
         ring = bearing_outside(self.outside_diameter, self.rings)
         return interference(ring, limits(self.housing, self.outside_diameter))
 
     def depth(self, which: str) -> float:
-        """Interference on the radius that is taken, of ``"inner"`` or ``"outer"`` [m]."""
+        """Return the interference in force on the radius, of ``"inner"`` or ``"outer"`` [m]."""
         interference: Interference = getattr(self, which)
-        found = interference.reduced(self.smoothing)
-        by_word = found._asdict()
-        by_word["probable_least"], by_word["probable_most"] = found.probable
-        return float(by_word[self.taken]) / 2.0
+        reduced = interference.reduced(self.smoothing)
+        depths = reduced._asdict()
+        depths["probable_least"], depths["probable_most"] = reduced.probable
+        return float(depths[self.taken]) / 2.0
 
     @property
     def housing_radius(self) -> float:
@@ -129,7 +129,7 @@ class Fits(Description):
 
 
 def no_housing(around: float | None, ring: float | None) -> Faults:
-    """A fault where an outside diameter of the housing leaves none around the ring [m]."""
+    """Yield a fault where an outside diameter of the housing leaves no wall around a ring [m]."""
     if around is not None and ring is not None and around <= ring:
         yield (
             ("housing_diameter",),

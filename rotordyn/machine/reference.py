@@ -1,4 +1,4 @@
-"""Published and measured figures that travel with a machine, shown beside the computed."""
+"""Published and measured values of a machine, shown beside the computed ones."""
 
 from __future__ import annotations
 
