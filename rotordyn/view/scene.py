@@ -1,4 +1,4 @@
-"""Rotors in space, in any of their modes at any instant: the only file that knows pyvista."""
+"""Rotors in space, in any of their modes at any instant: the only file that uses pyvista."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ Complex = NDArray[np.complex128]
 Pixels = NDArray[np.uint8]
 TURNING = {1: "#0072B2", -1: "#D55E00", 0: "#222222"}
 EDGE, REST, HOLDER, AXIS = "#3F4A42", "#8A9097", "#7D8FA3", "#222222"
-SHARP = 30.0  # degrees between facets that an edge separates
+SHARP = 30.0  # degrees between facets from which an edge is sharp
 THROUGH = 0.45  # opacity of a rotor that may hide another one
 SMOOTH = 72  # points of an orbit
 ALONG_AXIS = 120  # points of the deflected axis
-BESIDE, IN_FRONT = -4.0, -66000.0  # units of depth by which lines are drawn nearer than they are
+BESIDE, IN_FRONT = -4.0, -66000.0  # units of depth by which lines are moved towards the viewer
 
 
 class RotorScene:
@@ -55,7 +55,7 @@ class RotorScene:
         size = [width, round(width * frame[1] / frame[0])]
         plotter: Any = pyvista.Plotter(off_screen=True, window_size=size)
         self._plotter = plotter
-        self._plotter.render_window.SetMultiSamples(0)  # whoever shows it makes it smaller
+        self._plotter.render_window.SetMultiSamples(0)  # pictures are reduced in size afterwards
         self._plotter.set_background("white")
         self._look(frame[1])
         self._skins = [_split(surface) for surface in self._parts.values()]
@@ -76,28 +76,28 @@ class RotorScene:
         self._front(self._dots, "dots", point_size=14.0 * self._pixel, **dots)
 
     def show(self, node: Array, rotor: Sequence[str], shape: Complex) -> None:
-        """Take the mode with node displacements ``shape`` (nodes, 6)."""
+        """Set the mode with node displacements ``shape`` (nodes, 6)."""
         spindle, mode = self._spindle, (node, rotor, shape)
-        moved = displacements(spindle, self._parts, *mode)
-        size = reach(moved)
-        factor = drawn_scale(moved, shape, self._reach)
-        self._moved = factor * moved
+        mode_motion = displacements(spindle, self._parts, *mode)
+        size = reach(mode_motion)
+        factor = drawn_scale(mode_motion, shape, self._reach)
+        self._moved = factor * mode_motion
         for skin, part in self._of_skins(size / (size.max() or 1.0)):
             skin.point_data["motion"] = part
         self._centre = factor * section_motions(spindle, self._along, *mode)
         self._paths = factor * section_motions(spindle, self._orbits, *mode)
-        turns = np.array([turning(motion) for motion in self._paths])
-        self._dots.point_data["colour"] = np.array([_rgb(TURNING[turn]) for turn in turns])
+        whirl = np.array([turning(motion) for motion in self._paths])
+        self._dots.point_data["colour"] = np.array([_rgb(TURNING[turn]) for turn in whirl])
         for turn, colour in TURNING.items():
-            chosen = np.flatnonzero(turns == turn)
+            chosen = np.flatnonzero(whirl == turn)
             self._draw_orbits(self._stations[chosen], self._paths[chosen], turn, colour)
 
     def picture(self, phase: float) -> Pixels:
-        """The mode at ``phase`` [rad] of its period, (height, width, 3)."""
+        """Render the mode at ``phase`` [rad] of its period, (height, width, 3)."""
         points = self._surface.points + at_phase(self._moved, phase)
         self._lines.points = points
-        for skin, moved in self._of_skins(points):
-            skin.points = moved
+        for skin, part in self._of_skins(points):
+            skin.points = part
             skin.compute_normals(
                 cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True
             )
@@ -108,26 +108,26 @@ class RotorScene:
         return np.ascontiguousarray(image[:, :, :3])
 
     def close(self) -> None:
-        """Give the window back."""
+        """Close the window."""
         self._plotter.close()
 
     def _of_skins(self, values: Array) -> Iterator[tuple[Any, Array]]:
-        """What the points of every rotor's skin take of ``values`` of all points."""
+        """Yield every rotor's skin with the rows of ``values`` (all points) at its points."""
         ends = np.cumsum([len(surface.points) for surface in self._parts.values()])[:-1]
         for skin, part in zip(self._skins, np.split(values, ends), strict=True):
             yield skin, part[np.asarray(skin.point_data["origin"])]
 
     def _rest(self, rings: Surface | None) -> None:
-        """What does not move: rings around the shaft, and the edges of the shaft at rest."""
+        """Draw what does not move: rings around the shaft, and the edges of the shaft at rest."""
         if rings is not None:
             self._add(_split(rings), color=HOLDER, opacity=0.22)
             self._add(_polylines(rings.points, _circles(rings)), color=HOLDER, line_width=1.5)
-        rest = _polylines(self._surface.points, _circles(self._surface))
-        self._add(rest, color=REST, line_width=1.2, opacity=0.6)
+        edges = _polylines(self._surface.points, _circles(self._surface))
+        self._add(edges, color=REST, line_width=1.2, opacity=0.6)
         self._front(_rows(self._axis_at_rest), "rest", color=REST, line_width=1.6)
 
     def _draw_orbits(self, at: Array, motions: Complex, turn: int, colour: str) -> None:
-        """The paths of the axis at ``at`` (n, 3), with an arrow where one sees them best turn."""
+        """Draw orbits of the axis at ``at`` (n, 3), with an arrow where motion is most visible."""
         import pyvista
 
         name = f"orbits {turn}"
@@ -145,7 +145,7 @@ class RotorScene:
             self._front(pyvista.merge(arrows), f"{name} arrows", color=colour, lighting=False)
 
     def _arrow(self, path: Array) -> Iterator[Any]:
-        """An arrow head on ``path`` where it is fastest on the screen, unless it is too small."""
+        """Yield an arrow head on ``path`` where it is fastest on the screen, unless too small."""
         import pyvista
 
         step = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0)
@@ -166,17 +166,17 @@ class RotorScene:
         return self._plotter.add_mesh(mesh, reset_camera=False, render=False, **look)
 
     def _front(self, mesh: Any, name: str, **look: Any) -> None:
-        """Draw ``mesh`` so that nothing hides it, instead of what had the same name."""
+        """Draw ``mesh`` in front of everything, replacing what had the same name."""
         _nearer(self._add(mesh, name=name, **look), IN_FRONT)
 
     def _frame(self) -> Array:
-        """Width and height [m] that just hold the rotor with its largest motion."""
+        """Return the least width and height [m] that hold the rotor with its largest motion."""
         spread = np.ptp(projected(self._surface.points), axis=0) + 1.9 * self._reach
         spread[1] = max(spread[1], 0.2 * spread[0])
         return np.asarray(1.02 * spread)
 
     def _look(self, height: float) -> None:
-        """Parallel projection that shows ``height`` [m]."""
+        """Set a parallel projection that shows ``height`` [m]."""
         right, up, towards = screen()
         places = projected(self._surface.points)
         middle = (places.max(axis=0) + places.min(axis=0)) / 2.0
@@ -198,7 +198,7 @@ def _nearer(actor: Any, units: float) -> None:
 
 
 def _split(surface: Surface) -> Any:
-    """The surface with points doubled along its edges; ``origin``: which point each one was."""
+    """Return the surface with points doubled along edges; ``origin``: index of the original."""
     import pyvista
 
     faces = np.insert(surface.triangles, 0, 3, axis=1)
@@ -222,12 +222,12 @@ def _polylines(points: Array, lines: tuple[NDArray[np.intp], ...]) -> Any:
 
 
 def _rgb(colour: str) -> NDArray[np.uint8]:
-    """``#0072B2`` as three bytes."""
+    """Return ``#0072B2`` as three bytes."""
     return np.frombuffer(bytes.fromhex(colour.removeprefix("#")), np.uint8)
 
 
 def _rows(points: Array) -> Any:
-    """One line through every ``ALONG_AXIS`` of ``points``."""
+    """Return one line through every ``ALONG_AXIS`` of ``points``."""
     return _polylines(points, tuple(np.arange(len(points)).reshape(-1, ALONG_AXIS)))
 
 
