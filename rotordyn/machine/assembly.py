@@ -38,11 +38,11 @@ def spindle_faults(spindle: Spindle) -> Faults:
 def unknown(what: str, name: str, allowed: Iterable[str], instead: str = "") -> Iterator[str]:
     """Yield a sentence where a name is none of those allowed. Empty names, of faulty parts, match
     any other."""
-    known = list(allowed)
-    if name and not {name, ""} & {*known}:
-        choices = ", ".join(known) or "none, there are none here"
+    names = list(allowed)
+    if name and not {name, ""} & {*names}:
+        choices = ", ".join(names) or "none, there are none here"
         choices += f", {instead}" if instead else ""
-        yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, known)}"
+        yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, names)}"
 
 
 def _named_once(spindle: Spindle) -> Faults:
@@ -243,10 +243,10 @@ def _ends(spindle: Spindle, known: tuple[str, ...]) -> Faults:
 def held_by(spindle: Spindle, name: str) -> frozenset[str]:
     """Return the bending DOF in which supports hold a rotor, by their stiffness or rigidly."""
     touching = [support for support in spindle.supports if name in support.ends]
-    held = [dof for support in touching for dof in support.rigid]
+    dofs = [dof for support in touching for dof in support.rigid]
     for support in touching:
-        held += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
-    return frozenset(dof for dof in held if MOTIONS.get(dof) == "bending")
+        dofs += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
+    return frozenset(dof for dof in dofs if MOTIONS.get(dof) == "bending")
 
 
 def _losses(spindle: Spindle) -> Faults:

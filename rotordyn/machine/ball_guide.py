@@ -1,4 +1,4 @@
-"""The ball guide in which a sleeve slides: what holds it across the axis."""
+"""The ball guide in which a sleeve slides, and its radial stiffness."""
 
 from __future__ import annotations
 

@@ -86,10 +86,10 @@ class SetPreload(Description):
         keys = ("force", "class_force", "offset", "constant_force")
         given = [key for key in keys if getattr(self, key) is not None]
         if len(given) != 1:
-            words = ", ".join(given) or "none"
+            names = ", ".join(given) or "none"
             yield (
                 (),
-                f"a preload is given in one way: given {words}; allowed: one of force, class (its "
+                f"a preload is given in one way: given {names}; allowed: one of force, class (its "
                 "class_force), offset, constant_force",
             )
         elif given[0] != "force" and math.isfinite(self.stiffness):

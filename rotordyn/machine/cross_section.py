@@ -13,7 +13,7 @@ Number = TypeVar("Number", float, NDArray[np.float64])
 
 
 def area(outer_diameter: Number, inner_diameter: Number) -> Number:
-    """A = π (do² − di²) / 4 [m²]."""
+    """Return A = π (do² − di²) / 4 [m²]."""
     return math.pi / 4.0 * (outer_diameter - inner_diameter) * (outer_diameter + inner_diameter)
 
 
@@ -37,7 +37,7 @@ def mean_second_moment(outer: Iterable[Number], inner: Iterable[Number]) -> Numb
 
 
 def area_moments(outer: Iterable[Number], inner: Iterable[Number]) -> tuple[Number, Number]:
-    """∫ A t dt and ∫ A t² dt [m²] over a cone, t from −½ at its front to ½ at its rear end."""
+    """Return ∫ A t dt and ∫ A t² dt [m²] over a cone, t from −½ at its front to ½ at its rear."""
     (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
     first = math.pi / 24.0 * (do * ro - di * ri)
     return first, area(do, di) / 12.0 + math.pi / 320.0 * (ro**2 - ri**2)

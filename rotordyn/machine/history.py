@@ -34,10 +34,10 @@ class HistoryStep(Description):
         given = [key for key in CHANGES if getattr(self, key) is not None]
         given = [key for key in given if key != "run_up" or self.run_up]
         if len(given) != 1:
-            words = " and ".join(given) or "nothing"
+            names = " and ".join(given) or "nothing"
             yield (
                 (),
-                f"a step changes one thing: given {words}; allowed: one of " + ", ".join(CHANGES),
+                f"a step changes one thing: given {names}; allowed: one of " + ", ".join(CHANGES),
             )
 
 

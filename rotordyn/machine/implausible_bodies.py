@@ -65,14 +65,14 @@ def _below(spindle: Spindle, disc: Disc) -> float:
     """Return the largest diameter that a disc may sit on, of the shaft or another disc [m]."""
     start, end = disc.x - 0.5 * disc.width, disc.x + 0.5 * disc.width
     stations = [start, disc.x, end, *(x for x in spindle.shaft.boundaries if start < x < end)]
-    others = [
+    diameters = [
         other.outer_diameter
         for other in spindle.discs
         if other is not disc
         and other.outer_diameter <= UNLIKE * disc.inner_diameter
         and _common(disc, other) > 0.0
     ]
-    return max(*(spindle.shaft.diameters_at(x)[0] for x in stations), *others)
+    return max(*(spindle.shaft.diameters_at(x)[0] for x in stations), *diameters)
 
 
 def _light(body: PointMass) -> Iterator[str]:

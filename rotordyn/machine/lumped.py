@@ -34,12 +34,12 @@ class PointMass(Description):
 
     def _faults(self) -> Faults:
         """Yield a fault where Jp > 2 Jd: a flat body has Jp = 2 Jd, a slender one less."""
-        most = 2.0 * self.diametral_inertia
-        if self.polar_inertia > most * (1.0 + 1e-6):
+        limit = 2.0 * self.diametral_inertia
+        if self.polar_inertia > limit * (1.0 + 1e-6):
             yield (
                 ("polar_inertia",),
                 "impossible body: given {given}; allowed: up to twice the diametral inertia, "
-                f"{most:.6g} kg m^2",
+                f"{limit:.6g} kg m^2",
             )
 
 

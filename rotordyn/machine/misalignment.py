@@ -11,7 +11,7 @@ from rotordyn.quantity import Growth, SmallAngle
 
 @dataclass(frozen=True, slots=True)
 class Misalignment(Description):
-    """How far the bore under an outer ring lies off the axis [m], and how far it tilts [rad]."""
+    """Offset of the bore under an outer ring from the axis [m], and its tilt [rad]."""
 
     y: Annotated[Growth, "offset along y"] = 0.0
     z: Annotated[Growth, "offset along z"] = 0.0

@@ -33,5 +33,5 @@ class Motor(Description):
     @property
     def words(self) -> str:
         """Rated values as text."""
-        given = [] if self.power is None else [f"{self.power / 1e3:.4g} kW"]
-        return ", ".join(given if self.torque is None else [*given, f"{self.torque:.4g} N m"])
+        ratings = [] if self.power is None else [f"{self.power / 1e3:.4g} kW"]
+        return ", ".join(ratings if self.torque is None else [*ratings, f"{self.torque:.4g} N m"])

@@ -70,10 +70,10 @@ def _sleeve(sleeve: Sleeve) -> Row:
 
 def _support(support: LinearSupport) -> Row:
     stiff = [f"{row}{column}" for row, column in support.stiffness if row == column]
-    words = [f"stiffness {', '.join(stiff)}"] if stiff else []
-    words += [f"rigid {', '.join(support.rigid)}"] if support.rigid else []
-    words += [f"against {support.against}"] if support.against != GROUND else []
-    return "support", support.name, _mm(support.x), "; ".join(words)
+    texts = [f"stiffness {', '.join(stiff)}"] if stiff else []
+    texts += [f"rigid {', '.join(support.rigid)}"] if support.rigid else []
+    texts += [f"against {support.against}"] if support.against != GROUND else []
+    return "support", support.name, _mm(support.x), "; ".join(texts)
 
 
 def _housing(housing: Housing) -> Row:

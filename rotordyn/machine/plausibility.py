@@ -58,12 +58,12 @@ def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
         if bearing.estimated:
             named.setdefault(bearing.estimated, []).append(name)
             doubted.setdefault(bearing.doubt, []).append(name)
-    for words, names in named.items():
+    for text, names in named.items():
         yield (
             f"{_which(names)}: estimate from catalogue values (nine in ten plausible insides): "
-            f"{words}; what hangs on balls and grooves spreads with them"
+            f"{text}; what hangs on balls and grooves spreads with them"
         )
-    yield from (f"{_which(names)}: {words}" for words, names in doubted.items() if words)
+    yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)
 
 
 def _which(names: list[str]) -> str:
@@ -190,8 +190,8 @@ def _overlapping(spindle: Spindle) -> Iterator[str]:
 
 def _size(seat: BearingSeat, key: str) -> float | None:
     """Return a size of the rings of a seat [m], None where unknown."""
-    given = [getattr(body, key) for body in (seat.fits, seat.flexible_rings) if body is not None]
-    return next(filter(None, given), seat.sizes.get(key))
+    sizes = [getattr(body, key) for body in (seat.fits, seat.flexible_rings) if body is not None]
+    return next(filter(None, sizes), seat.sizes.get(key))
 
 
 def _arrangement(spindle: Spindle) -> Iterator[str]:
@@ -226,11 +226,11 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
     growing = [seat for seat in spindle.seats if _grows_unsaid(seat, top)]
     if growing:
         names = ", ".join(seat.name for seat in growing)
-        most = max(_free_growth(seat, top) for seat in growing)
+        largest = max(_free_growth(seat, top) for seat in growing)
         yield (
             f"bearings {names}: no centrifugal ring growth is given above n·dm "
             f"{GROWING / 1e6:g} million mm/min, where a steel ring by itself grows by up to "
-            f"{most * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
+            f"{largest * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"
         )
 
@@ -314,8 +314,8 @@ def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, fl
 
 def _grows_unsaid(seat: BearingSeat, top: float) -> bool:
     fast = top * RPM * seat.bearing.pitch_diameter * 1e3 > GROWING
-    known = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
-    return fast and not known
+    specified = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
+    return fast and not specified
 
 
 def _free_growth(seat: BearingSeat, top: float) -> float:

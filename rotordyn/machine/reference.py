@@ -28,8 +28,8 @@ KINDS = ("published", "measured")
 class Reference(Description):
     """A series of known values over speed; in files one speed serves all values.
 
-    ``speeds`` [rad/s] and ``values`` [SI] are of one length. ``conditions``: words of the model
-    that it was found with, such as ``{"rotor": "rigid"}``.
+    ``speeds`` [rad/s] and ``values`` [SI] are of one length. ``conditions``: those of the model
+    that gives them, such as ``{"rotor": "rigid"}``.
     """
 
     quantity: Annotated[str, Choice(tuple(QUANTITIES)), "what is known"]

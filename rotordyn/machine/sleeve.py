@@ -57,8 +57,8 @@ class Spring(Description):
 class Sleeve(Description):
     """A sliding sleeve that carries the outer rings of bearings, its spring and its end stop.
 
-    The spring pushes the way that loads the bearings. [m], [kg], [N/m]; infinite: no stop, held
-    rigidly by the housing bore.
+    The spring pushes in the direction that loads the bearings. [m], [kg], [N/m]; infinite: no stop,
+    held rigidly by the housing bore.
     """
 
     name: Annotated[Name, "of the sleeve"]

@@ -143,7 +143,7 @@ class Spindle(Description):
 
     @property
     def rubs(self) -> bool:
-        """Whether dry friction holds a sleeve: its state depends on what happened before."""
+        """Whether dry friction holds a sleeve, so that its state depends on the load history."""
         return any(sleeve.friction > 0.0 for sleeve in self.sleeves)
 
     @property
@@ -167,7 +167,7 @@ class Spindle(Description):
 
     @property
     def parts(self) -> dict[str, Spindle]:
-        """Every rotor as a spindle of its own, by its name."""
+        """Every rotor as a separate spindle, by its name."""
         return {name: self.part(name) for name in self.ratios}
 
     def part(self, name: str) -> Spindle:
@@ -206,7 +206,7 @@ class Spindle(Description):
         return self.loss_factor > 0.0 or any(s.loss_factor for s in self.supports)
 
     def _repr_html_(self) -> str:
-        """Its parts in a table, which notebooks show."""
+        """Return a table of the parts, which notebooks show."""
         from rotordyn.machine.parts import HEAD, part_rows
         from rotordyn.markup import table
 

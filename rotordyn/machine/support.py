@@ -43,7 +43,7 @@ class LinearSupport(Description):
 
     Matrices [N/m, N/rad …] are of the fixed frame, whatever turns, by pairs of DOF (load,
     displacement) such as ``("y", "thz")``; entries not named are zero. An entry among y, z, thy and
-    thz may be a list, one value at each of ``speeds``, straight lines in between. DOF in
+    thz may be a list, one value at each of ``speeds``, linear in between. DOF in
     ``rigid`` do not move at all and have no stiffness.
     """
 

@@ -43,9 +43,9 @@ class BearingTemperatures(Description):
 
 @dataclass(frozen=True, slots=True)
 class Temperatures(Description):
-    """Temperatures [°C], each one value or a list over ``speeds``, straight lines in between.
+    """Temperatures [°C], each one value or a list over ``speeds``, linear in between.
 
-    Rings take the temperature of what they sit on unless given, balls the mean of both rings.
+    Rings take the temperature of their seats unless given, balls the mean of both rings.
     """
 
     shaft: Annotated[Values | None, "of the shaft; by default the reference"] = None
@@ -116,9 +116,9 @@ class Temperatures(Description):
         shaft, housing = self._rise(speed, self.shaft), self._rise(speed, self.housing)
         inner = self._rise(speed, bearing.inner_ring, self.inner_rings, self.shaft)
         outer = self._rise(speed, bearing.outer_ring, self.outer_rings, self.housing)
-        given = bearing.balls, self.balls
+        ball_values = bearing.balls, self.balls
         mean = 0.5 * (inner + outer)
-        balls = mean if given == (None, None) else self._rise(speed, *given)
+        balls = mean if ball_values == (None, None) else self._rise(speed, *ball_values)
         return Rises(shaft, housing, inner, outer, balls)
 
     def _rise(self, speed: Array, *given: Values | None) -> Array:

@@ -18,7 +18,7 @@ from rotordyn.quantity import HIDDEN, Diameter, Items, Name, ToolStation
 
 @dataclass(frozen=True, slots=True)
 class Tool(Description):
-    """What is clamped into the nose: sections from its tip to the nose face, turning with it.
+    """A tool clamped into the nose: sections from its tip to the nose face, turning with it.
 
     ``points`` and ``masses`` are in spindle coordinates: x = 0 at the nose face, the tip negative;
     a point at infinity is its front end, however long the sections are.

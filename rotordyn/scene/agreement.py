@@ -26,7 +26,7 @@ FORMULATION = ("conditions", "formulation")
 
 
 def setting_faults(setting: Setting) -> Faults:
-    """Faults between machine, conditions and speeds, by path in the case."""
+    """Yield faults between machine, conditions and speeds, by path in the case."""
     spindle, conditions = setting.spindle, setting.conditions
     yield from _surface_speed(setting)
     yield from _on_its_shaft(spindle)
@@ -232,8 +232,8 @@ def _even(support: LinearSupport) -> Faults:
     speeds = np.array(support.speeds or (0.0,))
     for name in ("stiffness", "damping"):
         entries = getattr(support, name).values()
-        known = not any(isinstance(value, float) and math.isnan(value) for value in entries)
-        if known and not answers_alike(support_matrices(support, name, speeds)):
+        valid = not any(isinstance(value, float) and math.isnan(value) for value in entries)
+        if valid and not answers_alike(support_matrices(support, name, speeds)):
             differs = "differs between directions about the axis"
             yield _unturned(f"the {name} of support '{support.name}' {differs}")
 

@@ -130,7 +130,7 @@ def at_rest(
 
 
 def _axial(scene: Scene, mesh: Mesh) -> Array | None:
-    """Axial force that acts on bending (usable, elements) [N]; None where none does."""
+    """Return the axial force that acts on bending (usable, elements) [N]; None where none does."""
     if not scene.conditions.axial_stiffening:
         return None
     force = scene.shaft_force.bending(mesh.middle)[scene.bearing_row[scene.usable]]
@@ -166,7 +166,7 @@ def on_nodes(point: Array, line: Array, x: Array) -> Array:
 
 
 def resultant(point: Array, x: Array) -> Array:
-    """Resultant (…, 6) about the front end of loads (…, nodes, 6) on nodes at ``x`` [m]."""
+    """Return the resultant (…, 6) about the front end of loads (…, nodes, 6) at ``x`` [m]."""
     return np.einsum("nij,...ni->...j", rigid_motion(x, float(x[0])), point, optimize=True)
 
 

@@ -72,14 +72,14 @@ class Loading:
         """Return the message of a single state that buckles."""
         bar = self.spindle.drawbar
         if bar and bar.contacts and self._withstands(1.0, 0.0)[0]:
-            most = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
+            largest = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
             return (
                 f"the drawbar force buckles the shaft at {rpm:.0f} rpm: given "
-                f"{bar.force / 1e3:.4g} kN, at most {most * bar.force / 1e3:.4g} kN"
+                f"{bar.force / 1e3:.4g} kN, at most {largest * bar.force / 1e3:.4g} kN"
             )
-        most = _largest(lambda share: bool(self._withstands(share, share)[0]))
+        largest = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
-            f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {most:.3g} times that force "
+            f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {largest:.3g} times that force "
             "would not: lessen it or hold the shaft better"
         )
 

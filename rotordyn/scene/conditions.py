@@ -28,7 +28,7 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 class Conditions(Description):
     """How the machine is modelled; all optional.
 
-    What is assumed of the balls: ``law``. An infinite friction is no limit.
+    ``law``: hypotheses on the balls. Infinite friction means no limit.
     """
 
     kinematics: Annotated[
@@ -141,7 +141,7 @@ class Conditions(Description):
 
     @property
     def law(self) -> Law:
-        """What is assumed of the balls."""
+        """Hypotheses on the balls."""
         friction = None if math.isinf(self.friction) else self.friction
         return Law(self.kinematics, self.moment_sharing, friction, self.dynamics)
 

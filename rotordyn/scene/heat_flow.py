@@ -71,7 +71,7 @@ class HeatFlow(Description):
         )
 
     def guesses(self) -> Iterator[str]:
-        """A sentence where conductances are guesses."""
+        """Yield a sentence where conductances are guesses."""
         missing = [name for name in BALLS if getattr(self, name) is None]
         if missing:
             value = getattr(self.conductances, missing[0])

@@ -113,11 +113,11 @@ def beyond_tangents(
 def not_small(what: str, speed: Array, slope: NDArray[np.floating]) -> Iterator[str]:
     """Yield a warning where the inclination ``slope`` (speeds, …) [rad] of the shaft exceeds that
     of small deflections."""
-    most = np.nan_to_num(np.abs(slope)).reshape(len(speed), -1).max(axis=1, initial=0.0)
-    row = int(most.argmax())
-    if most[row] > SMALL:
+    largest = np.nan_to_num(np.abs(slope)).reshape(len(speed), -1).max(axis=1, initial=0.0)
+    row = int(largest.argmax())
+    if largest[row] > SMALL:
         yield (
-            f"{what}: the shaft is inclined by up to {np.degrees(most[row]):.3g}° at "
+            f"{what}: the shaft is inclined by up to {np.degrees(largest[row]):.3g}° at "
             f"{number(float(speed[row]) * RPM.factor, 0)} rpm, where only small deflections are "
             "meant: results there are right in kind only, not in size: lower the loads, an axial "
             "force near buckling among them, or hold the shaft closer"

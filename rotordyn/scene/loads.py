@@ -49,7 +49,7 @@ class PointLoad(Description):
 
     @property
     def on_axis(self) -> tuple[float, ...]:
-        """(Fx, Fy, Fz, Mx, My, Mz) of the same load at the axis."""
+        """(Fx, Fy, Fz, Mx, My, Mz) of the equivalent load at the axis."""
         y, z = self.y, self.z
         return (
             self.Fx,
@@ -77,7 +77,7 @@ class LineLoad(Description):
 class Unbalance(Description):
     """A mass off the axis [kg·m]; its force is U Ω².
 
-    It turns with the shaft, or in a static analysis stands at its angle.
+    It turns with the shaft; in a static analysis it acts at its angle.
     """
 
     at: Annotated[At, "where it turns: a point or station"]

@@ -103,7 +103,7 @@ class Scene(Statics):
 
     @cached_property
     def refined(self) -> Scene:
-        """The same machine with a finer model.
+        """This machine with a finer model.
 
         Raises
         ------
@@ -310,8 +310,8 @@ class Scene(Statics):
         for receptances at few frequencies, which do not always need modes."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        every = rows is None or len(rows) == len(self.usable)
-        key = k, b"" if every or rows is None else rows.tobytes()
+        all_rows = rows is None or len(rows) == len(self.usable)
+        key = k, b"" if all_rows or rows is None else rows.tobytes()
         if key not in self._at_rows:
             linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
             if few and not linear.isotropic and linear.loss is None:

@@ -117,5 +117,5 @@ def spanned(
     if last.x <= first.x:
         yield (*path, "to"), "no length left: allowed: a station behind that of from"
     if first.rotor != last.rotor:
-        given = f"given {first.rotor} and {last.rotor}"
-        yield (*path, "to"), f"both must be on one rotor: {given}"
+        rotors_given = f"given {first.rotor} and {last.rotor}"
+        yield (*path, "to"), f"both must be on one rotor: {rotors_given}"

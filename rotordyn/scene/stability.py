@@ -39,7 +39,7 @@ def rank(pole: Complex, highest: float) -> Array:
 
 
 def made_for(motions: FreeMotions) -> float:
-    """The highest frequency [Hz] that a model is made for."""
+    """Return the highest frequency [Hz] that a model is made for."""
     return motions.linear.structure.fine.frequency
 
 

@@ -57,7 +57,7 @@ def _number(inputs: Any) -> int:
     if isinstance(inputs, tuple):
         return hash(tuple(map(_number, inputs)))
     if is_dataclass(inputs):
-        return hash(tuple(_number(getattr(inputs, each.name)) for each in fields(inputs)))
+        return hash(tuple(_number(getattr(inputs, item.name)) for item in fields(inputs)))
     return 0
 
 
@@ -112,10 +112,10 @@ class stage(property):  # noqa: N801
 
         def _value(staged: Staged) -> Any:
             inputs = follows(staged) if follows else None
-            known = staged.memo.known(name, inputs) if inputs is not None else None
-            if known is not None:
+            stored = staged.memo.known(name, inputs) if inputs is not None else None
+            if stored is not None:
                 staged.reused.add(name)
-                return known[0]
+                return stored[0]
             value = staged.clock.timed(name, lambda: solve(staged))
             if inputs is not None:
                 staged.memo.keep(name, inputs, value)
@@ -147,11 +147,11 @@ class Staged:
     def shared(self, name: str, inputs: Inputs, work: Callable[[], T]) -> T:
         """Return a value that depends on ``inputs`` alone and is no stage, since few machines have
         it."""
-        known = self.memo.known(name, inputs)
-        if known is None:
-            known = (self.timed(name, work),)
-            self.memo.keep(name, inputs, known[0])
-        value: T = known[0]
+        stored = self.memo.known(name, inputs)
+        if stored is None:
+            stored = (self.timed(name, work),)
+            self.memo.keep(name, inputs, stored[0])
+        value: T = stored[0]
         return value
 
     @property

@@ -84,8 +84,7 @@ class Statics(Staged):
 
     @property
     def state_speed(self) -> Array:
-        """Speed [rad/s] of every state at ``bearing_speed``; 0 where one state serves all
-        speeds."""
+        """Speed [rad/s] of every state at ``bearing_speed``; 0 where one serves all speeds."""
         return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
 
     @property
@@ -106,7 +105,7 @@ class Statics(Staged):
 
     @property
     def past(self) -> Past:
-        """What happened from assembly on, and the weight along the axis that acts all the time."""
+        """Load history from assembly on, and the weight along the axis, which acts throughout."""
         weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
         return Past(self.conditions.history, weight)
 
@@ -230,8 +229,8 @@ class Statics(Staged):
 
         balance = heat_balance(self.warm(speed), speed, self.grounded, heat_flow.flow)
         texts, wanted = dict(zip(speed.tolist(), balance.outcome, strict=True)), self.bearing_speed
-        lost = next((text for at, text in texts.items() if text and at not in wanted), "")
-        earlier = lost and f"on the way there, {lost}"
+        failed = next((text for at, text in texts.items() if text and at not in wanted), "")
+        earlier = failed and f"on the way there, {failed}"
         return balance._replace(outcome=tuple(texts[at] or earlier for at in wanted.tolist()))
 
     def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
@@ -352,12 +351,12 @@ class Statics(Staged):
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tangent))
     def tangents(self) -> Array:
-        """Bearing tangents in their own frames at ``bearing_speed`` (…, seats, 5, 5)."""
+        """Tangents at ``bearing_speed`` in the frames of the bearings (…, seats, 5, 5)."""
         return self.preload.seat_stiffness(self.conditions.tangent)
 
     @property
     def seat_stiffness(self) -> Array:
-        """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
+        """Tangents at the usable speeds in the frames of the bearings (usable, seats, 5, 5)."""
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]

@@ -112,8 +112,8 @@ def arc_notes(scene: Scene) -> Iterator[str]:
     state = scene.preload
     turning = state.usable & (state.speed > 0.0)
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        more = (balls.contacts[:, column] > 2).any(axis=1)
-        if (rows := np.flatnonzero(turning & more)).size:
+        multiple = (balls.contacts[:, column] > 2).any(axis=1)
+        if (rows := np.flatnonzero(turning & multiple)).size:
             yield (
                 f"balls of bearing {seat.name} have more than two contacts "
                 f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
@@ -171,8 +171,8 @@ def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
             continue
         pairs.append(f"{one.name} and {other.name}")
         loads = np.stack([largest[one.name], largest[other.name]])
-        most = loads.max(axis=0)
-        difference = np.ptp(loads, axis=0) / np.where(most > 0.0, most, 1.0)
+        peak = loads.max(axis=0)
+        difference = np.ptp(loads, axis=0) / np.where(peak > 0.0, peak, 1.0)
         spread = max(spread, float(difference.max(initial=0.0)))
     if not pairs:
         return "every bearing with walls of its own"

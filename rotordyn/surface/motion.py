@@ -49,9 +49,9 @@ def reach(displacement: Complex) -> Array:
 def drawn_scale(displacement: Complex, shape: Complex, length: float) -> float:
     """Return the factor by which the largest ``reach`` becomes ``length`` [m], less where tilts
     would not be small: none of ``shape`` (nodes, 6) exceeds ``STEEPEST``. 1 where nothing moves."""
-    most = float(reach(displacement).max())
+    largest = float(reach(displacement).max())
     tilt = float(reach(shape[:, 3:]).max())
-    limits = [length / most] if most > 0.0 else []
+    limits = [length / largest] if largest > 0.0 else []
     limits += [STEEPEST / tilt] if tilt > 0.0 else []
     return min(limits, default=1.0)
 

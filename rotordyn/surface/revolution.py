@@ -139,7 +139,7 @@ class _Rings:
     _count: int = 0
 
     def wall(self, places: Sequence[Interval]) -> None:
-        """Bands from each place to the next, seen from outside with the way on the left."""
+        """Add bands between places, facing outwards for rising x, to +x for falling radius."""
         for near, far in pairwise(places):
             self.triangles.append(self._band(self._ring(near), self._ring(far)))
 

@@ -32,7 +32,7 @@ _MISSING = re.compile(r"No module named '((?:pyvista|vtk)[^']*)'|No module named
 
 
 class NoPictures(Exception):
-    """Nothing could be rendered; its text says why and what to do."""
+    """Raised where nothing can be rendered; its text says why and what to do."""
 
 
 class Rendering:

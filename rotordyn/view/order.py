@@ -31,8 +31,8 @@ class Order:
     @property
     def places(self) -> list[tuple[int, int]]:
         """Speed and mode of every picture."""
-        known = np.isfinite(self.shape).all(axis=(2, 3))
-        return [(int(speed), int(mode)) for speed, mode in np.argwhere(known)]
+        finite = np.isfinite(self.shape).all(axis=(2, 3))
+        return [(int(speed), int(mode)) for speed, mode in np.argwhere(finite)]
 
     @property
     def pictures(self) -> int:

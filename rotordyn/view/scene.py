@@ -178,8 +178,8 @@ class RotorScene:
     def _look(self, height: float) -> None:
         """Set a parallel projection that shows ``height`` [m]."""
         right, up, towards = screen()
-        places = projected(self._surface.points)
-        middle = (places.max(axis=0) + places.min(axis=0)) / 2.0
+        points = projected(self._surface.points)
+        middle = (points.max(axis=0) + points.min(axis=0)) / 2.0
         target = right * middle[0] + up * middle[1]
         camera = self._plotter.camera
         camera.focal_point = tuple(target)
