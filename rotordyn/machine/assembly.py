@@ -29,7 +29,7 @@ def spindle_faults(spindle: Spindle) -> Faults:
     yield from _rings(spindle)
     yield from _sleeves(spindle)
     yield from _set(spindle)
-    yield from _held_twice(spindle)
+    yield from _fixed_twice(spindle)
     yield from _names_taken(spindle)
     yield from _rotors(spindle)
     yield from _carried(spindle)
@@ -158,7 +158,7 @@ def _set(spindle: Spindle) -> Faults:
     yield from within(("arrangement",), bearing_set.faults_with(spindle.seats))
 
 
-def _held_twice(spindle: Spindle) -> Faults:
+def _fixed_twice(spindle: Spindle) -> Faults:
     """Yield a fault where two supports fix one DOF, or one fixes x beside bearings."""
     fixing: dict[tuple[str, frozenset[str]], list[LinearSupport]] = {}
     for support in spindle.supports:

@@ -162,7 +162,7 @@ class BearingSet(Description):
                 ("set",),
                 f"the bearings do not make a set {self.set}: their thrusts from front to rear are "
                 f"{signs}, and those of {self.set} are {wanted}; turn bearings, or "
-                + _instead(signs),
+                + _alternative(signs),
             )
 
     def turned(self, seats: tuple[BearingSeat, ...]) -> tuple[BearingSeat, ...]:
@@ -189,6 +189,6 @@ class BearingSet(Description):
         return Sleeve(self.name, side, load.spring, load.stop_travel, friction=load.friction)
 
 
-def _instead(signs: str) -> str:
+def _alternative(signs: str) -> str:
     names = [name for name in SETS if signs in patterns(name)]
     return f"name the set {names[0]}" if names else "give sleeves in the place of a set"

@@ -61,8 +61,8 @@ class Fits(Description):
     housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
 
     def _faults(self) -> Faults:
-        yield from self._of_ring("shaft", "bore_diameter", "a shaft, such as k5")
-        yield from self._of_ring("housing", "outside_diameter", "a bore, such as JS5")
+        yield from self._ring_faults("shaft", "bore_diameter", "a shaft, such as k5")
+        yield from self._ring_faults("housing", "outside_diameter", "a bore, such as JS5")
         for key in ("outside_diameter", "width"):
             if self.under_balls and getattr(self, key) is None:
                 yield (
@@ -81,8 +81,8 @@ class Fits(Description):
             return
         yield from no_housing(self.housing_diameter, self.outside_diameter)
 
-    def _of_ring(self, key: str, needs: str, kind: str) -> Faults:
-        """Yield a fault where the class at ``key`` is of another ``kind`` or lacks a diameter."""
+    def _ring_faults(self, key: str, needs: str, kind: str) -> Faults:
+        """Check the class at ``key``: of this ``kind``, and tabled for the diameter it needs."""
         word, size, inner = getattr(self, key), getattr(self, needs), key == "shaft"
         if not word or size != size:
             return

@@ -186,14 +186,14 @@ def together(rings: FlexibleRings, others: Iterable[Beside]) -> FlexibleRings:
     inner, outer = rings.inner, rings.outer
     if inner is not None:
         places = [each.place for each in others if each.rings.inner == inner]
-        inner = _with(inner, places)
+        inner = _with_neighbours(inner, places)
     if outer is not None:
         places = [each.place for each in others if each.rings.outer == outer and each.carried_alike]
-        outer = _with(outer, places)
+        outer = _with_neighbours(outer, places)
     return FlexibleRings(inner, outer)
 
 
-def _with(ring: ElasticRing, places: Iterable[Neighbour]) -> ElasticRing:
+def _with_neighbours(ring: ElasticRing, places: Iterable[Neighbour]) -> ElasticRing:
     """Return a ring with its neighbours at ``places``, those within its length of wall."""
     nearest, furthest = (1.0 - TOUCHING) * ring.width, 0.5 * (ring.length + ring.width)
     neighbours = [place for place in places if nearest <= abs(place.distance) <= furthest]

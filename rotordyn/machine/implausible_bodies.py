@@ -20,14 +20,14 @@ def implausible_bodies(spindle: Spindle) -> Iterator[str]:
     """Yield sentences about the discs and masses of a spindle."""
     yield from _discs(spindle)
     for body in spindle.masses:
-        yield from _light(body)
-        yield from _wide(body, spindle.shaft.end - spindle.shaft.start)
+        yield from _small_inertia(body)
+        yield from _large_inertia(body, spindle.shaft.end - spindle.shaft.start)
 
 
 def _discs(spindle: Spindle) -> Iterator[str]:
     for disc in spindle.discs:
         under = spindle.shaft.diameters_at(disc.x)[0]
-        if disc.inner_diameter > UNLIKE * (widest := _below(spindle, disc)):
+        if disc.inner_diameter > UNLIKE * (widest := _diameter_below(spindle, disc)):
             yield (
                 f"disc {disc.name} does not touch the shaft: its bore is "
                 f"{disc.inner_diameter * 1e3:.4g} mm, what is below it {widest * 1e3:.4g} mm"
@@ -43,7 +43,7 @@ def _discs(spindle: Spindle) -> Iterator[str]:
     for one, other in combinations(spindle.discs, 2):
         high = min(one.outer_diameter, other.outer_diameter)
         low = max(one.inner_diameter, other.inner_diameter)
-        both = max(_common(one, other), 0.0) * max(high**2 - low**2, 0.0)
+        both = max(_shared_length(one, other), 0.0) * max(high**2 - low**2, 0.0)
         if both > TWICE * min(each.width * _ring(each) for each in (one, other)):
             yield (
                 f"discs {one.name} and {other.name} fill the same space, so that mass is counted "
@@ -55,13 +55,13 @@ def _ring(disc: Disc) -> float:
     return disc.outer_diameter**2 - disc.inner_diameter**2
 
 
-def _common(one: Disc, other: Disc) -> float:
+def _shared_length(one: Disc, other: Disc) -> float:
     """Return the length along the axis that two discs share [m], negative where they are apart."""
     ends = [(disc.x - 0.5 * disc.width, disc.x + 0.5 * disc.width) for disc in (one, other)]
     return min(end for _, end in ends) - max(start for start, _ in ends)
 
 
-def _below(spindle: Spindle, disc: Disc) -> float:
+def _diameter_below(spindle: Spindle, disc: Disc) -> float:
     """Return the largest diameter that a disc may sit on, of the shaft or another disc [m]."""
     start, end = disc.x - 0.5 * disc.width, disc.x + 0.5 * disc.width
     stations = [start, disc.x, end, *(x for x in spindle.shaft.boundaries if start < x < end)]
@@ -70,12 +70,12 @@ def _below(spindle: Spindle, disc: Disc) -> float:
         for other in spindle.discs
         if other is not disc
         and other.outer_diameter <= UNLIKE * disc.inner_diameter
-        and _common(disc, other) > 0.0
+        and _shared_length(disc, other) > 0.0
     ]
     return max(*(spindle.shaft.diameters_at(x)[0] for x in stations), *diameters)
 
 
-def _light(body: PointMass) -> Iterator[str]:
+def _small_inertia(body: PointMass) -> Iterator[str]:
     """Yield a sentence where an inertia is far below any body of that mass, as in a wrong unit."""
     ball = 0.4 * body.mass * (0.75 * body.mass / (math.pi * DENSEST)) ** (2.0 / 3.0)
     for axis in ("polar", "diametral"):
@@ -88,7 +88,7 @@ def _light(body: PointMass) -> Iterator[str]:
             )
 
 
-def _wide(body: PointMass, length: float) -> Iterator[str]:
+def _large_inertia(body: PointMass, length: float) -> Iterator[str]:
     """Yield a sentence where an inertia implies a body beyond the machine, as in a wrong unit."""
     for axis in ("polar", "diametral"):
         inertia = getattr(body, f"{axis}_inertia")

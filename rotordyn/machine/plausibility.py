@@ -40,12 +40,12 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _bores(spindle)
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
-    yield from _slow(top)
+    yield from _low_speed(top)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
     yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
-    yield from _soft(spindle)
+    yield from _soft_springs(spindle)
     yield from _materials(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
 
@@ -92,18 +92,18 @@ def undamped(spindle: Spindle) -> bool:
         or bool(spindle.dampers)
         or any(any(rotor.rotor_damping) or bool(rotor.rayleigh) for rotor in spindle.rotors)
         or any(seat.radial_damping or seat.axial_damping for seat in spindle.seats)
-        or any(_acting(part.damping) for part in (*spindle.supports, *spindle.housings))
+        or any(_nonzero(part.damping) for part in (*spindle.supports, *spindle.housings))
         or any(getattr(joint, f"{way}_damping") for joint in joints for way in WAYS)
     )
     return not damped
 
 
-def _acting(matrix: Entries | Rows) -> bool:
+def _nonzero(matrix: Entries | Rows) -> bool:
     """Return whether a matrix is nonzero, by its entries or by its rows."""
     return any(map(acts, matrix.values() if isinstance(matrix, Mapping) else matrix))
 
 
-def _soft(spindle: Spindle) -> Iterator[str]:
+def _soft_springs(spindle: Spindle) -> Iterator[str]:
     """Warn of stiffness far below that of machine parts, as of a number given in N/µm."""
     stiffness = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
     stiffness |= {f"sleeve {s.name}, radially": s.radially for s in spindle.sleeves}
@@ -205,7 +205,7 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
         )
 
 
-def _slow(top: float) -> Iterator[str]:
+def _low_speed(top: float) -> Iterator[str]:
     """Warn of speeds a thousand times too low, as of a point meant to separate thousands."""
     if 0.0 < top * RPM < SLOW:
         yield (
@@ -223,7 +223,7 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
                 f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
                 "oil-air lubricated spindle bearing reaches: check speed and diameters"
             )
-    growing = [seat for seat in spindle.seats if _grows_unsaid(seat, top)]
+    growing = [seat for seat in spindle.seats if _growth_missing(seat, top)]
     if growing:
         names = ", ".join(seat.name for seat in growing)
         largest = max(_free_growth(seat, top) for seat in growing)
@@ -312,7 +312,7 @@ def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, fl
         yield "housing", 0.5 * (fits.housing_diameter - outside), outside
 
 
-def _grows_unsaid(seat: BearingSeat, top: float) -> bool:
+def _growth_missing(seat: BearingSeat, top: float) -> bool:
     fast = top * RPM * seat.bearing.pitch_diameter * 1e3 > GROWING
     specified = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
     return fast and not specified

@@ -116,7 +116,9 @@ class Spindle(Description):
     def joined(self, one: BearingSeat, other: BearingSeat, which: str) -> bool:
         """Return whether ``inner`` or ``outer`` rings of two bearings deform one wall together."""
         ring = getattr(self.mounted(one).rings, which, None)
-        return ring is not None and _away(one, other) in [each.distance for each in ring.neighbours]
+        return ring is not None and _distance(one, other) in [
+            each.distance for each in ring.neighbours
+        ]
 
     def _rings(self, seat: BearingSeat, bodies: RingBodies) -> FlexibleRings:
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
@@ -132,7 +134,7 @@ class Spindle(Description):
             if other.known_bearing == seat.bearing and low <= other.x <= high:
                 yield Beside(
                     self._rings(other, bodies),
-                    Neighbour(_away(seat, other), mirrored=other.thrust != seat.thrust),
+                    Neighbour(_distance(seat, other), mirrored=other.thrust != seat.thrust),
                     self.sleeve_of(other.name) == self.sleeve_of(seat.name),
                 )
 
@@ -280,6 +282,6 @@ class Spindle(Description):
         )
 
 
-def _away(one: BearingSeat, other: BearingSeat) -> float:
+def _distance(one: BearingSeat, other: BearingSeat) -> float:
     """Return the distance from one bearing to another, along the thrust of the first [m]."""
     return one.thrust * round(other.x - one.x, 9)  # stations add up from the tool tip with rounding

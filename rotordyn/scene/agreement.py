@@ -28,22 +28,22 @@ FORMULATION = ("conditions", "formulation")
 def setting_faults(setting: Setting) -> Faults:
     """Yield faults between machine, conditions and speeds, by path in the case."""
     spindle, conditions = setting.spindle, setting.conditions
-    yield from _surface_speed(setting)
-    yield from _on_its_shaft(spindle)
-    yield from _elements(spindle, conditions)
+    yield from _surface_speed_faults(setting)
+    yield from _shaft_faults(spindle)
+    yield from _element_faults(spindle, conditions)
     if spindle.rotors:
-        yield from _with_rotors(spindle, conditions)
+        yield from _rotor_faults(spindle, conditions)
     if conditions.formulation == ROTATING:
         for support in spindle.supports:
-            yield from _even(support)
-    yield from _held_along(spindle, conditions)
-    yield from _loads(setting)
-    yield from _warm(setting)
-    yield from _tables(spindle, setting.speeds)
-    yield from _on_housings(spindle, conditions)
-    yield from _parted(spindle, conditions)
+            yield from _isotropy_faults(support)
+    yield from _axial_restraint_faults(spindle, conditions)
+    yield from _load_faults(setting)
+    yield from _temperature_faults(setting)
+    yield from _table_faults(spindle, setting.speeds)
+    yield from _housing_faults(spindle, conditions)
+    yield from _joint_faults(spindle, conditions)
     if spindle.seats:
-        yield from _sideways(setting)
+        yield from _coupling_faults(setting)
 
 
 def last_setting_faults(setting: Setting) -> Faults:
@@ -63,7 +63,7 @@ def last_setting_faults(setting: Setting) -> Faults:
             )
 
 
-def _surface_speed(setting: Setting) -> Faults:
+def _surface_speed_faults(setting: Setting) -> Faults:
     """Yield a fault where n·dm is beyond any bearing, as when a number in rpm is given as rad/s."""
     speed_at: dict[Path, float] = {("speeds", k): speed for k, speed in enumerate(setting.speeds)}
     for k, step in enumerate(setting.conditions.history):
@@ -85,7 +85,7 @@ def _surface_speed(setting: Setting) -> Faults:
             return
 
 
-def _on_its_shaft(spindle: Spindle) -> Faults:
+def _shaft_faults(spindle: Spindle) -> Faults:
     reach = spindle.shaft.reach
     for name, x in spindle.points.items():
         yield from on_the_shaft("point", x, reach, ("spindle", "points", name))
@@ -103,7 +103,7 @@ def _on_its_shaft(spindle: Spindle) -> Faults:
         )
 
 
-def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
+def _element_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     """Yield a fault where there are more than ``MOST_ELEMENTS`` elements."""
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
@@ -115,7 +115,7 @@ def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
         )
 
 
-def _loads(setting: Setting) -> Faults:
+def _load_faults(setting: Setting) -> Faults:
     """Yield faults of static loads: they need bearings, and places on the shaft."""
     spindle, conditions = setting.spindle, setting.conditions
     path = ("conditions", "loads")
@@ -135,15 +135,15 @@ def _loads(setting: Setting) -> Faults:
         )
     if setting.loaded and conditions.formulation == ROTATING:
         cause = "under static loads (loads, weight, misaligned seats)"
-        yield _unturned(f"{cause} bearings differ between directions")
+        yield _no_rotating_frame(f"{cause} bearings differ between directions")
 
 
-def _warm(setting: Setting) -> Faults:
+def _temperature_faults(setting: Setting) -> Faults:
     """Yield faults of temperatures: they need bearings, and tables that cover all speeds."""
     spindle, conditions = setting.spindle, setting.conditions
     temperatures = conditions.temperatures
-    yield from _heated(setting)
-    yield from _oiled(setting)
+    yield from _heat_flow_faults(setting)
+    yield from _film_faults(setting)
     if temperatures is None:
         return
     key = ("conditions", "temperatures")
@@ -172,7 +172,7 @@ def _warm(setting: Setting) -> Faults:
         )
 
 
-def _heated(setting: Setting) -> Faults:
+def _heat_flow_faults(setting: Setting) -> Faults:
     """Yield faults of a heat flow: it needs bearings at speed, and excludes temperatures."""
     conditions, path = setting.conditions, ("conditions", "heat_flow")
     if conditions.heat_flow is None:
@@ -185,7 +185,7 @@ def _heated(setting: Setting) -> Faults:
         yield path, "needs bearings at speed: given conditions.bearings: static"
 
 
-def _oiled(setting: Setting) -> Faults:
+def _film_faults(setting: Setting) -> Faults:
     """Yield faults of oil films: they need bearings at speed, and exclude a heat flow."""
     conditions, path = setting.conditions, ("conditions", "films")
     if conditions.films is None:
@@ -200,7 +200,7 @@ def _oiled(setting: Setting) -> Faults:
         yield path, f"films have the complete tangent alone: given tangent {conditions.tangent}"
 
 
-def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
+def _axial_restraint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     """Yield a fault where nothing carries the axial force or the weight."""
     if spindle.seats or any(s.along or "x" in s.rigid for s in spindle.supports):
         return
@@ -214,7 +214,7 @@ def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
             )
 
 
-def _even(support: LinearSupport) -> Faults:
+def _isotropy_faults(support: LinearSupport) -> Faults:
     """Yield a fault where a support is not isotropic about the axis."""
     what = ""
     one_sided = [p for p in (("y", "z"), ("thy", "thz")) if len({*p} & {*support.rigid}) == 1]
@@ -223,7 +223,7 @@ def _even(support: LinearSupport) -> Faults:
     elif one_sided:
         what = f"support '{support.name}' holds only one of {' and '.join(one_sided[0])} rigidly"
     if what:
-        yield _unturned(what)
+        yield _no_rotating_frame(what)
         return
     import numpy as np
 
@@ -235,21 +235,21 @@ def _even(support: LinearSupport) -> Faults:
         valid = not any(isinstance(value, float) and math.isnan(value) for value in entries)
         if valid and not answers_alike(support_matrices(support, name, speeds)):
             differs = "differs between directions about the axis"
-            yield _unturned(f"the {name} of support '{support.name}' {differs}")
+            yield _no_rotating_frame(f"the {name} of support '{support.name}' {differs}")
 
 
-def _unturned(what: str) -> tuple[Path, str]:
+def _no_rotating_frame(what: str) -> tuple[Path, str]:
     described = "which a turning frame cannot describe"
     return FORMULATION, f"{what}, {described}: given '{ROTATING}'; allowed: {INERTIAL}"
 
 
-def _tables(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
+def _table_faults(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
     for support in spindle.supports:
         for sentence in support.unknown_at(speeds):
             yield ("speeds",), sentence
 
 
-def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
+def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     """Yield faults of housings: none in a rotating frame, none along x under a static state."""
     if spindle.housings and conditions.formulation == ROTATING:
         yield (
@@ -268,7 +268,7 @@ def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
             )
 
 
-def _parted(spindle: Spindle, conditions: Conditions) -> Faults:
+def _joint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     """Yield a fault where a joint is flexible along x between axial restraints of the shaft."""
     if not spindle.seats or conditions.rotor == "rigid":
         return
@@ -292,7 +292,7 @@ def _along(housing: Housing) -> Path:
     return ("stiffness", *[entry_name(*pair) for pair in housing.stiffness if "x" in pair][:1])
 
 
-def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
+def _rotor_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if conditions.formulation not in ("", INERTIAL):
         yield (
             FORMULATION,
@@ -312,10 +312,10 @@ def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
             "it out",
         )
     if spindle.seats and not misnamed(spindle):
-        yield from _joined_along(spindle.supports)
+        yield from _axial_tie_faults(spindle.supports)
 
 
-def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
+def _axial_tie_faults(supports: Iterable[LinearSupport]) -> Faults:
     """Yield a fault where another rotor ties a shaft with bearings to ground along the axis.
 
     The preload state is that of the shaft alone; a rotor held by the shaft alone moves with it.
@@ -341,7 +341,7 @@ def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
         )
 
 
-def _sideways(setting: Setting) -> Faults:
+def _coupling_faults(setting: Setting) -> Faults:
     """Yield a fault where a support couples x to other loads, which no bearing state includes."""
     conditions = setting.conditions
     by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)

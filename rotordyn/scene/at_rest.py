@@ -83,7 +83,7 @@ def at_rest(
         free=unheld,
         scale=length_scale(spindle),
     )
-    axial, taut, total = _axial(scene, mesh), _taut(scene, mesh), resultant(loads, x)
+    axial, taut, total = _axial(scene, mesh), _drawbar_tension(scene, mesh), resultant(loads, x)
 
     def within(acting: Array, bend: Array) -> tuple[SectionForces, Array]:
         """Return section forces of the bent shaft, and displacements with its front end clamped."""
@@ -97,6 +97,7 @@ def at_rest(
     def solve(bend: Array) -> AtRest:
         forces, displacement = within(point, bend)
         unrestrained, resultants = displacement[:, nodes], total.copy()
+        # the axial force on the bent shaft adds moments about y and z
         resultants[:, 4:] += (forces.front - section_forces(x, point, line).front)[:, 0, 4:]
         if offset is not None:
             unrestrained = unrestrained + offset
@@ -137,7 +138,7 @@ def _axial(scene: Scene, mesh: Mesh) -> Array | None:
     return force if force.any() else None
 
 
-def _taut(scene: Scene, mesh: Mesh) -> Array:
+def _drawbar_tension(scene: Scene, mesh: Mesh) -> Array:
     """Return the drawbar's tension times its inclination, per relative displacement of the ends of
     each element (elements, elements) [N/m]; the bar runs straight between its contacts."""
     taut, bar = np.zeros((mesh.nodes - 1, mesh.nodes - 1)), scene.spindle.drawbar

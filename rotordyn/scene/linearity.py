@@ -73,12 +73,12 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
         displacement = preload.displacement[:, :, None] + turned[:, seat, None]
         solution = solved(preload.operation.at(displacement))
         radius = 0.5 * seats[seat].bearing.pitch_diameter
-        lever = np.array([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
+        lever = np.array([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])  # moments as forces at balls
         linear = turned[:, seat] @ np.swapaxes(scene.seat_stiffness[:, seat], -1, -2)
         size = np.linalg.norm(linear * lever, axis=-1)
         miss = np.linalg.norm((solution.load[:, 0] - preload.load - linear) * lever, axis=-1)
         least = SEEN * np.linalg.norm(preload.load * lever, axis=-1)
-        share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)
+        share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)  # never 0 / 0
         share = np.where((size == 0.0) & (miss > least), np.inf, share)  # of a bearing without load
         overloaded = np.asarray(solution.outcome[:, 0] == "overloaded")
         deviation[:, seat] = np.where(overloaded, np.inf, share).max(axis=-1)

@@ -25,10 +25,10 @@ def _reason(scene: Scene, name: str) -> str:
 
 def spared(scene: Scene) -> tuple[str, ...]:
     """Return sentences on work that the structure of the machine saves, or does once for many."""
-    return (*_taken(scene), *_bearings(scene), *_vibration(scene))
+    return (*_reused(scene), *_bearings(scene), *_vibration(scene))
 
 
-def _taken(scene: Scene) -> Iterator[str]:
+def _reused(scene: Scene) -> Iterator[str]:
     if scene.reused:
         yield f"the same as of another variant, solved once: {', '.join(sorted(scene.reused))}"
 

@@ -51,19 +51,19 @@ def over_speed(
     expected = spread_between(centres[inside], widths[inside], low, high, least=LEAST)
     new = np.abs(expected[:, None] - speeds).min(axis=1) > CLOSEST * high  # else the same speed
     start = np.sort(np.concatenate([speeds, expected[new]]))
-    start, gaps = _jumps(scene, start)
+    start, gaps = _with_stop_speeds(scene, start)
     speed, curves = sampled(start, solve, amplitude)
     for gap in gaps:
-        speed, curves = _broken(speed, curves, gap)
+        speed, curves = _with_gap(speed, curves, gap)
     return speed, curves
 
 
-def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
+def _with_stop_speeds(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
     """Insert both sides of every speed at which a stop opens or closes; return the speeds, and the
     midpoint of each pair."""
     if not scene.spindle.sleeves:
         return speed, []
-    closed = _stops(scene.at(speed))
+    closed = _closed_stops(scene.at(speed))
     gaps: list[tuple[float, float]] = []
     for row in np.flatnonzero((closed[1:] != closed[:-1]).any(axis=1)):
         low, high, closed_below = float(speed[row]), float(speed[row + 1]), closed[row]
@@ -71,7 +71,7 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
             if high - low <= CLOSEST * float(speed[-1]):
                 break
             middle = 0.5 * (low + high)
-            same = bool((_stops(scene.at(np.array([middle])))[0] == closed_below).all())
+            same = bool((_closed_stops(scene.at(np.array([middle])))[0] == closed_below).all())
             low, high = (middle, high) if same else (low, middle)
         gaps += [(low, high)]
     return (
@@ -80,14 +80,14 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
     )
 
 
-def _stops(scene: Scene) -> Flags:
+def _closed_stops(scene: Scene) -> Flags:
     """Return which stops are closed at every speed (n, sleeves), none without equilibrium."""
     if all(scene.outcome):
         return np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
     return scene.scattered(scene.stopped)
 
 
-def _broken(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
+def _with_gap(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
     """Insert a NaN sample at the speed ``gap``."""
     row = int(np.searchsorted(speed, gap))
     return np.insert(speed, row, gap), [np.insert(curve, row, np.nan, axis=0) for curve in curves]

@@ -27,7 +27,7 @@ class Memo:
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:
         """Return the value of a stage for equal inputs, in a tuple, or None."""
-        for other, value in self.values.get(name, {}).get(_number(inputs), ()):
+        for other, value in self.values.get(name, {}).get(_hash(inputs), ()):
             if other == inputs:
                 return (value,)
         return None
@@ -35,7 +35,7 @@ class Memo:
     def keep(self, name: str, inputs: Inputs, value: Any) -> None:
         """Store a value."""
         values = self.values.setdefault(name, {})
-        values.setdefault(_number(inputs), []).append((inputs, value))
+        values.setdefault(_hash(inputs), []).append((inputs, value))
 
     def forget(self, latest: int) -> None:
         """Keep the first and the ``latest`` most recent values of every stage."""
@@ -46,18 +46,18 @@ class Memo:
                 values.setdefault(number, []).append(entry)
 
 
-def _number(inputs: Any) -> int:
+def _hash(inputs: Any) -> int:
     """Return a hash that equal inputs share, for a quick search among many variants."""
     try:
         return hash(inputs)
     except TypeError:
         pass
     if isinstance(inputs, Mapping):
-        return hash(frozenset((key, _number(value)) for key, value in inputs.items()))
+        return hash(frozenset((key, _hash(value)) for key, value in inputs.items()))
     if isinstance(inputs, tuple):
-        return hash(tuple(map(_number, inputs)))
+        return hash(tuple(map(_hash, inputs)))
     if is_dataclass(inputs):
-        return hash(tuple(_number(getattr(inputs, item.name)) for item in fields(inputs)))
+        return hash(tuple(_hash(getattr(inputs, item.name)) for item in fields(inputs)))
     return 0
 
 

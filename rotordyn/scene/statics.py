@@ -165,7 +165,7 @@ class Statics(Staged):
         stop, no texts."""
         with unchecked():  # the machine is checked already
             sleeves = tuple(
-                replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
+                replace(sleeve, spring=_standard_spring(sleeve), stop_travel=math.inf)
                 for sleeve in self.spindle.sleeves
             )
             return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
@@ -216,9 +216,9 @@ class Statics(Staged):
     @cached_property
     def heat_balance(self) -> HeatBalance:
         """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
-        return self.shared("heat balance", self._axial_inputs, self._balanced)
+        return self.shared("heat balance", self._axial_inputs, self._solve_heat_balance)
 
-    def _balanced(self) -> HeatBalance:
+    def _solve_heat_balance(self) -> HeatBalance:
         from rotordyn.preload.heat_balance import heat_balance
 
         heat_flow = self.conditions.heat_flow
@@ -362,7 +362,7 @@ class Statics(Staged):
         return self.tangents[self.bearing_row[self.usable]]
 
 
-def _kind(sleeve: Sleeve) -> Spring:
+def _standard_spring(sleeve: Sleeve) -> Spring:
     """Return a standard spring of the same kind: the sleeve slides, or is locked."""
     return LOCKED if math.isinf(sleeve.spring.stiffness) else ANY_SPRING
 

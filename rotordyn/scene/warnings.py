@@ -47,7 +47,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
             f"the ring grows without the {on}; raise its interference"
         )
-    yield from _yielding(scene)
+    yield from _yielding_rings(scene)
     if scene.conditions.heat_flow is not None:
         yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
@@ -58,7 +58,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
-        yield from _unshortened(scene)
+        yield from _missing_shortening(scene)
         yield from _guides(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
@@ -66,7 +66,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
     elif not all(scene.outcome):
-        yield from _pushed_away(scene)
+        yield from _statically_unstable(scene)
 
 
 def _when(held: float, loose: float) -> str:
@@ -78,7 +78,7 @@ def _when(held: float, loose: float) -> str:
     return f"at {last} rpm" if held == loose else f"between {first} and {last} rpm"
 
 
-def _pushed_away(scene: Scene) -> Iterator[str]:
+def _statically_unstable(scene: Scene) -> Iterator[str]:
     """Warn where the negative stiffness of supports exceeds the stiffness that holds the shaft."""
     speed = scene.speed[scene.usable][scene.pushed_away]
     if speed.size:
@@ -182,7 +182,7 @@ def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
     )
 
 
-def _yielding(scene: Scene) -> Iterator[str]:
+def _yielding_rings(scene: Scene) -> Iterator[str]:
     """Warn of inner rings that yield under their interference fit."""
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
     for seat, ring in zip(scene.spindle.seats, stress.T, strict=True):
@@ -220,7 +220,7 @@ def _films_rule(scene: Scene) -> Iterator[str]:
             )
 
 
-def _unshortened(scene: Scene) -> Iterator[str]:
+def _missing_shortening(scene: Scene) -> Iterator[str]:
     """Warn where a missing centrifugal shortening would change axial loads by more than a tenth."""
     state, rows = scene.preload, np.flatnonzero(scene.preload.usable)
     if scene.spindle.shortening is not None or not rows.size or not scene.spindle.seats:
@@ -292,7 +292,7 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
         )
         yield from (sentence for sentence in sentences if sentence)
         if state.lateral is not None or state.force:
-            yield from _lost(name, speed, usable, balls.inner_load[:, column], seat)
+            yield from _unloaded_balls(name, speed, usable, balls.inner_load[:, column], seat)
     yield from state.small_shims()
 
 
@@ -302,7 +302,9 @@ def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
     return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
 
-def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat) -> Iterator[str]:
+def _unloaded_balls(
+    name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
+) -> Iterator[str]:
     """Warn of balls that static loads unload: all of them, or some of a bearing that takes thrust
     in one direction."""
     idle = usable[:, None] & (load <= 0.0)

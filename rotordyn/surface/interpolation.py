@@ -28,12 +28,12 @@ def between_nodes(node: Array, motion: Complex, phi: Array, x: Array) -> Complex
     for deflection, tilt, sign in _PLANES:
         v, t = position(deflection), position(tilt)
         ends = (front[:, v], sign * front[:, t], rear[:, v], sign * rear[:, t])
-        between[:, v], slope = _bent(s, length, phi[left], ends)
+        between[:, v], slope = _bending(s, length, phi[left], ends)
         between[:, t] = sign * slope
     return between
 
 
-def _bent(
+def _bending(
     s: Array, length: Array, phi: Array, ends: tuple[Complex, Complex, Complex, Complex]
 ) -> tuple[Complex, Complex]:
     """Return deflection and rotation at ``s`` = 0 … 1 from those of the ends (v1, φ1, v2, φ2)."""

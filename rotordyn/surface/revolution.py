@@ -94,14 +94,14 @@ def _faces(rings: _Rings, before: Tube | None, after: Tube | None) -> None:
     """Add the uncovered parts of two walls that meet; those of ``before`` face towards +x."""
     x = before.right if before else after.left if after else 0.0
     if before:
-        for inner, outer in _bare(before.right_wall, after.wall if after else None):
+        for inner, outer in _uncovered(before.right_wall, after.wall if after else None):
             rings.wall([(x, outer), (x, inner)])
     if after:
-        for inner, outer in _bare(after.wall, before.right_wall if before else None):
+        for inner, outer in _uncovered(after.wall, before.right_wall if before else None):
             rings.wall([(x, inner), (x, outer)])
 
 
-def _bare(wall: Interval, against: Interval | None) -> Iterator[Interval]:
+def _uncovered(wall: Interval, against: Interval | None) -> Iterator[Interval]:
     """Yield the parts of ``wall`` that ``against`` does not cover."""
     if against is None or against[0] >= wall[1] or against[1] <= wall[0]:
         yield wall

@@ -43,8 +43,8 @@ class Rendering:
     """
 
     def __init__(self, orders: Sequence[Order], folder: Path | None = None) -> None:
-        self._held = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
-        self.folder = Path(self._held.name)
+        self._temporary = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
+        self.folder = Path(self._temporary.name)
         (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
         self._longest = LONGEST + LONGEST_EACH * sum(order.pictures for order in orders)
         paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
@@ -83,12 +83,12 @@ class Rendering:
             self._process.kill()
             self._process.wait()
             raise NoPictures(f"rendering took more than {self._longest:.0f} s; {REMEDY}") from None
-        missing = _MISSING.search("\n".join(self._said())) if code > 0 else None
+        missing = _MISSING.search("\n".join(self._output())) if code > 0 else None
         why = not_installed(missing[1] or missing[2]) if missing else None
         if why:
             raise NoPictures(why)
         if code:
-            raise NoPictures(f"this machine draws nothing in 3D ({self._why(code)}): {REMEDY}")
+            raise NoPictures(f"this machine draws nothing in 3D ({self._reason(code)}): {REMEDY}")
 
     def still(self, order: int, speed: int, mode: int) -> Pixels:
         """Return the picture of a mode at a speed, (height, width, 3); ``order``: its number."""
@@ -103,18 +103,18 @@ class Rendering:
         if self.running:
             self._process.kill()
             self._process.wait()
-        self._held.cleanup()
+        self._temporary.cleanup()
 
     def _load(self, name: str) -> Pixels:
         pixels: Any = np.load(self.folder / name)
         return pixels
 
-    def _why(self, code: int) -> str:
+    def _reason(self, code: int) -> str:
         """Return the signal that ended the process, or the last line of its output."""
         if code < 0:
             return f"OpenGL ended the process: {signal.Signals(-code).name}"
-        lines = self._said()
+        lines = self._output()
         return lines[-1].strip() if lines else f"exit code {code}"
 
-    def _said(self) -> list[str]:
+    def _output(self) -> list[str]:
         return (self.folder / "said").read_text(errors="replace").strip().splitlines()

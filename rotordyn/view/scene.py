@@ -51,13 +51,13 @@ class RotorScene:
         }
         self._stations = _on_axis(np.concatenate(list(self._orbits.values())))
         self._axis_at_rest = _on_axis(np.concatenate(list(self._along.values())))
-        frame = self._frame()
+        frame = self._view_size()
         size = [width, round(width * frame[1] / frame[0])]
         plotter: Any = pyvista.Plotter(off_screen=True, window_size=size)
         self._plotter = plotter
         self._plotter.render_window.SetMultiSamples(0)  # pictures are reduced in size afterwards
         self._plotter.set_background("white")
-        self._look(frame[1])
+        self._set_camera(frame[1])
         self._skins = [_split(surface) for surface in self._parts.values()]
         shade = dict(ambient=0.35, diffuse=0.7, specular=0.15)
         colour = dict(scalars="motion", cmap=colours, clim=(0.0, 1.0), show_scalar_bar=False)
@@ -67,13 +67,13 @@ class RotorScene:
             self._add(skin, **shade, **colour, opacity=opacity).prop.interpolation = "Phong"
         self._lines = _polylines(self._surface.points, self._surface.lines)
         _nearer(self._add(self._lines, color=EDGE, line_width=1.3, opacity=0.75), BESIDE)
-        self._rest(holders(spindle))
+        self._draw_at_rest(holders(spindle))
         self._axis = _rows(self._axis_at_rest)
-        self._front(self._axis, "axis", color=AXIS, line_width=2.4)
+        self._add_in_front(self._axis, "axis", color=AXIS, line_width=2.4)
         self._dots: Any = pyvista.PolyData(self._stations)
         self._dots.point_data["colour"] = np.zeros((len(self._stations), 3), np.uint8)
         dots = dict(scalars="colour", rgb=True, render_points_as_spheres=True, lighting=False)
-        self._front(self._dots, "dots", point_size=14.0 * self._pixel, **dots)
+        self._add_in_front(self._dots, "dots", point_size=14.0 * self._pixel, **dots)
 
     def show(self, node: Array, rotor: Sequence[str], shape: Complex) -> None:
         """Set the mode with node displacements ``shape`` (nodes, 6)."""
@@ -81,8 +81,8 @@ class RotorScene:
         mode_motion = displacements(spindle, self._parts, *mode)
         size = reach(mode_motion)
         factor = drawn_scale(mode_motion, shape, self._reach)
-        self._moved = factor * mode_motion
-        for skin, part in self._of_skins(size / (size.max() or 1.0)):
+        self._motion = factor * mode_motion
+        for skin, part in self._by_skin(size / (size.max() or 1.0)):
             skin.point_data["motion"] = part
         self._centre = factor * section_motions(spindle, self._along, *mode)
         self._paths = factor * section_motions(spindle, self._orbits, *mode)
@@ -94,9 +94,9 @@ class RotorScene:
 
     def picture(self, phase: float) -> Pixels:
         """Render the mode at ``phase`` [rad] of its period, (height, width, 3)."""
-        points = self._surface.points + at_phase(self._moved, phase)
+        points = self._surface.points + at_phase(self._motion, phase)
         self._lines.points = points
-        for skin, part in self._of_skins(points):
+        for skin, part in self._by_skin(points):
             skin.points = part
             skin.compute_normals(
                 cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True
@@ -111,20 +111,20 @@ class RotorScene:
         """Close the window."""
         self._plotter.close()
 
-    def _of_skins(self, values: Array) -> Iterator[tuple[Any, Array]]:
+    def _by_skin(self, values: Array) -> Iterator[tuple[Any, Array]]:
         """Yield every rotor's skin with the rows of ``values`` (all points) at its points."""
         ends = np.cumsum([len(surface.points) for surface in self._parts.values()])[:-1]
         for skin, part in zip(self._skins, np.split(values, ends), strict=True):
             yield skin, part[np.asarray(skin.point_data["origin"])]
 
-    def _rest(self, rings: Surface | None) -> None:
+    def _draw_at_rest(self, rings: Surface | None) -> None:
         """Draw what does not move: rings around the shaft, and the edges of the shaft at rest."""
         if rings is not None:
             self._add(_split(rings), color=HOLDER, opacity=0.22)
             self._add(_polylines(rings.points, _circles(rings)), color=HOLDER, line_width=1.5)
         edges = _polylines(self._surface.points, _circles(self._surface))
         self._add(edges, color=REST, line_width=1.2, opacity=0.6)
-        self._front(_rows(self._axis_at_rest), "rest", color=REST, line_width=1.6)
+        self._add_in_front(_rows(self._axis_at_rest), "rest", color=REST, line_width=1.6)
 
     def _draw_orbits(self, at: Array, motions: Complex, turn: int, colour: str) -> None:
         """Draw orbits of the axis at ``at`` (n, 3), with an arrow where motion is most visible."""
@@ -139,10 +139,12 @@ class RotorScene:
         rows = np.arange(len(at) * SMOOTH).reshape(len(at), SMOOTH)
         closed = tuple(np.append(row, row[0]) for row in rows)
         mesh = _polylines(np.concatenate(paths), closed)
-        self._front(mesh, name, color=colour, line_width=5.0)
+        self._add_in_front(mesh, name, color=colour, line_width=5.0)
         arrows = [head for path in paths for head in self._arrow(path)] if turn else []
         if arrows:
-            self._front(pyvista.merge(arrows), f"{name} arrows", color=colour, lighting=False)
+            self._add_in_front(
+                pyvista.merge(arrows), f"{name} arrows", color=colour, lighting=False
+            )
 
     def _arrow(self, path: Array) -> Iterator[Any]:
         """Yield an arrow head on ``path`` where it is fastest on the screen, unless too small."""
@@ -165,17 +167,17 @@ class RotorScene:
             look["line_width"] *= self._pixel
         return self._plotter.add_mesh(mesh, reset_camera=False, render=False, **look)
 
-    def _front(self, mesh: Any, name: str, **look: Any) -> None:
+    def _add_in_front(self, mesh: Any, name: str, **look: Any) -> None:
         """Draw ``mesh`` in front of everything, replacing what had the same name."""
         _nearer(self._add(mesh, name=name, **look), IN_FRONT)
 
-    def _frame(self) -> Array:
+    def _view_size(self) -> Array:
         """Return the least width and height [m] that hold the rotor with its largest motion."""
         spread = np.ptp(projected(self._surface.points), axis=0) + 1.9 * self._reach
         spread[1] = max(spread[1], 0.2 * spread[0])
         return np.asarray(1.02 * spread)
 
-    def _look(self, height: float) -> None:
+    def _set_camera(self, height: float) -> None:
         """Set a parallel projection that shows ``height`` [m]."""
         right, up, towards = screen()
         points = projected(self._surface.points)

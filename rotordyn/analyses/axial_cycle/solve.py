@@ -34,7 +34,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     """
     preload, rows = scene.preload, scene.bearing_row
     listed = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
-    force, listed_rows = _places(listed)
+    force, listed_rows = _path_forces(listed)
     steps = len(preload.speed) * (2 * spec.steps + 3)
     require_history(f"axial_cycle: {steps} steps", 0, steps)
     path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
@@ -85,7 +85,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     )
 
 
-def _places(listed: Array) -> tuple[Array, NDArray[np.intp]]:
+def _path_forces(listed: Array) -> tuple[Array, NDArray[np.intp]]:
     """Return the forces of the path, ascending, with zero if between; rows of ``listed``."""
     if not listed[0] < 0.0 < listed[-1] or np.abs(listed).min() <= NONE * np.ptp(listed):
         return listed, np.arange(len(listed))

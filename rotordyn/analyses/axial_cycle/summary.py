@@ -47,13 +47,14 @@ def warnings(result: AxialCycleResult) -> list[str]:
             place = int(np.abs(result.force[at]).argmin())
             rpm = result.speed[rows[place]] * RPM.factor
             sentences.append(
-                f"bearing {name} is unloaded under an axial force {_reached(result, at[place])} at "
-                f"{rpm:.0f} rpm: raise its preload, or keep the force away from there"
+                f"bearing {name} is unloaded under an axial force "
+                f"{_unloading_force(result, at[place])} at {rpm:.0f} rpm: raise its preload, or "
+                "keep the force away from there"
             )
     return sentences
 
 
-def _reached(result: AxialCycleResult, place: int) -> str:
+def _unloading_force(result: AxialCycleResult, place: int) -> str:
     """Describe the force that a cycle from no load reaches between two solved forces."""
     force = result.force
     previous = place - int(np.sign(force[place]))

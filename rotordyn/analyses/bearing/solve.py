@@ -60,8 +60,8 @@ def answer(
         if solved.stiffness is None
         else [solved.stiffness]
     )
-    balls: dict[str, Any] = {n: _where(outcome, loaded(getattr(state, n))) for n in SHOWN}
-    displacement = _where(outcome, solved.displacement)
+    balls: dict[str, Any] = {n: _valid(outcome, loaded(getattr(state, n))) for n in SHOWN}
+    displacement = _valid(outcome, solved.displacement)
     return RESULTS[spec.swept](
         speed=speed,
         load=np.array(spec.values),
@@ -69,16 +69,16 @@ def answer(
         dof=DOFS,
         dof_other=DOFS,
         outcome=outcome,
-        axial_force=_where(outcome, state.load[..., 0]),
+        axial_force=_valid(outcome, state.load[..., 0]),
         deflection=displacement[..., 0],
         radial_deflection=displacement[..., 1],
         tilt=displacement[..., 4],
-        stiffness=_where(outcome, np.stack(tangents, axis=2)),
+        stiffness=_valid(outcome, np.stack(tangents, axis=2)),
         loaded_ball=ball,
         slipping=np.where(valid, loaded(state.slipping), ""),
         control=np.where(valid, loaded(state.control), ""),
         control_agrees=valid & loaded(state.control_agrees),
-        attitude=_where(outcome, loaded(ball_motion(state).attitude)),
+        attitude=_valid(outcome, loaded(ball_motion(state).attitude)),
         **balls,
         **_life(bearing, solved, outcome, spec),
         **_heat(bearing, conditions, solved, outcome, spec),
@@ -162,12 +162,12 @@ def _heat(
 ) -> dict[str, Any]:
     """Return temperatures, speed limits and growth by films; NaN where not computed."""
     names = ("ball_temperature", "inner_temperature", "outer_temperature")
-    growth = {"film_growth": _where(outcome, solved.growth)}
+    growth = {"film_growth": _valid(outcome, solved.growth)}
     if solved.hot is None:
         missing = {name: np.full(outcome.shape, np.nan) for name in names}
         return {**growth, **missing, "speed_limit": np.full(outcome.shape[1], np.nan)}
     temperatures = {
-        name: _where(outcome, values)
+        name: _valid(outcome, values)
         for name, values in zip(names, solved.hot.temperatures[:3], strict=True)
     }
     return {**growth, **temperatures, "speed_limit": _limits(bearing, conditions, solved, spec)}
@@ -227,7 +227,7 @@ def _life(
             "film": np.where(np.isfinite(least), least, 0.0),
         }
     shown = {
-        name: _where(outcome, np.broadcast_to(values, outcome.shape))
+        name: _valid(outcome, np.broadcast_to(values, outcome.shape))
         for name, values in computed.items()
     }
     grooves = float(bearings.life.dynamic_rating(bearing))
@@ -262,7 +262,7 @@ def _contacts(
         "contacts": np.where((outcome == "")[..., None], state.contacts[..., :count], 0),
         "shoulder_angle": truncation.shoulder_angle,
         "middle_angle": truncation.middle_angle,
-        **{name: _where(outcome, values[..., :count, :]) for name, values in by_contact.items()},
+        **{name: _valid(outcome, values[..., :count, :]) for name, values in by_contact.items()},
     }
 
 
@@ -310,7 +310,7 @@ def _outcomes(speed: Array, spec: BearingMapSpec, solved: _Solved) -> NDArray[np
     return sentences.astype(str)
 
 
-def _where(outcome: NDArray[np.str_], values: Array) -> Array:
+def _valid(outcome: NDArray[np.str_], values: Array) -> Array:
     """Return values where the state is valid, NaN where the outcome says why it is not."""
     valid = (outcome == "").reshape(outcome.shape + (1,) * (values.ndim - outcome.ndim))
     return np.where(valid, values, np.nan)

@@ -59,7 +59,7 @@ def cut_off(result: BearingMapResult) -> list[str]:
         upper, lower = result.ellipse_upper[..., contacts], result.ellipse_lower[..., contacts]
         truncated = np.nan_to_num(result.truncated[..., contacts])
         for what, beyond in (
-            ("the shoulder", np.abs(_farther(upper, lower)) > result.shoulder_angle[contacts]),
+            ("the shoulder", np.abs(_outermost(upper, lower)) > result.shoulder_angle[contacts]),
             ("the middle of the groove", lower < result.middle_angle[contacts]),
         ):
             share = np.where(beyond, truncated, 0.0).max(axis=(2, 3))
@@ -75,7 +75,7 @@ def cut_off(result: BearingMapResult) -> list[str]:
     return sentences
 
 
-def _farther(upper: Array, lower: Array) -> Array:
+def _outermost(upper: Array, lower: Array) -> Array:
     return np.where(np.abs(lower) > np.abs(upper), lower, upper)
 
 

@@ -200,13 +200,13 @@ def _lowest_bending(result: CampbellResult) -> Iterator[Number]:
             for part, value, mode in modes:
                 name = f"bending pair {k + 1}" if part else result.mode[mode]
                 missing = np.isnan(result.frequency[row]).all()
-                absent_text = "none" if missing else _there(result, mode)
+                absent_text = "none" if missing else _speeds_of(result, mode)
                 rpm = float(result.speed[row] * RPM.factor)
                 inner = 0 < row < rows[-1]
                 yield Number(name, "Hz", value, part, rpm, absent=absent_text, inner=inner)
 
 
-def _there(result: CampbellResult, mode: int) -> str:
+def _speeds_of(result: CampbellResult, mode: int) -> str:
     """Say at which speeds a mode exists that is missing at some."""
     rpm = result.speed[np.isfinite(result.frequency[:, mode])] * RPM.factor
     if not rpm.size:
@@ -236,7 +236,7 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float, in
 
 def warnings(result: CampbellResult) -> list[str]:
     """Return warnings about modes that change with the model, unstable ones, and omitted ones."""
-    return [*_unconverged(result), *_unstable_modes(result), *_dropped(result)]
+    return [*_unconverged(result), *_unstable_modes(result), *_omitted_modes(result)]
 
 
 def _unconverged(result: CampbellResult) -> list[str]:
@@ -245,7 +245,7 @@ def _unconverged(result: CampbellResult) -> list[str]:
     return [f"modes are less accurate than asked for: {result.unconverged}"]
 
 
-def _dropped(result: CampbellResult) -> list[str]:
+def _omitted_modes(result: CampbellResult) -> list[str]:
     """Return sentences on modes that are neither drawn nor listed, at all speeds or at some."""
     sentences = []
     if count := int(result.mostly_overdamped.sum()):
@@ -275,7 +275,7 @@ def _dropped(result: CampbellResult) -> list[str]:
 def _unstable_modes(result: CampbellResult) -> list[str]:
     sentences = []
     if 0.0 < result.stability_threshold < result.speed[-1]:
-        onward = " on" if _lasting(result) else ""
+        onward = " on" if _stays_unstable(result) else ""
         sentences.append(
             f"{result.first_to_grow} grows by itself from "
             f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
@@ -293,7 +293,7 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
     return sentences
 
 
-def _lasting(result: CampbellResult) -> bool:
+def _stays_unstable(result: CampbellResult) -> bool:
     """Return whether the first unstable motion stays unstable at all speeds above."""
     above = np.flatnonzero(result.speed >= result.stability_threshold)
     first = np.array([name == result.first_to_grow for name in result.mode])

@@ -40,11 +40,11 @@ def stability_threshold(
         row = int(growing.argmax())
         if row and valid[row - 1]:
             low, high = float(speed[row - 1]), float(speed[row])
-            return _begin(scene, subsystem, followed(subsystem, high), low, high)
+            return _onset(scene, subsystem, followed(subsystem, high), low, high)
         return float(speed[row])
 
     def followed(subsystem: int, speed: float) -> float:
-        return _up_to(band, [each for each in branches if each.subsystem == subsystem], speed)
+        return _highest(band, [each for each in branches if each.subsystem == subsystem], speed)
 
     onsets: list[tuple[float, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
@@ -64,10 +64,10 @@ def stability_threshold(
         return math.inf, ""
     first, name, subsystem = min(onsets)
     members = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
-    return first, _grown(scene, subsystem, followed(subsystem, first), first, members) or name
+    return first, _unstable(scene, subsystem, followed(subsystem, first), first, members) or name
 
 
-def _up_to(band: Band, branches: Iterable[Branch], speed: float) -> float:
+def _highest(band: Band, branches: Iterable[Branch], speed: float) -> float:
     """Return the highest frequency followed near a speed [rad/s]: that of the band, or of modes
     that leave it."""
     highest = band.highest
@@ -78,14 +78,14 @@ def _up_to(band: Band, branches: Iterable[Branch], speed: float) -> float:
     return highest
 
 
-def _grown(
+def _unstable(
     scene: Scene, subsystem: int, highest: float, speed: float, modes: Sequence[tuple[Branch, str]]
 ) -> str:
     """Return the mode of a subsystem, or ``DIVERGENCE``, that grows most just above a speed: the
     one whose pole, interpolated over speed, is nearest; several may grow farther up. Empty where
     there is no equilibrium."""
     above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
-    pole = _fastest(scene, subsystem, highest, above)
+    pole = _fastest_pole(scene, subsystem, highest, above)
     if pole is None or not modes:
         return ""
     if not swings(np.array([pole]))[0]:
@@ -106,7 +106,7 @@ def _diverging(motions: FreeMotions) -> Flags:
     return np.asarray(motions.growing & ~swings(motions.pole))
 
 
-def _begin(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
+def _onset(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
     """Return the speed between two at which the largest growth becomes positive, by Brent's method,
     which locates jumps too: with loss factors growth changes its sign abruptly. Where there is no
     equilibrium in between, return the lowest speed at which growth is positive."""
@@ -134,14 +134,14 @@ def _begin(scene: Scene, subsystem: int, highest: float, low: float, high: float
 def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float:
     """Return the largest Re λ / |λ| of motions that oscillate below the ``highest`` frequency
     [rad/s] or diverge; negative where it is rounding alone, NaN where there is no equilibrium."""
-    pole = _fastest(scene, subsystem, highest, speed)
+    pole = _fastest_pole(scene, subsystem, highest, speed)
     if pole is None:
         return math.nan
     ratio = pole.real / abs(pole)
     return -ROUNDING if abs(ratio) <= ROUNDING else ratio
 
 
-def _fastest(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
+def _fastest_pole(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
     """Return the pole of that motion, −1 where there is none; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):

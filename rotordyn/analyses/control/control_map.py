@@ -162,7 +162,7 @@ class _Sweep:
     speed: Array
     growth: Array
     radial: float
-    question: dict[str, Any]
+    arguments: dict[str, Any]
 
     def state(self, load: Array, rows: Index) -> BearingState:
         """Solve the states under axial ``load`` (…) at the speeds ``rows`` (…)."""
@@ -173,7 +173,7 @@ class _Sweep:
             displacement=np.array([np.nan, np.nan, np.nan, 0.0, 0.0]),
             speed=self.speed[rows],
             growth=self.growth[rows],
-            **self.question,
+            **self.arguments,
         )
 
 

@@ -292,7 +292,7 @@ def _name_modes(
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), brief)) for k in shown]
+    labels = [(float(last[k]), _label(result.mode[k], float(last[k]), brief)) for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)
@@ -312,7 +312,7 @@ def _name_modes(
         axes.text(edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=size)
 
 
-def _called(mode: str, hertz: float, brief: bool) -> str:
+def _label(mode: str, hertz: float, brief: bool) -> str:
     return short(mode) if brief else f"{mode}  {number(hertz, 0)} Hz"
 
 

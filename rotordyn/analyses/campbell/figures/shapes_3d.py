@@ -77,7 +77,7 @@ def sheet_figure(
     for mode, image, box in zip(modes, images, boxes, strict=False):
         axes = _canvas(figure, box)
         axes.imshow(image, interpolation="antialiased", aspect="auto")
-        axes.set_title(_called(result, speed, mode), fontsize=FONT_SIZE, pad=2.5)
+        axes.set_title(_caption(result, speed, mode), fontsize=FONT_SIZE, pad=2.5)
     _foot(figure, look.colours)
     return figure
 
@@ -123,7 +123,7 @@ def _page(
     dpi = width / (_WIDTH / 25.4)
     high = _TITLE + height / dpi * 25.4 + _FOOT
     rpm = result.shape_speed[speed] * RPM.factor
-    figure = new_figure(_WIDTH, high, f"{_called(result, speed, mode)}, {rpm:.6g} rpm", dpi)
+    figure = new_figure(_WIDTH, high, f"{_caption(result, speed, mode)}, {rpm:.6g} rpm", dpi)
     _foot(figure, colours)
     below = figure.bbox.height
     if heading:
@@ -142,7 +142,7 @@ def _pasted(page: Pixels, frame: Pixels, corner: tuple[int, int]) -> Pixels:
     return result
 
 
-def _called(result: CampbellResult, speed: int, mode: int) -> str:
+def _caption(result: CampbellResult, speed: int, mode: int) -> str:
     """Return name, frequency, whirl where the name lacks it, and damping of a mode."""
     row = _row(result, speed)
     name, whirl = result.mode[mode], result.whirl[row, mode]
