@@ -24,7 +24,7 @@ OuterSize = Annotated[
 RingWidth = Annotated[
     Diameter | None, "of the rings; in files by default that of the bearing model"
 ]
-AROUND = 1.5  # outer diameter of a housing over that of the ring in it, where it is not given
+AROUND = 1.5  # outer diameter of a housing over that of the ring in it, by default
 
 
 @dataclass(frozen=True, slots=True)

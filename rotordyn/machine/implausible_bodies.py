@@ -10,8 +10,8 @@ from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
 
 UNLIKE = 1.25  # bore over the diameter below it; some models count inner rings as shaft
-TWICE = 0.1  # of a disc's mass that another disc has as well
-BORED = 0.02  # of a disc's mass that the shaft has as well, as where the bore is left at zero
+TWICE = 0.1  # of a disc's mass that another disc shares
+BORED = 0.02  # of a disc's mass that the shaft shares, as where the bore is left at zero
 DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
 FAR = 1.0  # [m] radius of gyration of a body, where it is longer than the shaft
 

@@ -35,7 +35,7 @@ class Section(Description):
     """A hollow cylinder, or a cone where diameters at its rear end are given [m].
 
     Diameters are those of the front end, and of the rear end where none are given for it; they
-    change along the axis in straight lines.
+    change linearly along the axis.
     """
 
     length: Annotated[Length, "along the axis"]

@@ -12,7 +12,7 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.units import format_quantity
 
 Reach = tuple[float, float]
-SLACK = 1e-9  # [m] by which a station may lie beside the shaft
+SLACK = 1e-9  # [m] by which a station may lie off the shaft
 PART = 1e-6  # of a shaft: its shortest part between joints
 
 
@@ -27,7 +27,7 @@ def on_the_shaft(what: str, x: float, reach: Reach, path: Path, holder: str = "s
 def all_on_the_shaft(
     what: str, key: str, items: Sequence[Any], reach: Reach, holder: str = "shaft"
 ) -> Faults:
-    """Yield such faults of every item of the list ``key``, by its station."""
+    """Yield a fault for every item of the list ``key`` whose station is off the shaft."""
     for index, item in enumerate(items):
         yield from on_the_shaft(what, item.x, reach, (key, index, "x"), holder)
 

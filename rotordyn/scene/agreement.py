@@ -342,7 +342,7 @@ def _axial_tie_faults(supports: Iterable[LinearSupport]) -> Faults:
 
 
 def _coupling_faults(setting: Setting) -> Faults:
-    """Yield a fault where a support couples x to other loads, which no bearing state includes."""
+    """Yield a fault where a support couples x to other loads: bearing states are axial alone."""
     conditions = setting.conditions
     by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
     acting = abs(conditions.axial_force) > 0.0 or any(conditions.pull) or setting.loaded

@@ -28,7 +28,8 @@ RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: i
 
 
 def few_rows(scene: Scene) -> Indices:
-    """Return the first and last usable speed: effects of speed are least and largest there."""
+    """Return rows of the first and last usable speed: effects of speed are least and largest
+    there."""
     return np.unique([0, len(scene.usable) - 1])
 
 

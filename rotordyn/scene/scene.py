@@ -130,7 +130,7 @@ class Scene(Statics):
 
     @property
     def fineness(self) -> Fineness:
-        """Required fineness of elements and reduction; standard elements of a given length.
+        """Required fineness of elements and reduction; standard elements where a length is given.
 
         A rotating frame observes whirl of frequency ω + Ω at the frequency ω.
         """

@@ -71,7 +71,7 @@ class Spec(Description):
 
 
 def held_twice(setting: Setting) -> Faults:
-    """Yield a fault where rigid supports hold a rigid rotor statically indeterminate."""
+    """Yield a fault where rigid supports make a rigid rotor statically indeterminate."""
     from rotordyn.equation.holding import holds_twice
 
     if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):

@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.surface.body import Array, Surface, Whole
 
 GENERATORS = 8  # drawn lines along the surface
-FACETS = 48  # around the axis: the volume of a polygon of so many sides is 0.3 % short
+FACETS = 48  # around the axis: a polygon of 48 sides has 0.3 % less area than its circle
 Interval = tuple[float, float]
 
 

@@ -27,7 +27,7 @@ REMEDY = (
     "install Mesa's EGL (on Debian and Ubuntu: libegl1 libgl1-mesa-dri libx11-6), or run where "
     "there is a display"
 )
-# pyvista says in words of its own that it lacks VTK, after Python has: not the last line alone
+# pyvista adds a message of its own about missing VTK after that of Python: search all lines
 _MISSING = re.compile(r"No module named '((?:pyvista|vtk)[^']*)'|No module named '([^']+)'\Z")
 
 
@@ -95,7 +95,7 @@ class Rendering:
         return self._load(still_name(order, speed, mode))
 
     def moving(self, order: int, speed: int, mode: int) -> Pixels:
-        """Return the frames of its period, (count, height, width, 3)."""
+        """Return the frames of a mode's period, (count, height, width, 3)."""
         return self._load(moving_name(order, speed, mode))
 
     def close(self) -> None:

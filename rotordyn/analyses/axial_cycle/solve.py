@@ -86,7 +86,7 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
 
 
 def _path_forces(listed: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Return the forces of the path, ascending, with zero if between; rows of ``listed``."""
+    """Return ``listed`` forces, ascending, with zero if it is between, and their rows in these."""
     if not listed[0] < 0.0 < listed[-1] or np.abs(listed).min() <= NONE * np.ptp(listed):
         return listed, np.arange(len(listed))
     force = np.sort(np.append(listed, 0.0))

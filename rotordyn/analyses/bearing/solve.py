@@ -276,7 +276,7 @@ def under(result: BearingMapResult, place: int, axial: str = "") -> str:
 
 
 def mounted_under(result: BearingMapResult, place: int, axial: str = "") -> str:
-    """Return the same, with "as mounted" where heat changes the load in operation."""
+    """Return ``under``, with "as mounted" where heat changes the load in operation."""
     mounted = result.load[place]
     work = result.axial_force[np.isfinite(result.ball_temperature[:, place]), place]
     differs = (np.abs(work - mounted) > SAME * mounted).any()

@@ -134,7 +134,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
 
 
 def _life(result: BearingMapResult) -> list[str]:
-    """Return lines on life and heat at the first and last load, and such speeds with a state."""
+    """Return lines on life and heat at the first and last load and speed with a state."""
     lines: list[str] = []
     for k in dict.fromkeys((0, len(result.load) - 1)):
         valid = result.outcome[:, k] == ""

@@ -61,7 +61,7 @@ def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
 
 
 def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Return the share of loads at which a first ball of a bearing loses contact, and which."""
+    """Return the share of loads at which a bearing's first ball loses contact, and that ball."""
     share, ball = np.full(inner.shape[:2], np.nan), np.zeros(inner.shape[:2], dtype=np.intp)
     # states with every ball loaded under the full loads need not be followed up to them
     unloaded = (np.nan_to_num(inner, nan=np.inf).min(axis=2) <= 0.0).any(axis=1)

@@ -23,7 +23,7 @@ WAYS = ("backward", "forward")
 MODES = 5  # of the lowest bending modes, where variants are compared
 NONE = 1e-9  # of a damping ratio: rounding
 UNSTABLE = "unstable from"
-MOST = 99  # modes of a kind that may be asked for
+MOST = 99  # modes of a kind that may be listed
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 _TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
 

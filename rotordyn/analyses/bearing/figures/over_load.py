@@ -137,7 +137,7 @@ def _panels(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, lis
 
 
 def _beside_limit(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, list[Axes]]:
-    """Return the same panels, the last one over load in any case."""
+    """Return four panels, the last one over load in any case."""
     if along_load(result):
         return _panels(names, result)
     figure = new_figure(168.0, 126.0)
@@ -165,7 +165,7 @@ def _curves(
     dash: int = 0,
     label: bool = False,
 ) -> None:
-    """Draw a curve per load over speed, or reversed; ``of_ball``: of the most loaded ball."""
+    """Draw curves over speed by load, or over load by speed; ``of_ball``: of the most loaded."""
     rpm = result.speed * RPM.factor
     ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
     if along_load(result):

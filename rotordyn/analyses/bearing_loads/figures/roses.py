@@ -35,7 +35,7 @@ def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
 
 
 def ring_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
-    """Draw such roses of the raceways' deflection, inner plus outer, which brings rings closer."""
+    """Draw roses of the raceways' deflection, inner plus outer, which brings rings closer."""
     both = (result.inner_ring_deflection + result.outer_ring_deflection) * 1e6
     return _roses(result, both, "deflection of both raceways at every ball [µm]", speeds)
 

@@ -46,7 +46,7 @@ def control_figure(result: ControlResult) -> Figure:
 
 
 def draw_control(axes: Axes, result: ControlResult, most: int = 6) -> None:
-    """Draw such a diagram; ``most`` ticks of speed."""
+    """Draw regions, boundaries and fits; ``most`` ticks of speed."""
     rpm = result.speed * RPM.factor
     axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
     axes.set_ylabel(f"{load_name(result)} [N]", fontsize=FONT_SIZE)
